@@ -25,11 +25,10 @@ def told(lines: str, body: str = "") -> list[str]:
         (FETCH.format("GIT_REPOSITORY"), "<buildtool_depend>git</buildtool_depend>"),
         (FETCH.format("HG_REPOSITORY"), "<buildtool_depend>mercurial</buildtool_depend>"),
         (FETCH.format("SVN_REPOSITORY"), "<buildtool_depend>subversion</buildtool_depend>"),
-        ("find_package(Git REQUIRED)", "<buildtool_depend>git</buildtool_depend>"),
-        ("find_package(PkgConfig REQUIRED)", "<buildtool_depend>pkg-config</buildtool_depend>"),
+        ("pkg_check_modules(X REQUIRED x)", "<buildtool_depend>pkg-config</buildtool_depend>"),
         ("pkg_search_module(X REQUIRED x)", "<buildtool_depend>pkg-config</buildtool_depend>"),
         (
-            "if(BUILD_TESTING)\n  find_package(PkgConfig REQUIRED)\nendif()",
+            "if(BUILD_TESTING)\n  pkg_check_modules(X REQUIRED x)\nendif()",
             "<test_depend>pkg-config</test_depend>",
         ),
         ("if($ENV{ROS_VERSION} EQUAL 1)\nendif()", "<build_depend>ros_environment</build_depend>"),
@@ -45,12 +44,12 @@ def test_a_tool_is_asked_for_once(lines: str, wanted: str) -> None:
     [
         (FETCH.format("URL"), ""),
         ("find_package(PkgConfig)\npkg_check_modules(X x)", ""),
-        ("find_package(REQUIRED)", ""),
+        ("find_package(Git REQUIRED)\nfind_package(PkgConfig REQUIRED)", ""),
         ("set(NAME $ENV{HOME})", ""),
         ("if(DEFINED ENV{ROS_DISTRO})\n  set(NAME $ENV{ROS_DISTRO})\nendif()", ""),
         (FETCH.format("GIT_REPOSITORY"), "  <build_depend>git</build_depend>\n"),
         (FETCH.format("GIT_REPOSITORY"), "  <buildtool_depend>ament_cmake_vendor_package</buildtool_depend>\n"),
-        ("find_package(PkgConfig REQUIRED)", "  <depend>rclcpp</depend>\n"),
+        ("pkg_check_modules(X REQUIRED x)", "  <depend>rclcpp</depend>\n"),
         ("set(NAME $ENV{ROS_DISTRO})", "  <buildtool_depend>autoware_cmake</buildtool_depend>\n"),
     ],
 )

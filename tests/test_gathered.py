@@ -43,6 +43,14 @@ def test_what_a_metapackage_need_not_name(other: dict[str, str]) -> None:
     assert left_out(other) == []
 
 
+def test_a_metapackage_in_python() -> None:
+    body = "".join(f"  <exec_depend>{name}</exec_depend>\n" for name in NAMED)
+    own = {path.replace("my_pkg", "robot"): text.replace("my_pkg", "robot") for path, text in PYTHON.items()}
+    own = {f"robot/{path}": text for path, text in own.items()} | {"robot/package.xml": manifest(body, name="robot")}
+    assert left_out(package("lidar"), own) == ["lidar"]
+    assert left_out(package("lidar"), own | {"robot/robot/talker.py": "print(1)\n"}) == []
+
+
 def test_what_comes_with_a_named_package() -> None:
     assert left_out(package("lidar"), package("arm", "  <depend>lidar</depend>\n")) == []
 

@@ -20,6 +20,7 @@ Talker() : Node("talker")
     declare_parameter<double>("only_then");
   }
   declare_parameter("optional", 5);
+  declare_parameter("number_of_wheels", 4);
 }
 """
 
@@ -191,6 +192,11 @@ def test_lists_of_plugins(names: str, said: str) -> None:
         (["vrbsoe", "rate"], ["`verbose`"]),
         (["fra"], []),
         (["use_sim_tim"], []),
+        (["wheels"], ["`number_of_wheels`"]),
+        (["number"], []),
+        (["of_wheels", "nothing"], []),
+        (["wheel"], []),
+        (["of"], []),
     ],
 )
 def test_names_in_launch_files_that_the_package_does_not_declare(names: list[str], meant: list[str]) -> None:

@@ -41,6 +41,10 @@ DEFAULTS = python(
     "ExecuteProcess(cmd=['ls', os.environ.get('X', 5)])",
     "Node(package='p', executable='e', arguments=['a', os.environ.get('X', default=5)])",
     "LogInfo(msg=str(os.environ.get('X', 5)))",
+    "LogInfo(msg=os.environ.get(NAME, 5))",
+    "Node(package='p', executable='e', arguments={'a', '-b'})",
+    "Node(package='p', executable='e', arguments={'a'})",
+    "Node(package='p', executable='e', arguments=('a', '-b'))",
 )
 LATE = (
     local("print(first)", "first = 1"),

@@ -148,6 +148,21 @@ TREES = (
     robot(INCLUDE, '<link name="base"/>', call('prefix="a_" parent="bse"'), name=""),
     robot(INCLUDE, '<link name="a_wheel"/>', call('prefix="a_" parent="a_wheel"'), name=""),
 )  # fmt: skip
+MIMIC = (
+    '<joint name="{}left" type="fixed"/><joint name="${{p}}right" type="{}"><mimic joint="{}"/></joint>'
+    "<joint name='${{p}}control'/>"
+)
+MIMICS = tuple(
+    robot('<xacro:macro name="grip" params="p">', MIMIC.format(*names), "</xacro:macro>", '<xacro:grip p=""/>')
+    for names in (
+        ("${p}", "fixed", "left"),
+        ("${p}", "fixed", "${p}left"),
+        ("${p}", "fixed", "thumb"),
+        ("", "fixed", "left"),
+        ("${q}", "fixed", "left"),
+        ("${p}", "", "left"),
+    )
+)
 USED = call("prefix='a_' parent='base'") + call("prefix='a_'")
 ELSEWHERE = Example(
     on="",
@@ -163,4 +178,4 @@ ELSEWHERE = Example(
     },
     good={},
 )
-CASES = {"URD001": (RIGHT, *CALLS, *NAMES, *TREES, ELSEWHERE, *PREFIXES)}
+CASES = {"URD001": (RIGHT, *CALLS, *NAMES, *TREES, ELSEWHERE, *PREFIXES, *MIMICS)}

@@ -18,6 +18,8 @@ from ..unreadable import UnreadableError
 from .schema.schema import Verdict, validate
 
 FORMAT_OF_SCHEMA = regex(r"package_format(\d)\.xsd")
+OF_AMENT = regex(r"ament_cmake\w*")
+"""Build tools of packages that CMake builds."""
 SCHEMA_OF_XML = (
     regex(r"""\bhref\s*=\s*["']\s*[^\s"']"""),
     regex(r"""\bschematypens\s*=\s*["']http://www\.w3\.org/2001/XMLSchema["']"""),
@@ -191,9 +193,17 @@ class Manifest:
         )
 
     def build_type(self, targets: Targets) -> str:
-        """Return the build type for colcon; `catkin` where none is given (REP-149)."""
+        """Return the build type for colcon; where none is given that of the build tool, else `catkin` (REP-149).
+
+        XML301 tells that none is given: what else is wrong is judged as if it were repaired.
+        """
         found = list(self.build_types(targets))
-        return found[-1].text if found else "catkin"
+        if found:
+            return found[-1].text
+        tools = {d.name for d in self.dependencies if d.tag == "buildtool_depend"}
+        is_of_ament = any(OF_AMENT.fullmatch(name) for name in tools) and "catkin" not in tools
+        is_forgotten = is_of_ament and not any(e.tag == "build_type" for e in self.exports)
+        return "ament_cmake" if is_forgotten else "catkin"
 
 
 def read_manifest(reading: ReaderInput) -> Iterator[Manifest]:

@@ -18,7 +18,6 @@ CLONED_BY = {"GIT_REPOSITORY": "git", "HG_REPOSITORY": "mercurial", "SVN_REPOSIT
 FETCHES = ("externalproject_add", "fetchcontent_declare")
 ASKS_PKG_CONFIG = ("pkg_check_modules", "pkg_search_module")
 PKG_CONFIG, ENVIRONMENT = "pkg-config", "ros_environment"
-FOUND = {"PkgConfig": PKG_CONFIG, "Git": "git"}
 VARIABLE = regex(r"\$ENV\{(ROS_DISTRO|ROS_VERSION|ROS_PYTHON_VERSION)\}")
 """The variables that the package ros_environment sets where it is installed."""
 
@@ -66,8 +65,6 @@ class BuildToolsOfCMake:
             yield from (CLONED_BY[word.text] for word in call.words if word.text in CLONED_BY)
         elif call.name in ASKS_PKG_CONFIG and "REQUIRED" in call.texts:
             yield PKG_CONFIG
-        elif call.name == "find_package" and "REQUIRED" in call.texts[1:]:
-            yield from (FOUND[name] for name in call.texts[:1] if name in FOUND)
 
     def read_in(self, file: CMakeFile) -> Iterator[BuildTool]:
         """Yield the first variable of ros_environment that a file reads and never asks for (`if(DEFINED ENV{…})`)."""

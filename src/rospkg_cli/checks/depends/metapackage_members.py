@@ -35,8 +35,14 @@ class MetapackageMembers:
         return found if len(found) * PARTS <= len(named) else []
 
     def has_no_content(self, facts: PackageFacts) -> bool:
-        """Return whether a package is a metapackage, or installs nothing of its own."""
-        own = facts.executables or facts.modules or facts.headers or facts.cmake_targets or facts.components
+        """Return whether a package is a metapackage, or installs nothing of its own but an empty Python package."""
+        own = (
+            facts.executables
+            or facts.modules - {facts.name}
+            or facts.headers
+            or facts.cmake_targets
+            or facts.components
+        )
         share = facts.share_files - {"package.xml"} if facts.knows("share_files") else True
         return facts.is_metapackage or not (own or facts.interfaces or share)
 

@@ -9,7 +9,7 @@ from functools import cached_property
 from ...languages.xml.parser import Element
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.file_role import LAUNCH
+from ...package.file_role import LAUNCH, role_of
 from ...package.install_table import InstallTable
 from ...package.package_facts import PluginUse
 from ...package.urdf.robot_file import ResourceReference, RobotFile
@@ -64,6 +64,16 @@ class RobotUses:
                     found.setdefault(name, []).append(use)
         return merged_navigation(found)
 
+    def missing_in_tests(self) -> dict[str, list[RobotUse]]:
+        """Return the undeclared packages of plugins in the parameter files of tests that start what loads plugins."""
+        found: dict[str, list[RobotUse]] = {}
+        if self.declared.is_checked and self.loads_plugins:
+            reported = {*self.launch.missing(tests=False), *self.launch.missing(tests=True), *self.missing()}
+            for name, use in self.plugins(tests=True):
+                if name not in reported and not self.declared.has([name]):
+                    found.setdefault(name, []).append(use)
+        return merged_navigation(found)
+
     def references(self) -> Iterator[tuple[str, RobotUse]]:
         """Yield the packages whose files a robot or a world names, where that file is installed."""
         for robot in self.robots:
@@ -89,14 +99,15 @@ class RobotUses:
         is_unknown = self.launch.is_unknown_package(name)
         return bool(paths) and is_unknown and all(map(self.launch.files.exists, paths))
 
-    def plugins(self) -> Iterator[tuple[str, RobotUse]]:
-        """Yield the packages of plugins that are named, but for those that come with others.
+    def plugins(self, *, tests: bool = False) -> Iterator[tuple[str, RobotUse]]:
+        """Yield the packages of plugins that are named by tests or by all else, but for those that come with others.
 
         They are optional in RViz configs and robots, which may be used without them, and in parameters of a package
         that starts nothing that loads plugins, which are for nodes of other packages.
         """
         for use in self.declared.facts.plugin_uses:
-            name = self.package_of(use) if self.is_used(use.path) else None
+            is_meant = role_of(use.path) == "test" if tests else self.is_used(use.path)
+            name = self.package_of(use) if is_meant else None
             if name is not None and name not in self.available and name not in TOOLS:
                 is_optional = not use.path.endswith((".yaml", ".yml")) or not self.loads_plugins
                 is_optional = is_optional or self.is_unused_example(use.path)
@@ -131,7 +142,7 @@ class RobotUses:
         named = (name in file.source.text for file in self.launch.launch_files)
         return EXAMPLE.search(path) is not None and not any(named)
 
-    @property
+    @cached_property
     def loads_plugins(self) -> bool:
         """Whether the package starts what loads the plugins of its parameter files, or hands them to a launch file."""
         return any(LOADS_PLUGINS.match(name) for name in self.started)
@@ -149,7 +160,9 @@ class RobotUses:
         return frozenset(found)
 
     def is_used(self, path: str) -> bool:
-        """Return whether a file is installed, or may be."""
+        """Return whether a file is installed, or may be; what lies with tests is for them alone."""
+        if role_of(path) == "test":
+            return False
         if self.table is None or not self.table.knows("share") or LAUNCH.search(path):
             return True
         return path in self.sources

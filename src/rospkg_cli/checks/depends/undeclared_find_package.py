@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from fnmatch import fnmatchcase
 from functools import cached_property
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.find_package import FoundPackage
@@ -13,10 +14,15 @@ from ...package.interfaces.interface_file import InterfaceFile
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
 from ...ros.distros import Targets
 from ...ros.implied_dependencies import IN_CMAKE, implied_by
+from ...ros.link_targets import ROS_NAME
 from ...ros.names import NameKind
 from ...ros.rosdep import NOT_THERE
+from ...suggest import near_names
 from .brought_dependencies import Bringer
 from .declared_dependencies import DeclaredDependencies
+
+OF_INTERFACES = regex(r"[a-z]\w*_(?:msgs|srvs|actions|interfaces)")
+"""What packages of interfaces are called, and nothing else."""
 
 REPORTED_ELSEWHERE = frozenset({"ament_cmake"})
 """Packages whose absence from package.xml other rules report."""
@@ -58,6 +64,30 @@ class FindPackageDependencies:
                     found, names, self.bringer(found.name, names), self.is_installable(names[0])
                 )
 
+    def unknown(self) -> Iterator[FoundPackage]:
+        """Yield the packages that are used as those of ROS are, that nobody here knows and that are not declared."""
+        seen = {found.name for found in self.cmake.packages if not ROS_NAME.fullmatch(found.name)}
+        for found in self.cmake.packages if self.declared.is_checked else ():
+            name = found.name
+            if name in seen or not self.is_needed(found) or keys_for_cmake(name):
+                continue
+            seen.add(name)
+            is_of_ros = OF_INTERFACES.fullmatch(name) or name in self.handed_to_ament
+            is_known = self.declared.workspace.kind_of(name) in (NameKind.PACKAGE, NameKind.KEY)
+            if is_of_ros and not is_known and not found.call.testing and not self.is_declared_alike(name):
+                yield found
+
+    def is_declared_alike(self, name: str) -> bool:
+        """Return whether package.xml declares a name, or one that serves it or that it is a slip of."""
+        declared = self.declared.names
+        return self.declared.has([name]) or bool(near_names(name, declared) or self.matching_names(name, declared))
+
+    @cached_property
+    def handed_to_ament(self) -> frozenset[str]:
+        """What commands of ament are given, which take packages that ament makes."""
+        calls = self.cmake.named("ament_target_dependencies", "ament_export_dependencies")
+        return frozenset(word.text for call in calls for word in call.words if not word.maybe and not call.maybe)
+
     def needed_providers(self, found: FoundPackage) -> tuple[str, ...]:
         """Return the names that provide a package without which the configuration certainly fails; else nothing."""
         return self.providers(found.name) if self.is_needed(found) else ()
@@ -84,9 +114,7 @@ class FindPackageDependencies:
     @cached_property
     def needed_names(self) -> frozenset[str]:
         """What a target or an export requires, with or without REQUIRED in find_package."""
-        found: set[str] = set()
-        for call in self.cmake.named("ament_target_dependencies", "ament_export_dependencies"):
-            found |= {word.text for word in call.words if not word.maybe and not call.maybe}
+        found = {*self.handed_to_ament}
         for call in self.cmake.named("target_link_libraries"):
             linked = (word.text.partition("::") for word in call.words[1:] if not word.maybe and not call.maybe)
             found |= {package for package, colons, _ in linked if colons}

@@ -168,6 +168,12 @@ class LaunchDependencies:
             if self.role(file.path) == ("test" if tests else "launch"):
                 yield from with_conditions(file)
                 yield from () if tests else self.import_uses(file)
+                yield from reader_uses(file) if self.names_parts_of_launch and not tests else ()
+
+    @cached_property
+    def names_parts_of_launch(self) -> bool:
+        """Whether package.xml declares what launch files are made of part by part, so that what reads them counts."""
+        return not self.declared.names.isdisjoint(LAUNCH)
 
     def is_imported(self, file: LaunchFile) -> bool:
         """Return whether another launch file imports a helper that is no launch file itself."""
@@ -214,3 +220,10 @@ def there_to_launch(declared: DeclaredDependencies) -> frozenset[str]:
     if STARTER not in found:
         found[STARTER] = frozenset({STARTER, *brought_by([STARTER], declared.workspace)})
     return found[STARTER]
+
+
+def reader_uses(file: LaunchFile) -> Iterator[PackageReference]:
+    """Yield the package that reads a launch file in XML or YAML."""
+    if file.root is not None and not file.is_ros1 and file.nodes:
+        at = file.root.name_span
+        yield PackageReference(f"launch_{file.frontend}", file.path, at, "is read by")

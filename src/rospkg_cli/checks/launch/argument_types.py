@@ -51,8 +51,8 @@ def no_text(value: Value, place: Span, what: str) -> Iterator[Fault]:
         defaults = [each for each in value.options if isinstance(each, Constant)]
         if defaults and len(defaults) == len(value.options):
             name = type_name(defaults[0])
-            message = f"{what} takes a string, and where the variable is not set this is {name}"
-            yield Fault(value.span, f"{message}: launch raises TypeError", "warning")
+            message = f"{what} takes a string, and {value.why}: then this is {name}, and launch raises TypeError"
+            yield Fault(value.span, message, "warning")
     elif isinstance(value, Constant) or is_condition(value) or (isinstance(value, Call) and class_of(value) in ACTIONS):
         message = f"{what} takes a string or a substitution, and {type_name(value)} is neither: launch raises TypeError"
         if isinstance(value, Constant):
@@ -70,6 +70,11 @@ def words_faults(argument: Argument, what: str) -> Iterator[Fault]:
         message = f"{what} takes a list: each letter of a string becomes an argument of its own"
         yield Fault(value_span(argument), message)
     elif isinstance(value, Sequence):
+        if value.kind == "set" and len(value.items) > 1:
+            message = (
+                f"{what} is a set, and a set has no order: the words come in another one at each start; write `[…]`"
+            )
+            yield Fault(value_span(argument), message, "warning")
         for item, place in zip(value.items, value.places, strict=True):
             yield from no_text(item, place, f"each item of {what}")
     elif isinstance(value, Constant) or is_substitution(value):

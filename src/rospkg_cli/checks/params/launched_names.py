@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -13,8 +13,8 @@ from ...suggest import near_names
 from .declaring_packages import ENOUGH, is_its_own
 from .launch_parameters import LaunchParameters, NodeArguments
 
-SHORTEST = 4
-"""Letters; a shorter name is near to too many others."""
+SHORTEST, WORDY = 4, 6
+"""Letters; a shorter name is near to too many others, or the last word of too many."""
 DIGITS = regex(r"\d")
 
 
@@ -54,6 +54,11 @@ class LaunchedNames:
                 known = sum(other in declared for other in others)
                 if not is_its_own(name) or name in declared or len(name) < SHORTEST or known < ENOUGH * len(others):
                     continue
-                near = near_names(name, free, 2 if others else 1)
+                near = near_names(name, free, 2 if others else 1) or with_another_word(name, free)
                 if len(near) == 1 and DIGITS.sub("", near[0]) != DIGITS.sub("", name):
                     yield LaunchedName(each.launch.path, text.span, facts.name, name, near[0])
+
+
+def with_another_word(name: str, names: Iterable[str]) -> list[str]:
+    """Return the names that have more words before a name: `number_of_wheels` for `wheels`."""
+    return [each for each in names if len(name) >= WORDY and each.endswith(f"_{name}")]

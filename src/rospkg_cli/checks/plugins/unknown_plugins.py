@@ -8,6 +8,7 @@ from functools import cached_property
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts, Plugin, PluginUse
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
@@ -115,9 +116,11 @@ class PluginReferences:
 
 
 def uses(packages: Iterable[PackageFacts]) -> Iterator[tuple[PackageFacts, PluginUse]]:
+    """Yield the uses of plugins, each with its package; tests may name one that is not there on purpose."""
     for user in packages:
         for use in user.plugin_uses if user.build_type != "catkin" else ():
-            yield user, use
+            if role_of(use.path) != "test":
+                yield user, use
 
 
 def plain(name: str) -> str:

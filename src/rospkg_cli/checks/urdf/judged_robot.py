@@ -8,6 +8,7 @@ from ...light_dataclasses import dataclass, replace
 from ...package.urdf.robot_file import RobotFile
 from ..fault import Fault, Level
 from .expanded_robots import ExpandedRobots
+from .macro_prefix import prefix_faults
 from .validation import robot_faults
 from .xacro_calls import XacroCalls
 
@@ -23,7 +24,10 @@ class JudgedRobot:
         written = robot_faults(self.robot, self.calls)
         told = {fault.span for fault in written}
         made = [fault for fault in self.expanded.faults_of(self.robot.path) if fault.span not in told]
-        return once_each(sorted([*written, *made], key=lambda fault: fault.span))
+        told.update(fault.span for fault in made)
+        later = prefix_faults(self.robot.document.root) if self.robot.is_xacro else ()
+        others = [fault for fault in later if fault.span not in told]
+        return once_each(sorted([*written, *made, *others], key=lambda fault: fault.span))
 
 
 def once_each(faults: Iterable[Fault]) -> list[Fault]:

@@ -9,7 +9,17 @@ from ...languages.python.evaluate.operators import path_join
 from ...languages.python.evaluate.path_functions import PATH_FUNCTIONS
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.state import EvaluationState
-from ...languages.python.evaluate.values import Call, Class, Constant, Function, Namespace, PartialText, Unknown, Value
+from ...languages.python.evaluate.values import (
+    Call,
+    Class,
+    Constant,
+    Function,
+    Namespace,
+    PartialText,
+    Text,
+    Unknown,
+    Value,
+)
 from ...languages.python.file import PythonFile
 from ...source import Span
 from .launch_classes import class_of
@@ -51,9 +61,10 @@ def joined(receiver: PartialText, call: Call) -> Value | None:
 
 def with_default(machine: EvaluationState, call: Call) -> Value | None:
     """os.environ.get and os.getenv: a default that is no text is a value that the launch may get."""
-    found, default = LIBRARY[call.callee](machine, call), call.get("default", 1)
+    found, name, default = LIBRARY[call.callee](machine, call), call.get("key", 0), call.get("default", 1)
     if isinstance(found, Unknown) and isinstance(default, Constant) and default.value is not None:
-        return Unknown(found.span, found.why, options=(default,))
+        shown = f"`{name.text}`" if isinstance(name, Text) else "the variable"
+        return Unknown(found.span, f"{shown} may not be set", options=(default,))
     return found
 
 

@@ -34,7 +34,8 @@ def plugin_uses(reading: ReaderInput) -> tuple[PluginUse, ...]:
 def uses_in(files: PackageFiles, path: str) -> Iterator[PluginUse]:
     plain = TEMPLATE.sub("", path)
     pattern = PATTERNS.get(plain[plain.rfind(".") :])
-    if pattern is None or role_of(path) not in ("run", "launch"):
+    roles = ("run", "launch", "test") if pattern is YAML else ("run", "launch")
+    if pattern is None or role_of(path) not in roles:
         return
     try:
         text = files.source(path).text

@@ -63,8 +63,9 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     ## What it does
     Finds packages that launch files need and package.xml does not declare.
     Launch files need packages whose nodes and components they start, whose files they find or include, whose modules
-    they import, and whose programs they run (`xacro`, `xterm -e`). Launch files of tests require a test_depend. Other
-    installed code that describes nodes (`Node(package='…', executable='…')`) counts too, at info level.
+    they import, whose programs they run (`xacro`, `xterm -e`), and, where package.xml names parts of launch, what reads
+    them (`launch_xml`, `launch_yaml`). Launch files of tests require a test_depend. Other installed code that describes
+    nodes (`Node(package='…', executable='…')`) counts too, at info level.
 
     ## Why is this bad?
     It works where the package happens to be installed. On a clean machine `rosdep install` skips what package.xml does

@@ -28,8 +28,8 @@ FOUND_IN_TESTS = CMAKE.replace(
     levels={
         Severity.WARNING: "for a package that is found, since it may be installed, and for commands in tests; an error "
         "is a command that nothing defines",
-        Severity.INFO: "where a declared dependency brings or may bring it, package.xml has it in a comment, or its "
-        "rosdep key has no rule for a supported distribution",
+        Severity.INFO: "where a declared dependency brings or may bring it, package.xml has it in a comment, its "
+        "rosdep key has no rule for a supported distribution, or no one here knows the package",
     },
     examples=(
         Example(
@@ -58,7 +58,8 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
     Finds required `find_package()` calls for packages that package.xml does not declare.
     ROS packages are checked, and libraries that have a rosdep key (`Eigen3` is `eigen`). Without REQUIRED the call
     counts where a target or an export uses the package all the same. A command for tests (`ament_add_gtest()`) counts
-    where its package is neither found nor declared.
+    where its package is neither found nor declared. A name that no one here knows counts where ament is given it, or
+    it ends like one of interfaces (`acme_msgs`).
 
     ## Why is this bad?
     It builds where the package happens to be installed, or to be built before. On a clean machine and on the build farm
@@ -96,6 +97,8 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
         level = Severity.INFO if is_left_out(declared, name) else Severity.WARNING
         yield Hit(found.word.path, found.word.span, message, level, fix=declaration(declared, kind, name))
     yield from left_to_others(declared, brought, "required by CMake")
+    for found in dependencies.unknown():
+        yield Hit(found.word.path, found.word.span, unknown_package(found.name), Severity.INFO)
     for each in CommandsForTests(declared, dependencies.cmake).undeclared():
         level = Severity.WARNING if each.call.testing else Severity.ERROR
         level = Severity.INFO if each.may_be_brought else level
@@ -115,6 +118,13 @@ def not_installable(missing: UndeclaredFindPackage) -> str:
     return (
         f"CMake requires `{missing.found.name}`, and package.xml does not declare it: rosdep installs nothing for "
         f"`{missing.names[0]}` on supported distributions; declare the vendor package that brings it"
+    )
+
+
+def unknown_package(name: str) -> str:
+    return (
+        f"CMake requires `{name}`, and package.xml does not declare it: where it is a package of the workspace, colcon "
+        "may build this one first; declare it"
     )
 
 

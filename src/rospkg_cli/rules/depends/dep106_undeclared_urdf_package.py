@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_left_out
-from ...checks.depends.robot_uses import RobotUses
+from ...checks.depends.robot_uses import RobotUse, RobotUses
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule
 
-TAG = "exec_depend"
 DECLARED = "  <exec_depend>{}</exec_depend>\n"
 
 ROBOT = """\
@@ -54,7 +53,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     ## What it does
     Finds undeclared packages that robots, worlds, RViz configs and parameter files need.
     Installed files need packages whose files they name (`package://…`, `$(find …)`) and whose plugins they name
-    (`nav2_navfn_planner::NavfnPlanner`).
+    (`nav2_navfn_planner::NavfnPlanner`). Parameter files of tests need a test_depend where launch files start what
+    loads plugins.
 
     ## Why is this bad?
     It works where the package happens to be installed. On a clean machine `rosdep install` skips what package.xml does
@@ -77,17 +77,23 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     - REP-149, exec_depend
     """
     declared = robots.declared
-    brought: list[BroughtUse] = []
-    for name, uses in robots.missing().items():
-        first = uses[0]
-        if bringer := declared.bringers([name], runs=True).get(name):
-            brought.append(BroughtUse(name, bringer, TAG, first.path, first.span))
-            continue
-        meant = robots.declared.facts.name if robots.has_files_of(name) else robots.launch.meant(name)
-        todo = f"did you mean `{meant}`?" if meant else advice(declared, TAG, name)
-        message = f"`{name}` is not declared, {first.usage}: on a clean machine {first.consequence}; {todo}"
-        fix = None if meant else declaration(declared, TAG, name)
-        places = related((use.path, use.span) for use in uses)
-        mild = is_left_out(declared, name) or all(use.is_optional for use in uses)
-        yield Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)
-    yield from left_to_others(declared, brought, "used by robots, worlds or parameters")
+    for tests, tag in ((False, "exec_depend"), (True, "test_depend")):
+        brought: list[BroughtUse] = []
+        for name, uses in (robots.missing_in_tests() if tests else robots.missing()).items():
+            if bringer := declared.bringers([name], runs=not tests).get(name):
+                brought.append(BroughtUse(name, bringer, tag, uses[0].path, uses[0].span))
+            else:
+                yield undeclared(robots, tag, name, uses)
+        who = "the parameters of tests" if tests else "robots, worlds or parameters"
+        yield from left_to_others(declared, brought, f"used by {who}")
+
+
+def undeclared(robots: RobotUses, tag: str, name: str, uses: list[RobotUse]) -> Hit:
+    declared, first = robots.declared, uses[0]
+    meant = declared.facts.name if robots.has_files_of(name) else robots.launch.meant(name)
+    todo = f"did you mean `{meant}`?" if meant else advice(declared, tag, name)
+    message = f"`{name}` is not declared, {first.usage}: on a clean machine {first.consequence}; {todo}"
+    fix = None if meant else declaration(declared, tag, name)
+    mild = is_left_out(declared, name) or all(use.is_optional for use in uses)
+    places = related((use.path, use.span) for use in uses)
+    return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)

@@ -77,7 +77,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     ## What it does
     Finds values for parameters that no code declares, where a similar name is declared.
     The package that declares the other parameters of the block declares the similar one, and the block does not give
-    it. Names in launch files are compared with what the node's package declares. In code `get_parameter` is checked
+    it. Names in launch files are compared with what the node's package declares; `wheels` for `number_of_wheels` is
+    similar there. In code `get_parameter` is checked
     likewise: a name that is not declared, in a file that declares a similar one without getting it.
 
     ## Why is this bad?

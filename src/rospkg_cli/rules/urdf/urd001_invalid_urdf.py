@@ -58,7 +58,8 @@ def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> 
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a part of a link is lost, a condition or unused macro is around it, or it may be elsewhere",
-        Severity.INFO: "nothing reads the property that can't be evaluated, or Gazebo leaves out what is unknown",
+        Severity.INFO: "nothing reads the property that can't be evaluated, Gazebo leaves out what is unknown, or a "
+        "prefix may be given",
     },
     examples=(
         example('<parent link="«bse»"/>', '<parent link="base"/>'),
