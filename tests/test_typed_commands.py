@@ -77,7 +77,7 @@ BEFORE = {
     ),
     "docs/change.md: Another name": ("new my_robot --node drive", "new my_arm --node talker"),
     "docs/editors.md: Without a server": ("new src/my_robot_nav",),
-    "docs/new.md: Update": ("new my_robot_nav",),
+    "docs/new.md: Update": ("new my_robot_nav", "new my_ws --type workspace"),
     "docs/new.md: Where the folder exists": ("new my_robot_nav -t ament_cmake --node talker",),
     "docs/new.md: Nodes about an interface": ("new my_msgs -t interfaces --msg RobotStatus:'bool on' --srv SetGoal",),
 }
