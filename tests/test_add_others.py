@@ -438,3 +438,11 @@ def test_a_dependency_that_nothing_names_goes() -> None:
     used = python_package(SETUP) | {"my_pkg/old.py": "import std_msgs\n"}
     after, _ = taken(added(used, "dependency", "std_msgs"), "dependency", "std_msgs", force=True)
     assert text(after, "package.xml") == used["package.xml"]
+
+
+def test_a_launch_file_is_removed_by_its_name_alone() -> None:
+    files = python_package(GLOB)
+    for form in ("py", "xml", "yaml"):
+        comes_back(files, added(files, "launch", f"up:{form}"), "launch", "up")
+    after, _ = taken(added(files, "launch", "up:xml", "up:yaml"), "launch", "up:yaml")
+    assert after.package("").files.below("launch") == ("launch/up.launch.xml",)

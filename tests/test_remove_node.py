@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from adding import added, cmake_package, comes_back, python_package, taken, text
 
+from rospkg_cli.change.draft import Draft
 from rospkg_cli.example import SETUP_PY
 
 PYTHON = python_package(SETUP_PY)
@@ -12,6 +13,12 @@ CMAKE = cmake_package(
     "cmake_minimum_required(VERSION 3.20)\nproject(my_pkg)\n\nfind_package(ament_cmake REQUIRED)\n\n"
     "add_executable(old src/old.cpp)\ninstall(TARGETS old DESTINATION lib/${PROJECT_NAME})\n\nament_package()\n"
 )
+
+
+def all_files(draft: Draft) -> dict[str, str]:
+    return {path: text(draft, path) for path in draft.tree.files()}
+
+
 SEVERAL = "subscriber:sensor_msgs/Imu@/imu:sensor_data+publisher:geometry_msgs/Twist@/cmd_vel+service:std_srvs/SetBool"
 
 
@@ -45,3 +52,23 @@ def test_a_python_package_that_was_installed_before_stays(found: str) -> None:
     after, _ = taken(before, "node", "idler")
     assert text(after, "CMakeLists.txt") == cmake
     assert after.entry("my_pkg/__init__.py") is not None
+
+
+@pytest.mark.parametrize(
+    ("files", "first", "second"),
+    [
+        (CMAKE, "one:publisher:python", "two:publisher"),  # what it declares is needed by Python too
+        (PYTHON, "one:tf-listener", "two:tf-listener"),  # the name that Python imports is not the package's
+    ],
+)
+def test_the_second_is_taken_away_from_the_first(files: dict[str, str], first: str, second: str) -> None:
+    before = all_files(added(files, "node", first))
+    draft = added(before, "node", second)
+    comes_back(before, draft, "node", "two")
+
+
+def test_what_each_language_needed_goes_with_the_last_of_them() -> None:
+    draft = added(all_files(added(CMAKE, "node", "one:publisher:python")), "node", "two:publisher")
+    after, exact = taken(draft, "node", "one", "two")
+    assert "rcl_interfaces" not in text(after, "package.xml") + text(after, "CMakeLists.txt")
+    assert not exact

@@ -42,9 +42,9 @@ class FoundInCMake:
         return (add_before(root, first, f"{line}\n"),) if first else ()
 
     def remove(self, package: Package) -> Iterator[Operations]:
-        """Yield the removal of the line, nothing where a file of the package needs it."""
+        """Yield the removal of the line, nothing where a file of the package needs it: Python finds no packages."""
         cmake = cmake_of(package)
-        if is_needed(package, self.name):
+        if is_needed(package, self.name, ".py"):
             return
         for command in reversed(cmake.root.top):
             texts = [argument.text for argument in command.arguments]

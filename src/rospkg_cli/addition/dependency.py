@@ -7,6 +7,7 @@ from typing import Literal
 
 from ..change import ChangeError
 from ..edits.manifest import add_dependency, remove_element
+from ..languages.xml.elements import Element
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.manifest import Manifest
@@ -66,13 +67,31 @@ class AddedDependency:
         return "exec_depend" if tags & BUILDS else "build_depend" if tags & RUNS else "depend"
 
     def remove(self, package: Package) -> Iterator[Operations]:
-        """Yield the removal of the element, nothing where a file of the package needs it."""
+        """Yield the removal of the element, nothing where a file of the package needs it.
+
+        Where Python alone needs what C++ was compiled with, that of the build goes.
+        """
         manifest = manifest_of(package)
-        wanted = self.tag or TAGS[self.need]
-        tags = {wanted} | ({"build_depend", "run_depend"} if manifest.format == 1 else set())
-        found = [each.element for each in manifest.dependencies if each.name == self.name and each.tag in tags]
-        if found and (self.force or not is_needed(package, self.name)):
+        if self.force or not is_needed(package, self.name):
+            wanted = self.tag or TAGS[self.need]
+            tags = {wanted} | ({"build_depend", "run_depend"} if manifest.format == 1 else set())
+            found = self.elements(manifest, tags)
+            if not found and self.is_of_both:
+                found = self.elements(manifest, {"build_depend", "exec_depend"})
+        elif self.is_of_both and not is_needed(package, self.name, ".py") and self.elements(manifest, {"exec_depend"}):
+            found = self.elements(manifest, {"build_depend"})
+        else:
+            return
+        if found:
             yield tuple(remove_element(manifest, element) for element in found)
+
+    @property
+    def is_of_both(self) -> bool:
+        """Whether it is for the build and for the run, under tags that nobody asked for."""
+        return self.need == "all" and not self.tag
+
+    def elements(self, manifest: Manifest, tags: set[str]) -> list[Element]:
+        return [each.element for each in manifest.dependencies if each.name == self.name and each.tag in tags]
 
 
 NAME = regex(r"[A-Za-z][A-Za-z0-9_-]*")

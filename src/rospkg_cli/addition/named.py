@@ -26,6 +26,7 @@ STANDS_FOR = {
     "rclcpp_components": r"rclcpp_components_register_\w+",
     "rosidl_default_generators": r"rosidl_generate_interfaces\b",
     "rosidl_default_runtime": r"rosidl_generate_interfaces\b",
+    "tf2_ros_py": r"\b(?:from|import)\s+tf2_ros\b",
     "python3-pytest": r"\bpytest\b",
     "python3-yaml": r"\byaml\b",
 }
@@ -39,12 +40,16 @@ BY_FILES = {
 """What files with certain ends need."""
 
 
-def is_needed(package: Package, name: str) -> bool:
-    """Return whether a file of a package, other than package.xml, names another package, or does what needs it."""
+def is_needed(package: Package, name: str, besides: str = "") -> bool:
+    """Return whether a file of a package, other than package.xml, names another package, or does what needs it.
+
+    Files that end in `besides` don't count, such as those of Python for who compiles.
+    """
     if name in BY_FILES:
         return any(path.endswith(BY_FILES[name]) for path in package.files.paths)
     word = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])|" + STANDS_FOR.get(name, r"(?!)"))
-    return any(word.search(code_of(package, path, name)) for path in package.files.paths if is_code(path))
+    paths = [path for path in package.files.paths if is_code(path) and not (besides and path.endswith(besides))]
+    return any(word.search(code_of(package, path, name)) for path in paths)
 
 
 def is_code(path: str) -> bool:

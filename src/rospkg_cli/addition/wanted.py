@@ -16,7 +16,7 @@ from ..scaffold.workspace import WorkspacePackages
 from .depend import depend_parts
 from .dependency import AddedDependency, manifest_of
 from .interface import interface_parts, parts_of
-from .launch import launch_parts
+from .launch import SUFFIX, launch_parts
 from .named import is_needed
 from .new_file import NewFile
 from .node import node_parts, node_place, requested_node
@@ -125,7 +125,10 @@ NODE = re.compile(r"(?:package='|pkg=\"|pkg: )([\w.-]+)(?:',\s*executable='|\" e
 
 
 def launch_that_is_there(package: Package, name: str, force: bool) -> Sequence[Part]:
-    """Return the parts of a launch file, with the nodes that it names."""
+    """Return the parts of a launch file, with the nodes that it names; its format may be left out where one has it."""
+    paths = [path.rpartition("/")[2] for path in package.files.below("launch")]
+    alike = [each for each in paths if (end := SUFFIX.search(each)) and each[: end.start()] == name]
+    name = alike[0] if len(alike) == 1 else name
     plain = existing(package, launch_parts(package, name, force=force))
     path = next(each.path for each in plain if isinstance(each, NewFile))
     nodes = [f"{owner}/{executable}" for owner, executable in NODE.findall(package.files.readable_text(path))]
