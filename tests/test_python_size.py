@@ -63,8 +63,8 @@ def test_what_is_just_not_too_deep_can_be_visited() -> None:
 
 def test_a_line_is_decoded_once(monkeypatch: pytest.MonkeyPatch) -> None:
     made: list[str] = []
-    table = syntax.char_table
-    monkeypatch.setattr(syntax, "char_table", lambda text: made.append(text) or table(text))
+    table = syntax.CharTable
+    monkeypatch.setattr(syntax, "CharTable", lambda text: made.append(text) or table(text))
     file = parse_python(Source("a.py", "x = 'é'; " + "y = 1; " * 50 + "z = 'ü'\n"))
     shown = [file.text(node.targets[0]) for node in file.tree.body if isinstance(node, ast.Assign)]
     assert shown == ["x", *["y"] * 50, "z"]

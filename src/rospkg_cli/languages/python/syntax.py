@@ -9,7 +9,6 @@ from __future__ import annotations
 import ast
 import gc
 import warnings
-from array import array
 from functools import cached_property
 from typing import Protocol
 
@@ -18,7 +17,7 @@ from ...light_dataclasses import dataclass
 from ...read_problem import ReadProblem
 from ...source import Source, Span
 from ...unreadable import UnreadableError
-from ..char_table import char_table
+from ..char_table import CharTable
 from .newer_syntax import needs_newer
 from .size_limits import MAX_DEPTH, MAX_TOKENS, is_too_deep, is_too_large
 
@@ -56,7 +55,7 @@ class PythonSyntax:
         return self.source.text.isascii()
 
     @cached_property
-    def columns(self) -> dict[int, array[int] | None]:
+    def columns(self) -> dict[int, CharTable | None]:
         """By line, for each byte the character that it belongs to; None for a line of which each byte is one."""
         return {}
 
@@ -67,9 +66,9 @@ class PythonSyntax:
             return start + byte
         if line not in self.columns:
             text = self.source.text[start : self.lines[line] if line < len(self.lines) else len(self.source.text)]
-            self.columns[line] = None if text.isascii() else char_table(text)
+            self.columns[line] = None if text.isascii() else CharTable(text)
         columns = self.columns[line]
-        return start + (byte if columns is None else columns[min(byte, len(columns) - 1)])
+        return start + (byte if columns is None else columns[byte])
 
     def span(self, node: PositionedNode) -> Span:
         start = self.offset(node.lineno, node.col_offset)

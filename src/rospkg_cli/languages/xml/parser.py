@@ -8,7 +8,7 @@ from ...lazy_regex import regex
 from ...read_problem import ReadProblem
 from ...source import Source, Span
 from ...unreadable import UnreadableError
-from ..char_table import char_table
+from ..char_table import CharTable
 from .elements import Attribute as Attribute
 from .elements import Document as Document
 from .elements import Element as Element
@@ -54,7 +54,7 @@ class XmlParser:
             VALUE.sub(lambda found: found[0].replace("<", STAND_IN), source.text) if self.is_replaced else source.text
         )
         self.data = text.encode("utf-8", "surrogatepass")
-        self.chars = char_table(source.text) if len(self.data) != len(source.text) else None
+        self.chars = CharTable(source.text) if len(self.data) != len(source.text) else None
         self.parser = expat.ParserCreate("utf-8")
         top = Span(0, len(source.text))
         self.stack = [Element("", top, Span(0, 0), top)]
