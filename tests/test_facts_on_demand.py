@@ -13,7 +13,7 @@ from rospkg_cli.example import Example
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.light_dataclasses import field_names
 from rospkg_cli.package import facts_on_demand
-from rospkg_cli.package.collect_facts import PARTS, collect_facts
+from rospkg_cli.package.collect_facts import DOUBTS, PARTS, collect_facts
 from rospkg_cli.package.facts_on_demand import FactsOnDemand
 from rospkg_cli.package.package import Package
 from rospkg_cli.package.package_facts import PackageFacts
@@ -50,6 +50,7 @@ def test_they_are_the_same(tree: Tree) -> None:
         "components",
         "modules",
         "loaders",
+        "header_files",
     ):
         assert on_demand(package_in(tree)).knows(field) is wanted.knows(field)
     sent = pickle.loads(pickle.dumps(on_demand(package_in(tree))))
@@ -81,6 +82,24 @@ def test_cmake_is_evaluated_where_it_may_define_parameters(line: str, is_evaluat
     package = package_in(MemoryTree.of(files | {"CMakeLists.txt": f"{files['CMakeLists.txt']}\n{line}\n"}))
     assert on_demand(package).parameters == ()
     assert ("CMake" in [kind.__name__ for kind in package._parts]) == is_evaluated
+
+
+@pytest.mark.parametrize("line, is_known", [("", True), ("generate_parameter_library(p p.yaml)", False)])
+def test_headers_are_listed_without_their_build(line: str, is_known: bool) -> None:
+    files = Example(bad={}, good={}, on="ament_cmake").bad_files() | {"include/my_pkg/a.hpp": ""}
+    package = package_in(MemoryTree.of(files | {"CMakeLists.txt": f"{files['CMakeLists.txt']}\n{line}\n"}))
+    facts = on_demand(package)
+    assert facts.header_files == frozenset({"my_pkg/a.hpp"})
+    assert "CMake" not in [kind.__name__ for kind in package._parts]
+    assert facts.knows("header_files") is is_known
+    assert on_demand(package).unknown == facts.unknown == collect_facts(package, Targets(), "", "").unknown
+
+
+def test_a_doubt_that_raises_holds(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(DOUBTS, "header_files", lambda _: bool(1 // 0))
+    facts = on_demand(package_in(TREES[1]))
+    assert not facts.knows("header_files")
+    assert "header_files" in facts.unknown
 
 
 def test_what_raises_is_unknown(monkeypatch: pytest.MonkeyPatch) -> None:

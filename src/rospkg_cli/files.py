@@ -14,6 +14,9 @@ from .source import Source, Span
 from .tree import EXISTING, FILES, LINKED, LeadsOutError, SkippedError, Tree
 from .unreadable import Unreadable, UnreadableError
 
+UTF16 = (b"\xff\xfe", b"\xfe\xff")
+"""The marks at the start of texts in which a letter takes two bytes."""
+
 T = TypeVar("T")
 T_co = TypeVar("T_co", covariant=True)
 
@@ -136,6 +139,17 @@ class PackageFiles:
             return self.source(path).text
         except UnreadableError:
             return ""
+
+    def holds(self, path: str, word: bytes) -> bool:
+        """Return whether a word of ASCII stands in a file, which need not be decoded for that.
+
+        False where it can't be read.
+        """
+        try:
+            data = self.tree.entry(path).data
+        except OSError:
+            return False
+        return word in data or (data[:2] in UTF16 and word.decode() in self.readable_text(path))
 
 
 def has_file(tree: Tree, path: str) -> bool:

@@ -9,7 +9,7 @@ from typing import Any, get_args
 from ..files import ReaderInput
 from ..ros.distros import Targets
 from .cmake.cmake_facts import exported_targets, has_targets, registered_components
-from .cmake.made_headers import header_files
+from .cmake.made_headers import has_other_headers, header_files
 from .contested_build_type import is_build_type_contested
 from .dependency_facts import dependencies, group_dependencies, groups
 from .include_dirs import include_dirs
@@ -69,11 +69,6 @@ def of_exports(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[str
     return {"cmake_targets": targets}, set() if complete else {"cmake_targets"}
 
 
-def of_headers(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
-    headers, complete = header_files(reading)
-    return {"header_files": headers}, set() if complete else {"header_files"}
-
-
 def of_loaders(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
     loaders, complete = loaded_bases(reading)
     return {"loaders": loaders}, set() if complete else {"loaders"}
@@ -116,10 +111,13 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("cmake_targets",): of_exports,
     ("is_compiled",): one("is_compiled", has_targets),
     ("plugin_uses",): one("plugin_uses", plugin_uses),
-    ("header_files",): of_headers,
+    ("header_files",): one("header_files", header_files),
     ("headers",): one("headers", lambda reading: include_dirs(reading.files)),
 }  # fmt: skip
 """What is collected together, by the fields that it yields."""
+
+DOUBTS: dict[UnknownField, Callable[[ReaderInput], bool]] = {"header_files": has_other_headers}
+"""Whether a field is unknown, where that takes longer to find out than the field, and is seldom asked."""
 
 
 MADE_BY_THE_BUILD: frozenset[UnknownField] = frozenset(get_args(UnknownField)) - {"name", "dependencies", "interfaces"}
@@ -148,6 +146,7 @@ def collect_facts(reading: ReaderInput, targets: Targets, folder: str, fallback:
         found, doubts = collect_part(part, reading, targets, manifest)
         fields |= found
         unknown |= doubts
+    unknown |= {name for name, is_unknown in DOUBTS.items() if is_unknown(reading)}
     return PackageFacts(name_of(manifest, folder, fallback), folder, unknown=frozenset(unknown), **fields)
 
 

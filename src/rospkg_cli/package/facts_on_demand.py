@@ -8,7 +8,7 @@ from typing import Any
 from ..files import ReaderInput
 from ..light_dataclasses import field_names
 from ..ros.distros import Targets
-from .collect_facts import PARTS, collect_part, name_of, unknown_facts
+from .collect_facts import DOUBTS, PARTS, collect_part, name_of, unknown_facts
 from .manifest import Manifest
 from .package_facts import PackageFacts, UnknownField
 from .quick_look import QuickLook
@@ -20,13 +20,13 @@ FIELDS = {name: names for names in PARTS for name in names}
 class FactsOnDemand(PackageFacts):
     """Facts whose other fields than `name` and `folder` are collected together with those of their part."""
 
-    __slots__ = ("_doubts", "_look", "_manifest", "_reading", "_targets")
+    __slots__ = ("_doubts", "_look", "_manifest", "_reading", "_settled", "_targets")
 
     def __init__(self, reading: ReaderInput, targets: Targets, manifest: Manifest, folder: str, fallback: str) -> None:
-        doubts: set[UnknownField] = set()
         called = name_of(manifest, folder, fallback)
-        own = (("_reading", reading), ("_targets", targets), ("_manifest", manifest), ("_doubts", doubts))
-        for name, value in (*own, ("_look", QuickLook(reading.files, called)), ("name", called), ("folder", folder)):
+        own: dict[str, object] = {"name": called, "folder": folder, "_look": QuickLook(reading.files, called)}
+        own |= {"_reading": reading, "_targets": targets, "_manifest": manifest, "_doubts": set(), "_settled": set()}
+        for name, value in own.items():
             object.__setattr__(self, name, value)
 
     def __getattr__(self, name: str) -> Any:
@@ -34,6 +34,8 @@ class FactsOnDemand(PackageFacts):
         if name == "unknown":
             for each in FIELDS:
                 getattr(self, each)
+            for each in DOUBTS:
+                self.knows(each)
             object.__setattr__(self, "unknown", frozenset(self._doubts))
         elif name in FIELDS:
             try:
@@ -51,6 +53,13 @@ class FactsOnDemand(PackageFacts):
     def knows(self, field: UnknownField) -> bool:
         if field in FIELDS:
             getattr(self, field)
+        if field in DOUBTS and field not in self._settled:
+            self._settled.add(field)
+            try:
+                is_unknown = DOUBTS[field](self._reading)
+            except Exception:
+                is_unknown = True
+            self._doubts.update([field] if is_unknown else [])
         return field not in self._doubts
 
     @property

@@ -15,7 +15,18 @@ from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 
 SETUP_FILES = ("setup.py", "setup.cfg", "pyproject.toml")
+NO_NAMES = regex(
+    r"^[ \t]*(?:from[ \t]+\S+[ \t]+)?import[ \t][^(\n]*$"
+    r"|\b\w+_requires?[ \t]*=[ \t]*(?:\[[^\[\]]*\]|\{[^{}]*\})",
+    re.MULTILINE,
+)
+"""What names modules in setup.py that others install: its imports, and what it requires."""
 CMAKE_FILES = ("CMakeLists.txt", ".cmake")
+EXPORTED = regex(
+    r"pluginlib_export_plugin_description_file\s*\(([^)]*)\)|\bplugin\s*=\s*[\"']([^\"']*)[\"']", re.IGNORECASE
+)
+"""Where CMake and package.xml export descriptions of plugins, with what names the file."""
+IDENTIFIER = regex(r"\w+")
 INSTALLS_PYTHON = regex(
     "python_install|PYTHON_INSTALL|pybind|nanobind|[Pp]ython3?_add|[Ss]ite.?(packages|arch|lib)|SITE"
 )
@@ -37,6 +48,8 @@ class QuickLook:
             return value[0].rpartition("/")[2] in self.names
         if field == "started_nodes":
             return self.has_in(LAUNCH_ENDINGS, value[0])
+        if field == "plugins":
+            return self.may_describe(value[0])
         return True
 
     def may_have_module(self, top: str) -> bool:
@@ -52,14 +65,31 @@ class QuickLook:
 
     def is_named_in_build(self, name: str) -> bool:
         """Return whether setup.py or the like holds a word, or a CMake file that installs Python."""
-        word = re.compile(rf"\b{re.escape(name)}\b")
-        return any(word.search(text) for text in self.build_texts)
+        return name in self.build_words
 
     @cached_property
-    def build_texts(self) -> tuple[str, ...]:
-        cmake = (self.files.readable_text(path) for path in self.files.paths if path.endswith(CMAKE_FILES))
+    def build_words(self) -> frozenset[str]:
         setup = (self.files.readable_text(path) for path in SETUP_FILES if self.files.exists(path))
-        return (*(text for text in cmake if INSTALLS_PYTHON.search(text)), *setup)
+        cmake = (text for text in self.cmake_texts if INSTALLS_PYTHON.search(text))
+        texts = (*cmake, *(NO_NAMES.sub("", text) for text in setup))
+        return frozenset(word for text in texts for word in IDENTIFIER.findall(text))
+
+    @cached_property
+    def cmake_texts(self) -> tuple[str, ...]:
+        return tuple(self.files.readable_text(path) for path in self.files.paths if path.endswith(CMAKE_FILES))
+
+    def may_describe(self, word: str) -> bool:
+        """Return whether a word of a plugin's name may stand in an exported description."""
+        if not self.exported:
+            return False
+        is_plain = all(".xml" in name for name in self.exported) and IDENTIFIER.fullmatch(word) is not None
+        return not is_plain or self.has_in((".xml",), word)
+
+    @cached_property
+    def exported(self) -> tuple[str, ...]:
+        """What names the files of the descriptions that are exported, as it is written."""
+        texts = (*self.cmake_texts, self.files.readable_text("package.xml"))
+        return tuple(found[1] or found[2] or "" for text in texts for found in EXPORTED.finditer(text))
 
     def has_in(self, endings: tuple[str, ...], word: str) -> bool:
         """Return whether the text of a file with one of some endings holds a word."""

@@ -124,12 +124,14 @@ class RobotUses:
             return None if second in GENERATED or INTERFACES.fullmatch(first) else first
         if owner is not None and any(plugin.name == use.name for plugin in owner.plugins):
             return first
-        return self.plugin_packages.get(use.name)
+        return self.describing(use.name)
 
-    @cached_property
-    def plugin_packages(self) -> dict[str, str]:
-        """The plugins that packages of the workspace describe, each with its package."""
-        return {plugin.name: facts.name for facts in self.declared.workspace.packages for plugin in facts.plugins}
+    def describing(self, name: str) -> str | None:
+        """Return the last package of the workspace that describes a plugin of a name."""
+        word = re.split(r"/|::", name)[-1]
+        packages = (facts for facts in self.declared.workspace.packages if facts.may_have("plugins", (word,)))
+        found = [facts.name for facts in packages if any(plugin.name == name for plugin in facts.plugins)]
+        return found[-1] if found else None
 
     @cached_property
     def started(self) -> frozenset[str]:

@@ -44,26 +44,45 @@ class PluginReferences:
     workspace: Workspace
 
     @cached_property
-    def names(self) -> dict[str, tuple[PackageFacts, Plugin]]:
-        return {plugin.name: (facts, plugin) for facts in self.workspace.packages for plugin in facts.plugins}
+    def _by_word(self) -> dict[str, list[tuple[PackageFacts, Plugin]]]:
+        return {}
 
-    @cached_property
-    def _tails(self) -> dict[str, list[tuple[PackageFacts, Plugin]]]:
-        found: dict[str, list[tuple[PackageFacts, Plugin]]] = {}
-        for each in self.names.values():
-            found.setdefault(tail(each[1].name), []).append(each)
-        return found
+    def with_word(self, word: str) -> list[tuple[PackageFacts, Plugin]]:
+        """Return the plugins in whose names a word stands, with their packages; of several of one name the last."""
+        if word not in self._by_word:
+            packages = (facts for facts in self.workspace.packages if facts.may_have("plugins", (word,)))
+            found = {each.name: (facts, each) for facts in packages for each in facts.plugins if word in each.name}
+            self._by_word[word] = list(found.values())
+        return self._by_word[word]
+
+    def is_described(self, name: str) -> bool:
+        return any(plugin.name == name for _, plugin in self.with_word(tail(name)))
 
     @cached_property
     def selected(self) -> list[PackageFacts]:
         return [facts for facts in self.workspace.packages if facts.folder in self.workspace.selected]
 
     def unknown(self) -> Iterator[UnknownPlugin]:
-        """Yield the unknown names in the selected packages; in all where one of those describes plugins itself."""
+        """Yield the unknown names in the selected packages.
+
+        In all where one of those describes plugins itself; there only what is about a package of theirs.
+        """
         describe = any(facts.plugins for facts in self.selected)
         for user, use in uses(self.workspace.packages if describe else self.selected):
-            if use.name not in self.names:
+            if self.is_of_interest(user, use) and not self.is_described(use.name):
                 yield from self.problems_of(user, use)
+
+    def is_of_interest(self, user: PackageFacts, use: PluginUse) -> bool:
+        """Return whether a user is selected, or the package that a name begins with; else what its class may be of."""
+        if user.folder in self.workspace.selected:
+            return True
+        owner = self.workspace.named(SEPARATOR.split(use.name)[0])
+        return tail(use.name) in self.own_tails if owner is None else owner.folder in self.workspace.selected
+
+    @cached_property
+    def own_tails(self) -> frozenset[str]:
+        """The classes of the plugins of the selected packages."""
+        return frozenset(tail(plugin.name) for facts in self.selected for plugin in facts.plugins)
 
     def misspelt(self) -> Iterator[WrongPlugin]:
         """Yield the names that begin as those of a well-known package, which is not here, and that it does not have.
@@ -72,15 +91,14 @@ class PluginReferences:
         """
         for user, use in uses(self.selected):
             first = SEPARATOR.split(use.name)[0]
-            is_here = first in self._owned or self.workspace.named(first) is not None
-            wrong = None if is_here or use.name in self.names else wrong_plugin(use.name)
+            is_here = self.workspace.named(first) is not None or self.is_owned(first)
+            wrong = None if is_here or self.is_described(use.name) else wrong_plugin(use.name)
             if wrong is not None:
                 yield WrongPlugin(user, use, wrong)
 
-    @cached_property
-    def _owned(self) -> set[str]:
-        """The first pieces of the names of described plugins."""
-        return {SEPARATOR.split(name)[0] for name in self.names}
+    def is_owned(self, first: str) -> bool:
+        """Return whether the name of a described plugin begins with a piece."""
+        return any(SEPARATOR.split(plugin.name)[0] == first for _, plugin in self.with_word(first))
 
     def problems_of(self, user: PackageFacts, use: PluginUse) -> Iterator[UnknownPlugin]:
         name = SEPARATOR.split(use.name)[0]
@@ -89,7 +107,7 @@ class PluginReferences:
             if self.is_certain(owner) and not is_something_else(owner, use.name):
                 yield UnknownPlugin(user, use, owner, self.suggestion(owner, use.name))
         elif self.is_nowhere(name):
-            alike = self._tails.get(tail(use.name), [])
+            alike = [each for each in self.with_word(tail(use.name)) if tail(each[1].name) == tail(use.name)]
             if len(alike) == 1:
                 yield UnknownPlugin(user, use, *alike[0])
 

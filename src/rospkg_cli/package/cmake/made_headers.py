@@ -20,13 +20,17 @@ GENERATES = regex(
 RUNS = ("execute_process", "add_custom_command", "add_custom_target")
 
 
-def header_files(reading: ReaderInput) -> tuple[frozenset[str], bool]:
-    """Return the headers below the `include/` folders of a package, relative to them, and whether these are all."""
+def header_files(reading: ReaderInput) -> frozenset[str]:
+    """Return the headers below the `include/` folders of a package, relative to them."""
+    return frozenset(below_include(reading.files))
+
+
+def has_other_headers(reading: ReaderInput) -> bool:
+    """Return whether the build may make headers."""
     cmake = reading.parts(CMake).only
-    found = frozenset(below_include(reading.files))
     if cmake is None:
-        return found, not is_built_with_cmake(reading)
-    return found, not may_make_headers(cmake) and not made_header_names(cmake)
+        return is_built_with_cmake(reading)
+    return may_make_headers(cmake) or bool(made_header_names(cmake))
 
 
 def below_include(files: PackageFiles) -> list[str]:

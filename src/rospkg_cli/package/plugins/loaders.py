@@ -13,6 +13,7 @@ from ...unreadable import UnreadableError
 from ..file_role import role_of
 
 LOADER = "ClassLoader"
+TEMPLATE = b"ClassLoader<"
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,10 @@ class PluginLoaders:
 
 
 def read_plugin_loaders(reading: ReaderInput) -> Iterator[PluginLoaders]:
-    """Read the sources that use loaders; the others are not parsed."""
+    """Read the sources that use loaders; the others are not parsed, and without any none is decoded."""
+    if not any(reading.files.holds(path, TEMPLATE) for path in source_paths(reading.files)):
+        yield PluginLoaders()
+        return
     texts = dict(sources(reading.files))
     declaring = [read_cpp(reading.files.source(path)) for path, text in texts.items() if LOADER + "<" in text]
     members = {call.variable for file in declaring for call in file.calls_to(LOADER) if call.arguments is None}
@@ -51,13 +55,16 @@ def read_plugin_loaders(reading: ReaderInput) -> Iterator[PluginLoaders]:
     yield PluginLoaders(tuple(found), literal and (bool(found) or not members))
 
 
+def source_paths(files: PackageFiles) -> Iterator[str]:
+    return (path for path in files.paths if path.endswith(SUFFIXES) and role_of(path) == "run")
+
+
 def sources(files: PackageFiles) -> Iterator[tuple[str, str]]:
-    for path in files.paths:
-        if path.endswith(SUFFIXES) and role_of(path) == "run":
-            try:
-                yield path, files.source(path).text
-            except UnreadableError:
-                continue
+    for path in source_paths(files):
+        try:
+            yield path, files.source(path).text
+        except UnreadableError:
+            continue
 
 
 def loaders_in(file: CppFile, members: set[str]) -> Iterator[PluginLoader]:
