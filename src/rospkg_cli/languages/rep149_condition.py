@@ -111,12 +111,12 @@ def evaluate_condition(text: str | None, variables: Mapping[str, str]) -> bool |
 
 def may_hold(text: str | None, environments: Environments) -> bool:
     """Return whether a condition may hold for one of the targets."""
-    return any(evaluate_condition(text, variables) is not False for variables in environments)
+    return text is None or any(evaluate_condition(text, variables) is not False for variables in environments)
 
 
 def always_holds(text: str | None, environments: Environments) -> bool:
     """Return whether a condition certainly holds for every target."""
-    return all(evaluate_condition(text, variables) for variables in environments)
+    return text is None or all(evaluate_condition(text, variables) for variables in environments)
 
 
 def can_hold_together(one: str | None, other: str | None, environments: Environments) -> bool:

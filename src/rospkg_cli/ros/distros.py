@@ -5,7 +5,8 @@ Sources: REP-2000 and the release pages of each distribution; versions of setupt
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import lru_cache
 
 from ..light_dataclasses import dataclass
 from ..suggest import did_you_mean
@@ -64,7 +65,13 @@ class Targets:
         """Return whether it holds for a distribution that was given; if not, a problem has a lower level."""
         return any(holds(each) for each in self if each.name in self.names)
 
-    def environments(self) -> list[dict[str, str]]:
+    def environments(self) -> Sequence[Mapping[str, str]]:
         """Return the variables in which REP-149 evaluates conditions, one for each target."""
-        same = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "DISABLE_GROUPS_WORKAROUND": "1"}
-        return [{**same, "ROS_DISTRO": each.name} for each in self]
+        return environments_of(self)
+
+
+@lru_cache(maxsize=64)
+def environments_of(targets: Targets) -> Sequence[Mapping[str, str]]:
+    """Return the variables for some targets; they are asked for at each dependency."""
+    same = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "DISABLE_GROUPS_WORKAROUND": "1"}
+    return tuple({**same, "ROS_DISTRO": each.name} for each in targets)

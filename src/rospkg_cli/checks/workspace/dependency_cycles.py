@@ -8,7 +8,8 @@ package that needs itself is no cycle here.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from itertools import pairwise
 
 from ...light_dataclasses import dataclass
@@ -47,23 +48,38 @@ def named(workspace: Workspace, name: str) -> PackageFacts:
 
 
 def needed(workspace: Workspace) -> Edges:
-    """Return which package of the workspace certainly needs which."""
-    members: dict[str, list[str]] = {}
-    for facts in workspace.packages:
-        for group in facts.groups:
-            members.setdefault(group, []).append(facts.name)
+    """Return which package certainly needs which: the selected ones, and all that they need."""
+    groups = GroupMembers(workspace)
     edges: dict[str, dict[str, ActiveDependency]] = {}
-    for name in sorted(workspace.names):
-        facts = named(workspace, name)
-        found = edges.setdefault(name, {})
+    waiting = [name for name in workspace.names if named(workspace, name).folder in workspace.selected]
+    while waiting:
+        name = waiting.pop()
+        if name in edges:
+            continue
+        facts, found = named(workspace, name), edges.setdefault(name, {})
         for need in facts.dependencies:
             if need.certain and need.tag not in NOT_ORDERED and need.name in workspace.names:
                 found.setdefault(need.name, need)
         for need in facts.group_dependencies:
-            for member in members.get(need.name, ()) if need.certain else ():
+            for member in groups.of.get(need.name, ()) if need.certain else ():
                 found.setdefault(member, need)
         found.pop(name, None)
-    return edges
+        waiting += found
+    return {name: edges[name] for name in sorted(edges)}
+
+
+@dataclass(frozen=True)
+class GroupMembers:
+    workspace: Workspace
+
+    @cached_property
+    def of(self) -> Mapping[str, Sequence[str]]:
+        """The members of each group; all manifests are read for it, and few packages depend on a group."""
+        found: dict[str, list[str]] = {}
+        for facts in self.workspace.packages:
+            for group in facts.groups:
+                found.setdefault(group, []).append(facts.name)
+        return found
 
 
 def strongly_connected(edges: Edges) -> list[set[str]]:
