@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Literal
+from typing import Any, Literal, TypeVar, cast
 
 from ..light_dataclasses import dataclass
 from ..ros.distros import Distro, Targets
@@ -16,6 +16,8 @@ from .launch.workspace_launch_files import WorkspaceLaunchFiles
 from .missing_repositories import may_hold
 from .package_facts import PackageFacts, Plugin
 from .params.parameter_index import ParameterIndex
+
+IndexT = TypeVar("IndexT")
 
 Holders = dict[str | tuple[str, ...], list[PackageFacts]]
 """By a value of one field of their facts, the packages that have it."""
@@ -80,6 +82,19 @@ class Workspace:
         """What the launch files of all packages take; of packages of one name, those of the first."""
         first = self._by_name.values()
         return IncludedArguments((facts.name, each) for facts in first for each in facts.launch_files)
+
+    @cached_property
+    def _indexes(self) -> dict[type, Any]:
+        return {}
+
+    def index_of(self, kind: type[IndexT]) -> IndexT:
+        """Return the one index of a class that checks fill with what they work out of this workspace, empty at first.
+
+        It is asked with the workspace and does not hold it, or the two could not be freed at once.
+        """
+        if kind not in self._indexes:
+            self._indexes[kind] = kind()
+        return cast(IndexT, self._indexes[kind])
 
     @cached_property
     def names(self) -> frozenset[str]:

@@ -72,19 +72,20 @@ def is_python(key: str) -> bool:
 
 def brought(first: Iterable[str], perhaps: Iterable[str], workspace: Workspace) -> Brought:
     """Return what comes with packages that are certainly there, and with others that are there under a condition."""
-    first, perhaps = list(first), list(perhaps)
+    first, perhaps = dict.fromkeys(first), list(perhaps)
     certain = brought_by(first, workspace)
     rest: dict[str, str] = {name: name for name in perhaps if name not in certain and name not in first}
     waiting = deque((*((name, certain.get(name, name)) for name in (*first, *certain)), *rest.items()))
+    known = workspace.index_of(PassedOnIndex)
     while waiting:
         name, bringer = waiting.popleft()
-        passed = passed_on(name, workspace)
-        for need in (*passed.perhaps, *(passed.certain if name in rest else ())):
+        passed = known.get(name) or known.of(name, workspace)
+        for need in (*passed.perhaps, *passed.certain) if name in rest else passed.perhaps:
             if need not in rest and need not in certain and need not in first:
                 rest[need] = bringer
                 waiting.append((need, bringer))
     every = dict.fromkeys((*first, *certain, *rest))
-    unknown = [name for name in every if not passed_on(name, workspace).is_known]
+    unknown = [name for name in every if not known.of(name, workspace).is_known]
     if not unknown:
         return Brought(certain, rest, (), ())
     named = {*first, *perhaps, *(need for each in every for need in named_around(each, workspace))}
@@ -98,11 +99,11 @@ def brought_by(first: Iterable[str], workspace: Workspace) -> Mapping[str, str]:
     Packages of the workspace are known by their manifests, others by the tables; what neither knows brings nothing.
     """
     found: dict[str, str] = {}
-    known = known_passed_on(workspace)
+    known = workspace.index_of(PassedOnIndex)
     waiting = deque((name, name) for name in first)
     while waiting:
         name, bringer = waiting.popleft()
-        for need in (known.get(name) or passed_on(name, workspace)).certain:
+        for need in (known.get(name) or known.of(name, workspace)).certain:
             if need not in found:
                 found[need] = bringer
                 waiting.append((need, bringer))
@@ -121,18 +122,13 @@ def brought_by_others(names: Iterable[str], workspace: Workspace) -> dict[str, s
     return found
 
 
-def passed_on(name: str, workspace: Workspace) -> PassedOn:
-    """Return what a package passes on; found out once for each name that a workspace is asked for."""
-    known = known_passed_on(workspace)
-    if name not in known:
-        known[name] = found_passed_on(name, workspace)
-    return known[name]
+class PassedOnIndex(dict[str, PassedOn]):
+    """What packages pass on, by name: the same closures are asked for by most packages of a workspace."""
 
-
-def known_passed_on(workspace: Workspace) -> dict[str, PassedOn]:
-    """Return what was found out already, by name."""
-    known: dict[str, PassedOn] = vars(workspace).setdefault("passed_on", {})
-    return known
+    def of(self, name: str, workspace: Workspace) -> PassedOn:
+        if name not in self:
+            self[name] = found_passed_on(name, workspace)
+        return self[name]
 
 
 def found_passed_on(name: str, workspace: Workspace) -> PassedOn:

@@ -13,47 +13,59 @@ from ...package.file_role import Role, role_of
 HEADERS = (".hpp", ".h", ".hh", ".hxx", ".ipp", ".tpp", ".inl", ".cuh")
 
 
+class SourcesByUse:
+    """Which files of a package its build compiles; kept with its CMake, as several rules ask for each answer."""
+
+    def __init__(self, cmake: CMake, files: Mapping[str, CppFile]) -> None:
+        self.paths = tuple(files)
+        self.is_known = are_sources_known(cmake)
+        including = Inclusions(files)
+        named = {testing: named_sources(cmake, files, testing) for testing in (False, True)}
+        self.own = including.reached(named[False])
+        self.certain = including.reached(named_sources(cmake, files, False, maybe=False))
+        public = {path for path in files if "include/" in path and not cmake.only_tests}
+        self.run = including.reached(named[False] | public)
+        self.tests = including.reached(named[True]) - self.run
+        self.only_tests = cmake.only_tests
+
+    def role(self, path: str) -> Role | None:
+        """Return the role of a file that is compiled, or installed for others; None for any other."""
+        if not self.is_known:
+            return "test" if self.only_tests else as_built(role_of(path))
+        if path in self.tests:
+            return "test"
+        built = as_built(role_of(path))
+        is_header = path.endswith(HEADERS) and built == "run" and bool(self.run or not self.tests)
+        return built if path in self.run or is_header else None
+
+
+def sources_by_use(cmake: CMake, sources: Iterable[CppFile]) -> tuple[SourcesByUse, Mapping[str, CppFile]]:
+    files = {source.path: source for source in sources}
+    known: SourcesByUse | None = vars(cmake).get("sources_by_use")
+    if known is None or known.paths != tuple(files):
+        known = vars(cmake)["sources_by_use"] = SourcesByUse(cmake, files)
+    return known, files
+
+
 def compiled_sources(cmake: CMake, sources: Iterable[CppFile]) -> list[tuple[CppFile, Role]]:
     """Return the sources of targets, installed headers, and the files of the package that they include, with roles.
 
     Files that only tests use have the role `test`. All files are returned where the sources of a target are unknown.
     """
-    files = {source.path: source for source in sources}
-    known: dict[tuple[str, ...], list[tuple[CppFile, Role]]] = vars(cmake).setdefault("compiled_sources", {})
-    if tuple(files) not in known:  # several rules ask for the same
-        known[tuple(files)] = among(cmake, files)
-    return known[tuple(files)]
-
-
-def among(cmake: CMake, files: Mapping[str, CppFile]) -> list[tuple[CppFile, Role]]:
-    named = {testing: named_sources(cmake, files, testing) for testing in (False, True)}
-    if not are_sources_known(cmake):
-        return [(source, "test" if cmake.only_tests else as_built(role_of(path))) for path, source in files.items()]
-    public = {path for path in files if "include/" in path and not cmake.only_tests}
-    run = with_included(files, named[False] | public)
-    tests = with_included(files, named[True]) - run
-    headers = {path for path in files if path.endswith(HEADERS) and as_built(role_of(path)) == "run"} - tests
-    headers = headers if run or not tests else set()
-    found: list[tuple[CppFile, Role]] = []
-    for path, source in files.items():
-        if path in run | headers:
-            found.append((source, as_built(role_of(path))))
-        elif path in tests:
-            found.append((source, "test"))
-    return found
+    known, files = sources_by_use(cmake, sources)
+    return [(source, role) for path, source in files.items() if (role := known.role(path)) is not None]
 
 
 def own_compiled(cmake: CMake, sources: Iterable[CppFile]) -> set[str] | None:
     """Return the files that the package's own build opens, without headers that only others do; None where unknown."""
-    files = {source.path: source for source in sources}
-    return with_included(files, named_sources(cmake, files, False)) if are_sources_known(cmake) else None
+    known, _ = sources_by_use(cmake, sources)
+    return known.own if known.is_known else None
 
 
 def compiled_on_demand(cmake: CMake, sources: Iterable[CppFile]) -> set[str]:
     """Return the files that are compiled under a condition alone, such as an option that is off by default."""
-    files = {source.path: source for source in sources}
-    every, certain = (with_included(files, named_sources(cmake, files, False, maybe=maybe)) for maybe in (True, False))
-    return every - certain if are_sources_known(cmake) else set()
+    known, _ = sources_by_use(cmake, sources)
+    return known.own - known.certain if known.is_known else set()
 
 
 def as_built(role: Role) -> Role:
@@ -85,19 +97,31 @@ def included_paths(header: str, by_name: Mapping[str, list[str]]) -> Iterator[st
         yield from (path for path in known if f"/{path}".endswith(wanted))
 
 
-def with_included(files: Mapping[str, CppFile], first: Iterable[str]) -> set[str]:
-    """Return some files, and those of the package that they include."""
-    by_name = paths_by_name(files)
-    found: set[str] = set()
-    waiting = list(first)
-    while waiting:
-        path = waiting.pop()
-        if path in found:
-            continue
-        found.add(path)
-        for each in files[path].includes:
-            waiting += included_paths(each.path, by_name)
-    return found
+class Inclusions:
+    """Which files of a package include which."""
+
+    def __init__(self, files: Mapping[str, CppFile]) -> None:
+        self.files = files
+        self.by_name = paths_by_name(files)
+        self.known: dict[str, list[str]] = {}
+
+    def included_by(self, path: str) -> list[str]:
+        """Return the files of the package that one includes, wherever they lie."""
+        if path not in self.known:
+            includes = self.files[path].includes
+            self.known[path] = [other for each in includes for other in included_paths(each.path, self.by_name)]
+        return self.known[path]
+
+    def reached(self, first: Iterable[str]) -> set[str]:
+        """Return some files, and those of the package that they include, and so on."""
+        found: set[str] = set()
+        waiting = list(first)
+        while waiting:
+            path = waiting.pop()
+            if path not in found:
+                found.add(path)
+                waiting += self.included_by(path)
+        return found
 
 
 def named_sources(cmake: CMake, files: Collection[str], testing: bool, *, maybe: bool = True) -> set[str]:

@@ -18,6 +18,10 @@ MIN_FAMILY = 3
 """So many packages of the workspace begin with a word before it counts as the prefix of a family."""
 
 
+class MeantNames(dict[str, str | None]):
+    """What unknown names stand for: several packages may declare one, and several rules ask."""
+
+
 @dataclass(frozen=True)
 class SimilarNames:
     workspace: Workspace
@@ -44,8 +48,8 @@ class SimilarNames:
 
     def meant(self, name: str) -> str | None:
         """Return the only name that differs in case, hyphens and underscores alone, or by one typo; else None."""
-        known: dict[str, str | None] = vars(self.workspace).setdefault("similar_names", {})
-        if name not in known:  # several packages may declare it, and several rules ask
+        known = self.workspace.index_of(MeantNames)
+        if name not in known:
             groups = self.groups(name) if len(name) >= MIN_LETTERS else iter(())
             alike = next(filter(None, groups), [])
             known[name] = alike[0] if len(alike) == 1 else None

@@ -14,6 +14,7 @@ from ...package.install_table import InstallTable
 from ...package.launch.default_conditions import off_by_default
 from ...package.launch.launch_file import LaunchFile
 from ...package.python.python_imports import PackageImports, own_modules
+from ...package.workspace import Workspace
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, LAUNCH, implied_by
 from ...ros.imports import may_serve
 from ...ros.names import NameKind
@@ -214,12 +215,19 @@ def with_conditions(file: LaunchFile) -> Iterator[PackageReference]:
         yield replace(use, only_with=next(inside, "")) if use.is_late else use
 
 
+class ThereToLaunch:
+    """What is there wherever a launch file is launched, the same for all packages of a workspace."""
+
+    names: frozenset[str] = frozenset()
+
+    def of(self, workspace: Workspace) -> frozenset[str]:
+        """Return `ros2launch`, and all that comes with it."""
+        self.names = self.names or frozenset({STARTER, *brought_by([STARTER], workspace)})
+        return self.names
+
+
 def there_to_launch(declared: DeclaredDependencies) -> frozenset[str]:
-    """Return what is there wherever a launch file is launched: `ros2launch` and all that comes with it."""
-    found: dict[str, frozenset[str]] = vars(declared.workspace).setdefault("there_to_launch", {})
-    if STARTER not in found:
-        found[STARTER] = frozenset({STARTER, *brought_by([STARTER], declared.workspace)})
-    return found[STARTER]
+    return declared.workspace.index_of(ThereToLaunch).of(declared.workspace)
 
 
 def reader_uses(file: LaunchFile) -> Iterator[PackageReference]:
