@@ -44,7 +44,7 @@ class FieldUses:
     def unknown(self) -> Iterator[UnknownField]:
         """Yield the unknown fields of each file, in the order of its text."""
         for file in self.run.running:
-            if names_interfaces(file) and any(imports_interfaces(each) for each in file.imports):
+            if any(imports_interfaces(each) for each in file.imports) and names_interfaces(file):
                 classes = MessageClasses(file)
                 found = {each.span: each for each in self.in_file(file, classes)}
                 yield from (found[span] for span in sorted(found))

@@ -125,7 +125,7 @@ class PythonFile(PythonSyntax):
     def definitions(self) -> dict[str, Span]:
         """The names bound at the top level, also under `if`, `try`, `for` and `with`, and where first."""
         found: dict[str, Span] = {}
-        for name, node in bindings(self.tree.body):
+        for name, node in bindings(self.tree.body, has_globals="global" in self.source.text):
             found.setdefault(name, self.span(node))
         return found
 
@@ -247,8 +247,13 @@ def is_type_checking(test: ast.expr) -> bool:
     )
 
 
-def bindings(body: Iterable[ast.AST]) -> Iterator[tuple[str, ast.stmt | ast.expr | ast.alias]]:
-    """Yield the names that statements bind in their scope, with the binding node."""
+def bindings(
+    body: Iterable[ast.AST], *, has_globals: bool = True
+) -> Iterator[tuple[str, ast.stmt | ast.expr | ast.alias]]:
+    """Yield the names that statements bind in their scope, with the binding node.
+
+    Without `has_globals` no function says `global`: then functions are not looked into.
+    """
     waiting = [*body][::-1]
     while waiting:  # without recursion, as every expression is looked through
         node = waiting.pop()
@@ -261,7 +266,7 @@ def bindings(body: Iterable[ast.AST]) -> Iterator[tuple[str, ast.stmt | ast.expr
                     yield node.id, node
             case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
                 yield node.name, node
-                yield from ((name, node) for name in global_names(node))
+                yield from ((name, node) for name in (global_names(node) if has_globals else ()))
             case ast.Import():
                 yield from ((alias.asname or alias.name.partition(".")[0], alias) for alias in node.names)
             case ast.ImportFrom():

@@ -34,7 +34,11 @@ class PathJoiner:
         self.base_of = base_of
         every = Counter(node.id for node in nodes_of(file.tree) if isinstance(node, ast.Name) and is_stored(node))
         every.update(node.arg for node in nodes_of(file.tree) if isinstance(node, ast.arg))
-        every.update(name for name, node in bindings(file.tree.body) if not isinstance(node, ast.Name))
+        every.update(
+            name
+            for name, node in bindings(file.tree.body, has_globals="global" in file.source.text)
+            if not isinstance(node, ast.Name)
+        )
         self.values = {
             node.targets[0].id: node.value
             for node in nodes_of(file.tree)
