@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.disk import DiskTree
+from rospkg_cli.disk_trace import start_trace, stop_trace
+from rospkg_cli.engine.run import worker
 from rospkg_cli.engine.run.worker import Worker
 from rospkg_cli.example import Example
 from rospkg_cli.files import PackageFiles
@@ -18,6 +20,7 @@ from rospkg_cli.package.facts_on_demand import FactsOnDemand
 from rospkg_cli.package.package import Package
 from rospkg_cli.package.package_facts import PackageFacts
 from rospkg_cli.package.rule_settings import RuleSettings
+from rospkg_cli.package.workspace import Workspace
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.tree import MemoryTree, Tree
 
@@ -124,3 +127,33 @@ def test_only_the_neighbours_of_what_is_checked_wait() -> None:
     assert [type(facts) for facts in worker.collect_facts(("a", "b"))] == [PackageFacts, FactsOnDemand]
     worker = Worker(tree, ("a", "b"), Targets(), RuleSettings())
     assert [type(facts) for facts in worker.collect_facts(("a", "b"))] == [PackageFacts, PackageFacts]
+
+
+def run_of(folders: tuple[str, ...]) -> tuple[list[bool], object]:
+    """Return of which packages something is kept after reading, and all that a traced run over the corpus gives."""
+    start_trace()
+    try:
+        worker = Worker(DiskTree(CORPUS), folders, Targets())
+        facts = worker.collect_facts(folders)
+        kept = [bool(package._parts) for package in worker.packages.values()]
+        results = worker.run_rules(Workspace(tuple(facts)), ["DEP101", "SET205", "LCH001", "XML101"], folders)
+        return kept, (facts, results, worker.observed())
+    finally:
+        stop_trace()
+
+
+def test_of_many_packages_little_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    folders = ("my_robot_examples", "my_robot_nav")
+    kept, expected = run_of(folders)
+    assert kept == [True, True]
+    monkeypatch.setattr(worker, "MAX_KEPT", 1)
+    assert run_of(folders) == ([True, False], expected)
+
+
+def test_a_crash_while_reading_is_remembered(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(worker, "MAX_KEPT", 0)
+    monkeypatch.setattr(worker, "collect_facts", lambda *_: 1 // 0)
+    reading = Worker(TREES[1], ("",), Targets())
+    workspace = Workspace(tuple(reading.collect_facts([""])))
+    (results,) = reading.run_rules(workspace, [], [""])
+    assert ["ZeroDivisionError" in each.error for each in results.crashes] == [True]

@@ -32,6 +32,10 @@ from .run_rules import InputsOf, run_rules
 
 NO_SETTINGS = RuleSettings()
 
+MAX_KEPT = 1_000
+"""Packages of a process whose models are kept until they are checked; those of more are read twice, as each package
+keeps 30 KiB or more."""
+
 
 @dataclass(frozen=True)
 class PackageResults:
@@ -82,7 +86,23 @@ class Worker:
 
     def collect_facts(self, wanted: Collection[str]) -> list[PackageFacts]:
         """Return the facts of the packages of this worker that are wanted."""
-        return [self.facts(folder, package) for folder, package in self.packages.items() if folder in wanted]
+        found: list[PackageFacts] = []
+        for folder, package in self.packages.items():
+            if folder in wanted:
+                found.append(self.facts(folder, package))
+                if len(found) > MAX_KEPT and not found[-1].is_on_demand:
+                    self.packages[folder] = self.unread(folder, package)
+        return found
+
+    def unread(self, folder: str, package: Package) -> Package:
+        """Return a package of which nothing is read yet, with what is known of another's files and crashes."""
+        fresh = Package(self.files(folder))
+        fresh.crashes |= package.crashes
+        before, now = package.files, fresh.files
+        for old, new in ((before.tree, now.tree), (before.whole, now.whole)):
+            if isinstance(old, RecordedTree) and isinstance(new, RecordedTree):
+                new.reads |= old.reads
+        return fresh
 
     def facts(self, folder: str, package: Package) -> PackageFacts:
         """Return a package's facts; of one that raises an exception, only the folder is known to the others."""
