@@ -11,11 +11,13 @@ from looked_up import FILES
 from rospkg_cli.cli.server import live_lint
 from rospkg_cli.cli.server.language_server import PackageServer
 from rospkg_cli.cli.server.live_lint import LintOrder, LiveLint
+from rospkg_cli.cli.server.live_workspace import LiveWorkspace
 from rospkg_cli.cli.server.live_world import LiveWorld
 from rospkg_cli.cli.server.open_text import OpenText
 from rospkg_cli.engine.run import worker
 from rospkg_cli.example import Example
 from rospkg_cli.finding import Finding
+from rospkg_cli.light_dataclasses import replace
 from rospkg_cli.lookup.definition import definitions
 from rospkg_cli.lookup.mention import mention_at
 from rospkg_cli.package.run_events import RuleCrash
@@ -87,6 +89,68 @@ def test_neighbours_know_a_manifest_as_it_was_while_it_is_typed(tmp_path: Path) 
     saved = found(broken)
     assert "LCH002" not in [each.code for each in saved]
     assert saved == LiveLint(tmp_path).run(LintOrder({}, frozenset(), frozenset())).results.findings
+
+
+def packages(tmp_path: Path, *names: str) -> LiveLint:
+    """Return the lint of some packages that have been judged."""
+    for name in names:
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "package.xml").write_text(MANIFEST.replace("my_pkg", name))
+    return LiveLint(tmp_path)
+
+
+def test_what_nobody_tells_of_is_seen_on_disk(tmp_path: Path) -> None:
+    """Neovim and Emacs do not watch files: a branch may have been changed under the editor."""
+    live, told = packages(tmp_path, "a", "b", "c"), list[Path]()
+    order = LintOrder({}, frozenset(), frozenset(), on_disk=told.append)
+    live.run(order)
+    first = dict(live.memory.facts)
+    assert not told
+    (tmp_path / "b/package.xml").write_text(MANIFEST.replace("my_pkg", "b").replace("Drives my robot", "TODO"))
+    (tmp_path / "c/setup.py").touch()
+    assert "XML104" in [each.code for each in live.run(order).results.findings]
+    assert set(told) == {tmp_path / "b/package.xml", tmp_path / "c/setup.py"}
+    assert [folder for folder in "abc" if live.memory.facts[folder] is first[folder]] == ["a"]
+    (tmp_path / "b/package.xml").write_text(MANIFEST.replace("my_pkg", "b"))
+    assert "XML104" in [each.code for each in live.run(replace(order, on_disk=None)).results.findings]
+    assert "XML104" not in [each.code for each in live.run(order).results.findings]
+
+
+@pytest.mark.parametrize("path, is_kept", [(".github/workflows/ci.yml", True), ("tools/ci.yml", False)])
+def test_what_only_other_tools_read_has_nothing_linted_again(tmp_path: Path, path: str, is_kept: bool) -> None:
+    live = packages(tmp_path, "a", "b")
+    live.run(LintOrder({}, frozenset(), frozenset()))
+    first = live.memory.facts["a"]
+    live.run(LintOrder({}, frozenset({tmp_path / path}), frozenset()))
+    assert (live.memory.facts["a"] is first) is is_kept
+
+
+def test_only_other_content_is_a_change(tmp_path: Path) -> None:
+    path, live = tmp_path / "CMakeLists.txt", LiveWorkspace(tmp_path)
+    path.write_text("# one")
+
+    def changes(content: str | None, version: int = 1) -> bool:
+        live.changed.clear()
+        live.put(path, None if content is None else OpenText("", version, content.encode()))
+        return bool(live.changed)
+
+    assert not changes("# one")
+    assert changes("# two")
+    path.write_text("# two")
+    assert not changes("# two")
+    assert changes("# two", version=2)
+    assert not changes(None)
+    assert changes("# three")
+    assert changes(None)
+    path.unlink()
+    assert changes("# two")
+
+
+def test_a_manifest_that_is_saved_is_no_longer_typed(tmp_path: Path) -> None:
+    live = LiveWorkspace(tmp_path)
+    (tmp_path / "package.xml").write_text("<")
+    live.put(tmp_path / "package.xml", OpenText("", 1, b"<"))
+    assert live.changed
 
 
 def test_what_pygls_keeps_of_notifications_is_let_go() -> None:

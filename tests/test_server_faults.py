@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import os
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -13,6 +16,20 @@ from writing import Write
 
 DEPENDENCY = "  <exec_depend>rclpy</exec_depend>\n"
 TODO = ("Drives my robot", "TODO")
+
+
+def message(**parts: object) -> bytes:
+    body = json.dumps({"jsonrpc": "2.0", **parts}).encode()
+    return b"Content-Length: %d\r\n\r\n" % len(body) + body
+
+
+def test_an_editor_that_takes_leave_gets_no_fault() -> None:
+    initialize = message(id=1, method="initialize", params={"processId": None, "rootUri": None, "capabilities": {}})
+    leave = message(id=2, method="shutdown") + message(method="exit")
+    command = [sys.executable, "-m", "rospkg_cli", "server"]
+    done = subprocess.run(command, input=initialize + leave, capture_output=True, check=False)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert b'"id": 2, "jsonrpc": "2.0", "result": null' in done.stdout
 
 
 class FailingEditor(Editor):

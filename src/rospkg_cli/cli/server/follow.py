@@ -98,3 +98,4 @@ def watch_files(server: PackageServer) -> None:
         wanted = types.DidChangeWatchedFilesRegistrationOptions([types.FileSystemWatcher("**/*")])
         each = types.Registration("files", types.WORKSPACE_DID_CHANGE_WATCHED_FILES, wanted)
         server.client_register_capability(types.RegistrationParams([each]))
+        server.is_told = True

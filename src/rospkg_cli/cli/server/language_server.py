@@ -40,6 +40,8 @@ class PackageServer(LanguageServer):
         """Taken by what is asked while a run goes on."""
         self.limit = LIMIT
         """Seconds within which what is asked is answered or refused."""
+        self.is_told = False
+        """Whether the editor tells what changes on disk."""
         self.linting, self.looking_up = ThreadPoolExecutor(1, "lint"), ThreadPoolExecutor(1, "lookup")
 
     async def lint_all(self) -> bool:
@@ -52,7 +54,11 @@ class PackageServer(LanguageServer):
 
     async def lint(self, live: LiveWorkspace) -> None:
         """Lint a workspace beside what goes on, and publish."""
-        order, loop, codec = live.order(self.way), asyncio.get_running_loop(), self.workspace.position_codec
+        order, loop, codec = (
+            live.order(self.way, is_told=self.is_told),
+            asyncio.get_running_loop(),
+            self.workspace.position_codec,
+        )
 
         def begins(scene: Scene) -> None:
             loop.call_soon_threadsafe(live.begin, scene)

@@ -13,11 +13,12 @@ from ...engine.discovery.locate import Located, locate
 from ...engine.live.live_packages import LivePackages
 from ...engine.live.noting_pool import NotingPool
 from ...engine.live.safe_point import SafePoint
-from ...engine.run.session import Results, Session, no_progress
+from ...engine.run.session import Results, Scope, Session, no_progress
 from ...light_dataclasses import dataclass, field, replace
 from ...package.package_facts import PackageFacts
 from ..lint.lint_options import LintOptions
 from ..lint.session import make_session
+from .disk_stamps import DiskStamps
 from .open_text import OpenText
 from .text_overlay import overlay
 
@@ -36,6 +37,8 @@ class LintOrder:
     """Packages that are linted first."""
     look: SafePoint = field(default_factory=SafePoint)
     """Where the run, and what is made of it later, may be interrupted."""
+    on_disk: Callable[[Path], object] | None = None
+    """Told of each file that has changed on disk, where the editor does not tell; None where it does."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +68,7 @@ class LiveLint:
     folder: Path
     memory: LivePackages = field(default_factory=LivePackages)
     root: Path = Path()
+    stamps: DiskStamps | None = None
     facts: dict[str, PackageFacts] = field(default_factory=dict)
     failed: frozenset[str] = frozenset()
     """The packages on which a rule failed in the last run: nothing is kept of them."""
@@ -93,8 +97,9 @@ class LiveLint:
         session = make_session(LintOptions(), configs, located, no_progress)
         if located.root != self.root:
             self.root, self.memory, self.facts = located.root, LivePackages(), {}
-            self.failed = frozenset()
-        self.memory.forget(relative_to(order.changed, located.root), located.scope.folders)
+            self.failed, self.stamps = frozenset(), None
+        changed = {*relative_to(order.changed, located.root), *self.changed_on_disk(order, located.scope)}
+        self.memory.forget(changed, located.scope.folders)
         scope = session.scope
         given = [scope.incomplete, sorted(scope.prefix_names), sorted(map(sorted, scope.repositories)), scope.folders]
         self.memory.require(repr([given, sorted(session.codes), session.settings, session.targets, configs.root]))
@@ -109,6 +114,16 @@ class LiveLint:
             make_pool=pool,
             make_small_pool=pool,
         )
+
+    def changed_on_disk(self, order: LintOrder, scope: Scope) -> set[str]:
+        """Return what has changed on disk since the last run and nobody told; nothing in the first run."""
+        if order.on_disk is None:
+            return set()
+        is_first, self.stamps = self.stamps is None, self.stamps or DiskStamps(self.root)
+        changed = self.stamps.changed(scope.folders)
+        for path in () if is_first else changed:
+            order.on_disk(self.root / path)
+        return set() if is_first else changed
 
     def next_packages(self, located: Located, first: frozenset[Path]) -> frozenset[str]:
         """Return the packages that are judged already, those that are wanted, and some more."""

@@ -49,11 +49,17 @@ class LiveWorkspace:
         self.lint = LiveLint(self.folder)
 
     def put(self, path: Path, text: OpenText | None) -> None:
-        """Take the text of an editor for that of a file; None gives the file back."""
-        self.texts.pop(path, None)
+        """Take the text of an editor for that of a file; None gives the file back.
+
+        What only opens, saves or closes a file changes nothing; a manifest that is saved is no longer being typed.
+        """
+        known = self.texts.pop(path, None)
         if text is not None:
             self.texts[path] = text
-        self.touch(path)
+        is_typed = known is not None and text is not None and known.version != text.version
+        before = content(path, known)
+        if is_typed or before is None or before != content(path, text) or path.name == "package.xml":
+            self.touch(path)
 
     def touch(self, path: Path) -> None:
         """Note that a file is not what it was, here or on disk; a run over what it was is given up."""
@@ -62,10 +68,14 @@ class LiveWorkspace:
         self.crashes.pop(path, None)
         self.is_current = self.has_failed = False
 
-    def order(self, way: RightOfWay) -> LintOrder:
-        """Return what the next run is to see; it waits while others have the right of way."""
+    def order(self, way: RightOfWay, *, is_told: bool = True) -> LintOrder:
+        """Return what the next run is to see; it waits while others have the right of way.
+
+        `is_told` says that the editor tells what changes on disk.
+        """
         changed, self.changed, self.look = frozenset(self.changed), set(), SafePoint(way)
-        return LintOrder(dict(self.texts), changed, frozenset(self.wanted), self.look)
+        on_disk = None if is_told else self.world.written.put
+        return LintOrder(dict(self.texts), changed, frozenset(self.wanted), self.look, on_disk)
 
     def begin(self, scene: Scene) -> None:
         """Take what the first run will look at, so that it can be looked up before that run ends."""
@@ -88,3 +98,13 @@ class LiveWorkspace:
         self.has_failed = not self.changed
         self.is_finished = True
         self.give_back(order)
+
+
+def content(path: Path, text: OpenText | None) -> bytes | None:
+    """Return what a file holds: the text of an editor, else what is on disk; None where there is neither."""
+    if text is not None:
+        return text.data
+    try:
+        return path.read_bytes()
+    except OSError:
+        return None

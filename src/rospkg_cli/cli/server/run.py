@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import gc
+import os
 import sys
+from contextlib import redirect_stdout
 from importlib.util import find_spec
+from typing import BinaryIO
 
 from .. import UsageError
 
@@ -30,5 +33,16 @@ def serve() -> int:
     sys.setswitchinterval(SWITCH)
     quieten()
     let_threads_compute()
-    server_with_features().start_io()
+    server = server_with_features()
+    with protocol_output() as output, redirect_stdout(sys.stderr):
+        try:
+            server.start_io(stdout=output)
+        finally:
+            for live in server.workspaces:
+                live.look.end()
     return 0
+
+
+def protocol_output() -> BinaryIO:
+    """Return standard output for messages alone: what a rule of a plug-in prints is none."""
+    return os.fdopen(os.dup(sys.stdout.fileno()), "wb")

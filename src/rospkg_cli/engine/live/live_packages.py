@@ -28,14 +28,15 @@ class LivePackages:
     def forget(self, paths: Iterable[str], folders: Iterable[str]) -> None:
         """Forget what was made from some paths (from the root of the run), there or not, of packages in some folders.
 
-        A path in no package may decide about all.
+        A path in no package may decide about all, but for those that only tools other than colcon look at.
         """
         folders = sorted(folders, key=len, reverse=True)
         for path in paths:
             own = next((each for each in folders if not each or path.startswith(f"{each}/")), None)
             readers = [each for each, asked in self.above.items() if path in asked]
-            for folder in (*readers, own) if own is not None else list(self.facts):
-                self.forget_package(str(folder))
+            own_ones = [own] if own is not None else [] if is_of_a_tool(path) else list(self.facts)
+            for folder in {*readers, *own_ones}:
+                self.forget_package(folder)
 
     def forget_package(self, folder: str) -> None:
         for each in (self.facts, self.results, self.asked, self.above):
@@ -80,3 +81,8 @@ class LivePackages:
                 self.results[folder] = results[folder]
                 self.asked[folder] = answers.of(seen.noted)
                 self.above[folder] = frozenset(seen.above)
+
+
+def is_of_a_tool(path: str) -> bool:
+    """Return whether a path lies in a folder like .github: what lint reads of such names are files."""
+    return any(part.startswith(".") for part in path.split("/")[:-1])
