@@ -21,6 +21,7 @@ Talker() : Node("talker")
   }
   declare_parameter("optional", 5);
   declare_parameter("number_of_wheels", 4);
+  declare_parameter("middle_of_height", 4.0);
 }
 """
 
@@ -194,6 +195,7 @@ def test_lists_of_plugins(names: str, said: str) -> None:
         (["use_sim_tim"], []),
         (["wheels"], ["`number_of_wheels`"]),
         (["number"], []),
+        (["height"], []),
         (["of_wheels", "nothing"], []),
         (["wheel"], []),
         (["of"], []),

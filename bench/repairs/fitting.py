@@ -59,6 +59,15 @@ FITTING: dict[str, tuple[str, ...]] = {
     "code-undeclared-parameter": ("PRM007",),
     "urdf-malformed-substitution": ("URD001", "LCH006"),
     "urdf-unknown-joint": ("URD001",),
+    "urdf-unknown-property": ("URD001",),
+    "missing-find-package": ("DEP", "IDL007", "CMK107", "CMK110", "CMK114"),
+    "missing-target-dependency": ("CMK", "DEP105", "DEP107"),
+    "missing-ros-parameters": ("PRM001",),
+    "component-class-mismatch": ("CMK108",),
+    "setup-lost-comma": ("SET309", "RPK001"),
+    "setup-cfg-script-dir": ("SET00",),
+    "build-type-mismatch": ("XML304", "XML307"),
+    "invalid-email": ("XML105",),
 }
 NAMELESS = {
     "malformed-xml",
@@ -71,4 +80,8 @@ NAMELESS = {
     "deprecated-setup-cfg-dash",
     "deprecated-launch-arg",
     "entry-point-invalid",
+    "setup-lost-comma",
+    "setup-cfg-script-dir",
+    "build-type-mismatch",
+    "invalid-email",
 }

@@ -63,5 +63,9 @@ CASES = {
             "talker = my_pkg.taker:main", {"CMakeLists.txt": set108.CMAKE + INTERFACES_CMAKE + "include(${OTHER})\n"}
         ),
         python({"setup.py": setup_py(scripts("talker = my_pkg.taker:main")), "my_pkg/talker.py": "def main(): ...\n"}),
+        cmake("talker\n    a = my_pkg.talker:main b = my_pkg.talker:main\n    c = my_pkg.talker"),
+        cmake("talker", {"CMakeLists.txt": set108.CMAKE.replace(" SCRIPTS_DESTINATION lib/my_pkg", "")}),
+        cmake("talker", {"CMakeLists.txt": set108.CMAKE.replace("SCRIPTS_DEST", "SETUP_CFG x.cfg SCRIPTS_DEST")}),
+        cmake("talker", {"CMakeLists.txt": set108.CMAKE.replace("ament_python_in", "if(X)\nament_python_in") + "endif()\n"}),
     ),
-}
+}  # fmt: skip

@@ -15,6 +15,8 @@ from .launch_parameters import LaunchParameters, NodeArguments
 
 SHORTEST, WORDY = 4, 6
 """Letters; a shorter name is near to too many others, or the last word of too many."""
+SMALL = frozenset({"number", "num", "count", "of", "use", "enable", "is", "has"})
+"""Words before a name that change little of what it means: `ransac_` before `height` makes another height of it."""
 DIGITS = regex(r"\d")
 
 
@@ -60,5 +62,6 @@ class LaunchedNames:
 
 
 def with_another_word(name: str, names: Iterable[str]) -> list[str]:
-    """Return the names that have more words before a name: `number_of_wheels` for `wheels`."""
-    return [each for each in names if len(name) >= WORDY and each.endswith(f"_{name}")]
+    """Return the names that say the same with small words before it: `number_of_wheels` for `wheels`."""
+    before = {each: each.removesuffix(f"_{name}") for each in names if each.endswith(f"_{name}")}
+    return [each for each, words in before.items() if len(name) >= WORDY and SMALL.issuperset(words.split("_"))]

@@ -12,10 +12,13 @@ from ...light_dataclasses import replace
 from ...source import Span
 from ...unreadable import UnreadableError
 from ..install_table import InstalledFile, UnknownPart
-from ..setup.entry_points import parse_entry_point
+from ..setup.entry_points import EntryPoint, parse_entry_point
 from ..setup.setup_cfg import parse_setup_cfg
 from ..setup.setup_cfg_arguments import items_of
 from .install_rules import PACKAGE_KEYWORDS, below_prefix
+
+REFUSED = frozenset({"no-equals", "joined", "unreadable"})
+"""What no version of setuptools reads as an entry point; a file's name, or a module alone, is one in form."""
 
 
 def python_scripts(call: EvaluatedCommand, files: PackageFiles) -> Iterator[InstalledFile | UnknownPart]:
@@ -39,6 +42,25 @@ def python_scripts(call: EvaluatedCommand, files: PackageFiles) -> Iterator[Inst
                     yield replace(script, maybe=call.maybe, testing=call.testing)
             except UnreadableError:
                 yield unknown(place, f"`{path}` can't be read")
+
+
+def refused_entries(call: EvaluatedCommand, files: PackageFiles) -> Iterator[EntryPoint]:
+    """Yield the entry points of a call's setup.cfg that setuptools refuses while CMake writes the package's metadata.
+
+    That happens without SCRIPTS_DESTINATION too (ament_cmake_python: `setup.py egg_info` with a link to setup.cfg).
+    """
+    _, values, _ = flags_and_values(call.words, ("SKIP_COMPILE",), PACKAGE_KEYWORDS, ())
+    named = next(iter(values.get("SETUP_CFG", [])), None)
+    path = path_in_package(named.text if named else "setup.cfg", call.folder)
+    if path is None or not files.exists(path):
+        return
+    try:
+        cfg = parse_setup_cfg(files.source(path))
+    except UnreadableError:
+        return
+    for option in cfg.options("options.entry_points"):
+        entries = (parse_entry_point(option.key, line) for line in option.value.lines())
+        yield from (entry for entry in entries if entry.fault in REFUSED)
 
 
 def scripts_of(path: str, folder: str, files: PackageFiles) -> Iterator[InstalledFile]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.own_imports import OwnImports
+from ...checks.setup.cmake_entry_points import CMakeEntryPoints
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...package.install_table import InstalledFile
@@ -31,7 +32,7 @@ FILES = {
 @rule(
     "SET108",
     "broken-cmake-entry-point",
-    over=OwnImports,
+    over=CMakeEntryPoints,
     severity=Severity.ERROR,
     examples=(
         Example(
@@ -44,23 +45,36 @@ FILES = {
             bad={**FILES, "setup.cfg": CFG.format("«talker = my_pkg.talker:mian»")},
             good={"setup.cfg": CFG.format("talker = my_pkg.talker:main")},
         ),
+        Example(
+            on="ament_cmake",
+            bad={**FILES, "setup.cfg": CFG.format("«talker = 'my_pkg.talker:main'»")},
+            good={"setup.cfg": CFG.format("talker = my_pkg.talker:main")},
+        ),
     ),
 )
-def broken_cmake_entry_point(imports: OwnImports) -> Iterator[Hit]:
+def broken_cmake_entry_point(entries: CMakeEntryPoints) -> Iterator[Hit]:
     """
     ## What it does
     Finds entry points of a package of CMake whose module or function does not exist.
-    `ament_python_install_package(… SCRIPTS_DESTINATION …)` makes executables of those in setup.cfg.
+    `ament_python_install_package(… SCRIPTS_DESTINATION …)` makes executables of those in setup.cfg. Those that are not
+    `name = module:function`, with quotes around the value for example, are found without SCRIPTS_DESTINATION too.
 
     ## Why is this bad?
-    The build is green, and `ros2 run` raises ModuleNotFoundError or AttributeError.
+    The build is green, and `ros2 run` raises ModuleNotFoundError or AttributeError. With one that can't be read the
+    build stops, since CMake has setuptools write the package's metadata.
 
     ## When it is quiet
     Where the installed modules are not all known, for modules of other packages and those that may be compiled or
     generated, and where the module has a `__getattr__` or an unknown star import. SET101 and SET102 tell it of packages
     that setup.py builds.
     """
-    if imports.facts.build_type == "ament_python" or not imports.table.knows("module"):
+    imports = entries.imports
+    if imports.facts.build_type == "ament_python":
+        return
+    for entry in entries.refused():
+        message = f"`{entry.text}` is no entry point: setuptools stops while CMake runs it, and does not name the place"
+        yield Hit(entry.path, entry.span, f"{message}; write `name = module:function`")
+    if not imports.table.knows("module"):
         return
     for row in imports.table.of("executable"):
         message = wrong(imports, row) if row.entry else ""
