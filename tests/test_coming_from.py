@@ -3,48 +3,48 @@
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 from in_process import run_here
 
+from rospkg_cli.rule import all_rules
 from rospkg_cli.testing import lint_files
 
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from bench.coming_from import DATA, ROWS, faulty
+
 TEXT = (Path(__file__).parents[1] / "docs/coming-from.md").read_text(encoding="utf-8")
-
-FAULTS = {
-    "unknown or missing elements": ("<license>Apache-2.0</license>", "<licence>Apache-2.0</licence>"),
-    "format missing, old": ('format="3"', 'format="2"'),
-    "unsupported": ('format="3"', 'format="4"'),
-    "name of the package": ("<name>my_pkg</name>", "<name>My-Pkg</name>"),
-    "version X.Y.Z": ("<version>1.0.0</version>", "<version>1.0</version>"),
-    "email of the maintainer": ("ada@example.org", "ada"),
-    "order of elements": (r"(?s)(  <version>.*?\n)(  <description>.*?\n)", r"\2\1"),
-    "order of dependencies": (
-        "  <export>",
-        "  <exec_depend>rclpy</exec_depend>\n  <exec_depend>nav_msgs</exec_depend>\n",
-    ),
-    "duplicates": ("  <export>", "  <exec_depend>rclpy</exec_depend>\n" * 2),
-    "beside build, build_export": ("  <export>", "  <depend>rclpy</depend>\n  <exec_depend>rclpy</exec_depend>\n"),
-    "build tool": ("  <export>", "  <buildtool_depend>ament_python</buildtool_depend>\n"),
-    "build type": ("<build_type>ament_python</build_type>", "<build_type>ament_pyhton</build_type>"),
-    "rosdep keys": ("  <export>", "  <exec_depend>opencv-python</exec_depend>\n"),
-    "XML that can't be read": ("</package>", "</pakage>"),
-    "the schema of package.xml": ("<license>Apache-2.0</license>", "<licence>Apache-2.0</licence>"),
-    "no `<?xml-model?>`": (r"<\?xml-model.*?\?>\n", ""),
-}
-"""A part of a row's first cell, and what makes such a fault of a faultless package.xml; `<export>` is kept."""
+PARTS = {tool: TEXT.partition(f"\n## {tool}\n")[2].partition("\n## ")[0] for tool in DATA["tools"]}
+NOT_FINDINGS = ("Its step", "Its message", "Its option", "`ament_xmllint`", "`-", "`#", "without ", "other XML files")
+FOR_ROS_2 = [pytest.param(tool, row, id=row["row"]) for tool, row in ROWS if tool != "catkin_lint"]
 
 
-@pytest.mark.parametrize("row", FAULTS)
-def test_a_fault_of_another_tool_is_found_by_a_rule_of_its_row(row: str, clean: dict[str, str]) -> None:
-    pattern, replacement = FAULTS[row]
-    kept = replacement + ("  <export>" if pattern == "  <export>" else "")
-    broken = re.sub(pattern, kept, clean["package.xml"], count=1)
-    assert broken != clean["package.xml"]
-    [line] = [line for line in TEXT.splitlines() if line.startswith("| ") and row in line]
-    found = lint_files({**clean, "package.xml": broken}, re.findall(r"\[(\w+\d+)\]", line)).findings
-    assert found
+def rows_of(tool: str) -> list[str]:
+    """Return the rows about what a tool finds."""
+    rows = re.findall(r"^\| (?!---)(?!\|)(.*)$", PARTS[tool], re.MULTILINE)
+    return [row for row in rows if not row.startswith(NOT_FINDINGS)]
+
+
+@pytest.mark.parametrize("tool, row", FOR_ROS_2)
+def test_a_fault_of_another_tool_is_found_by_a_rule_of_its_row(tool: str, row: dict[str, Any]) -> None:
+    [line] = [line for line in rows_of(tool) if row["row"] in line]
+    assert lint_files(faulty(row), re.findall(r"\[(\w+\d+)\]", line)).findings
+
+
+@pytest.mark.parametrize("tool", DATA["tools"])
+def test_each_row_has_a_fault_that_its_tool_was_run_on(tool: str) -> None:
+    faults = [row["row"] for name, row in ROWS if name == tool]
+    words = re.compile(r"[\w-]+") if tool == "catkin_lint" else re.compile(".+")
+    for line in rows_of(tool):
+        cell = re.sub(r" \(.*\)", "", line.partition(" |")[0])
+        for part in words.findall(cell):
+            assert any(part == fault or (fault in cell and " " in cell) for fault in faults), part
+        assert set(re.findall(r"\[(\w+\d+)\]", line)) <= {rule.code for rule in all_rules()}
+    assert DATA["tools"][tool]["title"] in TEXT
 
 
 def test_options_of_ros2_pkg_create_are_taken(tmp_path: Path) -> None:

@@ -31,6 +31,21 @@ def test_each_cell_has_evidence() -> None:
     assert not [(row["title"], tool["title"]) for row in ROWS for tool in TOOLS if not row[tool["title"]]["since"]]
 
 
+def test_each_cell_of_readme_says_how_it_was_checked() -> None:
+    readme = (PAGE.parents[1] / "README.md").read_text("utf-8").partition("## Beside other tools")[2]
+    head, _, *rows = [cells(line) for line in readme.partition("\n## ")[0].splitlines() if line.startswith("|")]
+    page = PAGE.read_text("utf-8").partition("## The table in README")[2]
+    checked = [cells(line) for line in page.splitlines() if line.startswith("|")][2:]
+    assert [row[:3] for row in checked] == [
+        [title, tool, cell or "–"] for title, _, *found in rows for tool, cell in zip(head[2:], found, strict=True)
+    ]
+    assert all(row[3] for row in checked)
+
+
+def cells(line: str) -> list[str]:
+    return [cell.strip() for cell in line.strip("|\n").split("|")]
+
+
 @cache
 def run(command: str) -> Done:
     """Run a command in a folder of its own; several rows ask for the same."""
