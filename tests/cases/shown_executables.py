@@ -66,6 +66,6 @@ CASES = {
         cmake("talker\n    a = my_pkg.talker:main b = my_pkg.talker:main\n    c = my_pkg.talker"),
         cmake("talker", {"CMakeLists.txt": set108.CMAKE.replace(" SCRIPTS_DESTINATION lib/my_pkg", "")}),
         cmake("talker", {"CMakeLists.txt": set108.CMAKE.replace("SCRIPTS_DEST", "SETUP_CFG x.cfg SCRIPTS_DEST")}),
-        cmake("talker", {"CMakeLists.txt": set108.CMAKE.replace("ament_python_in", "if(X)\nament_python_in") + "endif()\n"}),
+        cmake("talker", {"CMakeLists.txt": "if(X)\n" + set108.CMAKE + "endif()\n"}),
     ),
 }  # fmt: skip
