@@ -68,6 +68,8 @@ FACTORS = {
     "distro": [distro.name for distro in DISTROS],
     "launch": tuple(LAUNCH_FORMATS),
     "params": (True, False),
+    "parameters": ("file", "generate"),
+    "minimal": (False, True),
     "tests": tuple(TEST_LEVELS),
     "depends": tuple(DEPENDS),
     "extras": ((), tuple(all_extras())),
@@ -82,8 +84,10 @@ COMBINATIONS = [
 
 @pytest.mark.parametrize("row", COMBINATIONS, ids=lambda row: "-".join(map(str, row.values())))
 def test_every_combination_is_written_without_a_finding(row: dict[str, Any]) -> None:
-    row = {**row, "nodes": node_sets(row["template"])[row["nodes"]], "depends": DEPENDS[row["depends"]]}
-    faultless(plan(**row))
+    depends = DEPENDS[row["depends"]]
+    if row["minimal"]:  # nothing tests with it there, as `new` says
+        depends = tuple(name for name in depends if name != "launch_testing")
+    faultless(plan(**{**row, "nodes": node_sets(row["template"])[row["nodes"]], "depends": depends}))
 
 
 @pytest.mark.parametrize("license", [each.spdx for each in LICENSES])
@@ -180,7 +184,7 @@ def faultless(planned: Plan) -> None:
         assert not [line for line in text.splitlines() if line != line.rstrip()], path
         if path.endswith(".py"):
             ast.parse(text, feature_version=(3, 10))
-            assert max(map(len, text.splitlines()), default=0) <= 99, path
+            assert not [line for line in text.splitlines() if len(line) > 99 and "# noqa: E501" not in line], path
         if path.endswith(".yaml"):
             assert yaml.safe_load(text)
         if path.endswith(".json"):

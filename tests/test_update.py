@@ -122,6 +122,16 @@ HISTORIES: dict[str, tuple[Edits, Edits, dict[str, str]]] = {
                     {SETUP: "conflict"}),
     "files of the user's own": ({"notes.txt": b"mine", f"{NAME}/more.py": b"x = 1\n"}, {SETUP: added(b"# new\n")},
                                 {SETUP: "updated"}),
+    "a node that the user renamed": (
+        {NODE: None, f"{NAME}/nav.py": IN_NODE, SETUP: swap(b".my_robot_nav_node:main", b".nav:main")},
+        {NODE: swap(TOP, TOP + b"import time\n"), SETUP: added(b"# new\n")}, {NODE: "skipped", SETUP: "merged"}),
+    "a text that the user renamed": ({README: None, "README.rst": b"Mine.\n"}, {README: added(b"x\n")},
+                                     {README: "skipped"}),
+    "line ends of Windows in a conflict": (
+        {README: lambda data: data.replace(BUILT, BUILT + b" -a").replace(b"\n", b"\r\n")},
+        {README: swap(BUILT, BUILT + b" -b")}, {README: "conflict"}),
+    "a conflict that the user resolved": (
+        {README: swap(BUILT, BUILT + b" -a -b")}, {README: added(b"x\n")}, {README: "merged"}),
     "a merge that was left as it was": (
         {README: b"<<<<<<< yours\na\n=======\nb\n>>>>>>> rospkg\n"}, {SETUP: added(b"# new\n")},
         {SETUP: "updated", README: "kept"}),
