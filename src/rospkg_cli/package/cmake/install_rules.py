@@ -22,6 +22,8 @@ OPTIONS = ("EXPORT", "DESTINATION", "TYPE", "PERMISSIONS", "FILE_PERMISSIONS", "
            "EXCLUDE_FROM_ALL", "NAMELINK_ONLY", "NAMELINK_SKIP", "RENAME", "MESSAGE_NEVER", "FILES_MATCHING",
            "PATTERN", "REGEX", "FILE_SET", "CXX_MODULES_BMI", "RUNTIME_DEPENDENCIES",
            "RUNTIME_DEPENDENCY_SET")  # fmt: skip
+TAKE_A_VALUE = frozenset(("EXPORT", "DESTINATION", "TYPE", "COMPONENT", "NAMELINK_COMPONENT", "RENAME", "PATTERN",
+                          "REGEX", "FILE_SET", "RUNTIME_DEPENDENCY_SET", "NAMESPACE", "FILE"))  # fmt: skip
 SHORTEST, SHORT = 6, 9
 """Letters of a keyword that can be told from a name in capitals, and from which two may be wrong."""
 
@@ -79,13 +81,21 @@ def below_prefix(text: str) -> str | None:
     return SITE.sub(PYTHON, posixpath.normpath(text)) if text else "."
 
 
-def meant_keyword(word: Word, kind: str) -> str | None:
-    """Return the keyword of `install(kind …)` that a word without quotes is a letter or two off; None for all others.
+def meant_keywords(call: EvaluatedCommand) -> Iterator[tuple[Word, str | None]]:
+    """Yield the words after `install(kind`, each with the keyword that it is a letter or two off; None for all others.
 
-    The rule is read as it is meant: what is wrong is told at the word.
+    The rule is read as it is meant: what is wrong is told at the word. A value, as in `DESTINATION INCLUDE`, is none.
     """
-    text, keywords = word.text, (*OPTIONS, *(ARTIFACTS if kind == "TARGETS" else ()))
-    if word.quoted or len(text) < SHORTEST or not text.replace("_", "").isupper() or text in keywords:
+    kind = call.texts[0] if call.words else ""
+    keywords = (*OPTIONS, *(ARTIFACTS if kind == "TARGETS" else ()))
+    before = kind
+    for word in call.words[1:]:
+        yield word, None if word.quoted or before in TAKE_A_VALUE else meant_keyword(word.text, keywords)
+        before = "" if word.quoted else word.text
+
+
+def meant_keyword(text: str, keywords: Sequence[str]) -> str | None:
+    if len(text) < SHORTEST or not text.replace("_", "").isupper() or text in keywords:
         return None
     return next(iter(near_names(text, keywords, 1 if len(text) < SHORT else 2)), None)
 
@@ -93,7 +103,7 @@ def meant_keyword(word: Word, kind: str) -> str | None:
 def rules_of_install(call: EvaluatedCommand) -> Iterator[InstallRule]:
     """`install(…)` in all its forms."""
     kind = call.texts[0] if call.words else ""
-    words = [replace(word, text=meant_keyword(word, kind) or word.text) for word in call.words[1:]]
+    words = [replace(word, text=meant) if meant else word for word, meant in meant_keywords(call)]
     if kind == "TARGETS":
         yield targets_rule(call, words)
     elif kind in ("FILES", "PROGRAMS"):

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.install_rules import meant_keyword
+from ...package.cmake.install_rules import meant_keywords
 from ...rule import rule
 
 LINES = """\
@@ -56,16 +56,15 @@ def misspelt_install_keyword(package: CMakePackage) -> Iterator[Hit]:
     installs.
 
     ## When it is quiet
-    For words in quotes, those that are not all in capitals, and names of targets, files and folders that are there.
-    Under a condition that can't be evaluated.
+    For words in quotes, values (`DESTINATION INCLUDE`), words that are not all in capitals, and names of targets, files
+    and folders that are there. Under a condition that can't be evaluated.
 
     ## Fix safety
     The word may be the name of something that is missing.
     """
     cmake = package.cmake
     for call in cmake.named("install"):
-        for word in call.words[1:] if not call.maybe else ():
-            meant = meant_keyword(word, call.texts[0])
+        for word, meant in meant_keywords(call) if not call.maybe else ():
             if meant is None or word.maybe or cmake.target(word.text) or cmake.package_files.is_there(word.text):
                 continue
             start = f"`install` has no keyword `{word.text}` (did you mean `{meant}`?)"
