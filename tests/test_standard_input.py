@@ -42,6 +42,12 @@ def test_findings_in_other_files_are_not_told(package: Path, monkeypatch: pytest
     assert [line.split()[2] for line in done.stdout.splitlines() if ": " in line] == ["DEP101"]
 
 
+def test_a_file_of_no_package_is_none_of_ours(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An editor gives every file of a kind."""
+    done = lint(monkeypatch, "a: [", tmp_path, "-", "--stdin-filename", "ci.yml")
+    assert (done.returncode, done.stdout) == (0, "")
+
+
 def test_the_dash_may_be_left_out(package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     done = lint(monkeypatch, "import rclpy\n", package.parent, "--stdin-filename", "my_pkg/my_pkg/new.py")
     assert "DEP101" in done.stdout

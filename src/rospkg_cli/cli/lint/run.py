@@ -186,6 +186,8 @@ def run_session(session: Session, options: FixOptions, level: Severity) -> FixRe
 def nothing_found(session: Session, options: LintOptions, located: Located) -> FixResults:
     """Return the results where there is no package to lint."""
     paths = options.paths or (Path(),)
+    if options.stdin_filename is not None:
+        return FixResults(Results())  # an editor gives every file of a kind
     if options.allow_empty or ((options.changed or options.since is not None) and located.scope.folders):
         return FixResults(Results())
     place = Path(os.path.relpath(absolute(paths[0]), located.root)).as_posix()
