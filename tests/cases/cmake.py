@@ -107,6 +107,9 @@ CASES = {
         cmake("install(FILES LICENCE DESTINATION share/${PROJECT_NAME})\n"),
         cmake("find_package(pluginlib REQUIRED)\npluginlib_export_plugin_description_file(nav2_core plugns.xml)\n"),
         cmake("if(SOMETHING_ELSE)\n  add_executable(talker src/a.cpp)\nendif()\n"),
+        cmake("if(SOMETHING_ELSE)\n  add_subdirectory(tets)\n  add_subdirectory(more)\n"
+              "  ament_add_pytest_test(a tests/tset_a.py)\nendif()\n",
+              tests__CMakeLists_DOT_txt="", tests__test_a_DOT_py=""),
         cmake(f"if(BUILD_TESTING)\n  {GTEST}  ament_add_gtest(test_a TIMEOUT 60 test/a.cpp ENV a=b)\n"
               "  ament_add_gmock(test_b SKIP_TEST test/b.cpp)\nendif()\n"),
         cmake("if(BUILD_TESTING)\n  find_package(launch_testing_ament_cmake REQUIRED)\n"
@@ -151,6 +154,18 @@ CASES = {
         cmake("add_executable(talker src/talker.cpp)\ninstall(TARGETS talkr DESTINATION lib/${PROJECT_NAME})\n",
               src__talker_DOT_cpp=cmk110.SOURCE),
         cmake("set_target_properties(talkr PROPERTIES CXX_STANDARD 17)\n"),
+        *(cmake(f"add_library(talker_core SHARED src/core.cpp)\n{lines}", src__core_DOT_cpp="int core() {return 1;}\n")
+          for lines in (
+              "if(WITH_MORE)\n  target_compile_options(talker_croe PRIVATE -w)\nendif()\n",
+              "if(WITH_MORE)\n  target_compile_options(listener PRIVATE -w)\nendif()\n",
+              "if(WITH_MORE)\n  target_compile_options(talker_core2 PRIVATE -w)\nendif()\n",
+              "include(${OTHER}/a.cmake)\ntarget_compile_options(talker_croe PRIVATE -w)\n",
+              "include(${OTHER}/a.cmake)\ntarget_compile_options(listener PRIVATE -w)\n",
+              "add_library(other SHARED src/core.cpp)\ninclude(${OTHER}/a.cmake)\n"
+              "target_link_libraries(other PRIVATE talker_croe)\n",
+              "add_library(cores SHARED src/core.cpp)\ninclude(${OTHER}/a.cmake)\n"
+              "target_link_libraries(talker_core PRIVATE coers)\ntarget_compile_options(coers PRIVATE -w)\n",
+          )),
         cmake(f"{TALKER}target_link_libraries(talker rclcp::rclcpp)\n", NEEDS_RCLCPP, src__talker_DOT_cpp=MAIN),
         cmake(f"{LIBRARY}add_library(my_pkg::core ALIAS core)\nadd_library(base SHARED src/core.cpp)\n"
               "target_link_libraries(base PUBLIC my_pkg::croe)\n", src__core_DOT_cpp="int core() {return 1;}\n"),

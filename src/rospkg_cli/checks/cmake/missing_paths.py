@@ -8,11 +8,16 @@ from functools import cached_property
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
+from ...package.cmake.meant_paths import meant_path
 from ...package.cmake.referenced_paths import ReferencedPath, ReferencedPaths
 from .distro_guards import guarded_commands
 
 ASKED_FOR = regex(r"EXISTS|IS_DIRECTORY|ROS_VERSION|ROS1|CATKIN|catkin|ROS_DISTRO")
 """What a condition tests for before it names what is not always there: the path itself, or ROS 1."""
+
+
+STOPPING = ("test", "subdirectory")
+"""What stops CMake at once, where it gets there, as sources do."""
 
 
 @dataclass(frozen=True)
@@ -24,9 +29,13 @@ class MissingPaths:
         named = ReferencedPaths(self.cmake)
         for each in named.missing():
             perhaps = each.call.maybe or each.word.maybe
-            if perhaps and (each.use != "source" or id(each.call.command) in self.asked_for):
+            if perhaps and (not self.is_judged(each) or id(each.call.command) in self.asked_for):
                 continue
             yield each, not perhaps and not (each.use != "source" and named.made.is_worked_in)
+
+    def is_judged(self, named: ReferencedPath) -> bool:
+        """Return whether a path under a condition is: a source is, of the rest what is nearly called like a file."""
+        return named.use == "source" or (named.use in STOPPING and meant_path(self.cmake, named) is not None)
 
     @cached_property
     def asked_for(self) -> frozenset[int]:

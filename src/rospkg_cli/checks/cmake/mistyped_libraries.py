@@ -26,19 +26,23 @@ SEARCHES = ("find_library", "pkg_check_modules", "pkg_search_module")
 class MistypedLibraries:
     cmake: CMake
 
-    def all(self) -> Iterator[tuple[Word, str]]:
-        """Yield each argument once, with the target that is intended; nothing where other files may make targets."""
-        if not self.cmake.is_complete or self.cmake.reads_unknown_files or UNKNOWN in self.named:
+    def all(self) -> Iterator[tuple[Word, str, bool]]:
+        """Yield each argument once, with the target that is intended, and whether CMake certainly gets there.
+
+        Where other files may make targets, or under a condition, only long names.
+        """
+        if not self.cmake.is_complete or UNKNOWN in self.named:
             return
         seen: set[tuple[str, int, str]] = set()
         for link in TargetLinks(self.cmake).all:
             word = link.word
             key = (word.path, word.span.start, word.text)
-            if link.package or link.call.maybe or word.maybe or key in seen or not PLAIN.fullmatch(word.text):
+            maybe = link.call.maybe or word.maybe or self.cmake.reads_unknown_files
+            if link.package or key in seen or not PLAIN.fullmatch(word.text) or (maybe and len(word.text) < SHORT):
                 continue
             seen.add(key)
             if word.text not in self.named and (near := self.nearest(word.text)):
-                yield word, near
+                yield word, near, not maybe
 
     def nearest(self, name: str) -> str | None:
         """Return the one library of the package that is intended by a name with the same digits."""

@@ -11,6 +11,7 @@ from ...languages.cmake.targets import MAKERS
 from ...languages.cmake.values import UNKNOWN, Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
+from .mistyped_links import nearest
 
 FIRST_IS_TARGET = (
     "target_link_libraries", "target_include_directories", "target_compile_definitions", "target_compile_features",
@@ -18,6 +19,9 @@ FIRST_IS_TARGET = (
     "rosidl_target_interfaces", "add_dependencies",
 )  # fmt: skip
 EXPORTS = ("ament_export_targets", "ament_export_interfaces")
+
+LONG = 8
+"""Letters of a name from which it is a slip of another one, whatever is not known."""
 
 OF_TESTS = ("gtest", "gtest_main", "gmock", "gmock_main")
 """What `ament_find_gtest()` and `ament_add_gtest()` make."""
@@ -35,17 +39,30 @@ class TargetReferences:
     cmake: CMake
 
     def broken(self) -> Iterator[TargetReference]:
-        """Yield what is referenced and never added, each position once; nothing where a name can't be evaluated."""
-        if not self.cmake.is_complete or self.cmake.reads_unknown_files:
+        """Yield what is referenced and never added, each position once; nothing where a name can't be evaluated.
+
+        Under a condition, or where other files may add targets, it must be a slip of one that the package makes.
+        """
+        if not self.cmake.is_complete:
             return
         seen: set[tuple[str, int, str]] = set()
         for reference in self.all():
             word = reference.word
             key = (word.path, word.span.start, word.text)
-            sure = word.is_known and not word.maybe and not reference.call.maybe
-            if sure and key not in seen and not self.is_made(reference):
+            if word.is_known and key not in seen and not self.is_made(reference):
                 seen.add(key)
-                yield reference
+                if self.is_certain(reference) or self.is_slip(reference):
+                    yield reference
+
+    def is_certain(self, reference: TargetReference) -> bool:
+        """Return whether nothing that is not known may make it, and CMake certainly gets there."""
+        return not (reference.word.maybe or reference.call.maybe or self.cmake.reads_unknown_files)
+
+    def is_slip(self, reference: TargetReference) -> bool:
+        """Return whether a long name is one or two letters off one that the package makes."""
+        known = self.targets if reference.kind == "target" else self.exports
+        text = reference.word.text
+        return len(text) >= LONG and nearest(text, known, 2) is not None
 
     def run_together(self, names: Collection[str]) -> Iterator[tuple[TargetReference, str, str]]:
         """Yield arguments that are two of some packages' names without a blank between them."""

@@ -9,18 +9,20 @@ from ...suggest import nearest
 from .cmake_project import CMake
 from .referenced_paths import ReferencedPath, ReferencedPaths
 
+LISTS = "/CMakeLists.txt"
+
 
 def meant_path(cmake: CMake, named: ReferencedPath) -> str | None:
     """Return the one path that is intended; of a folder one beside it."""
-    return nearest(named.path, candidates(cmake, named))
-
-
-def candidates(cmake: CMake, named: ReferencedPath) -> Iterable[str]:
     paths = cmake.package_files.paths
     if named.use == "subdirectory":
-        return (path for path in paths if path.endswith("/CMakeLists.txt"))
-    if named.use != "folder":
-        return paths
+        folders = (path.removesuffix(LISTS) for path in paths if path.endswith(LISTS))
+        folder = nearest(named.path.removesuffix(LISTS), folders)
+        return None if folder is None else folder + LISTS
+    return nearest(named.path, folders_beside(named, paths) if named.use == "folder" else paths)
+
+
+def folders_beside(named: ReferencedPath, paths: Iterable[str]) -> Iterable[str]:
     start = f"{parent}/" if (parent := posixpath.dirname(named.path)) else ""
     inside = (path.removeprefix(start).partition("/") for path in paths if path.startswith(start))
     return {f"{start}{name}" for name, slash, _ in inside if slash}

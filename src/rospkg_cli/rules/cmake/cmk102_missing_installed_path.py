@@ -33,7 +33,7 @@ TEST = CMAKE.replace(
     over=CMakePackage,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the source is named in a branch that is taken only for some; or CMake runs a program in the "
+        Severity.WARNING: "it is named in a branch that is taken only for some; or CMake runs a program in the "
         "package's folder, which may write what is installed"
     },
     examples=(

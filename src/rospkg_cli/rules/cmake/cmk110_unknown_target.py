@@ -48,6 +48,7 @@ def cmake(lines: str) -> str:
     "unknown-target",
     over=MistypedLinks,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "under a condition, or where other files may make it: it is a slip of a long name"},
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake(TARGET), "src/talker.cpp": SOURCE},
@@ -97,7 +98,8 @@ def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
     Where a file that can't be read, FetchContent or a submodule may add targets, where a command of another package is
     given the name, for libraries that `find_library()` looks for or that lie in the package, for names with `::` that
     are near to none of a package whose targets are known (of others only their own name with letters swapped, or a long
-    one with a letter wrong, is reported), and for `gtest` and `gmock`. Under a condition that can't be evaluated.
+    one with a letter wrong, is reported), and for `gtest` and `gmock`. Under a condition that can't be evaluated. In
+    both cases, names of eight letters and more that are one or two off one that the package makes are reported.
     """
     package = links.package
     for each in links.all():
@@ -108,10 +110,11 @@ def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
         near = did_you_mean(reference.word.text, known)
         message = f"{said(package.cmake, reference)}{near}: CMake stops with {stops(reference)}"
         related = [Related(each.word.path, each.word.span, "and here") for each in others]
-        yield Hit(reference.word.path, reference.word.span, message, related=tuple(related))
-    for word, near in MistypedLibraries(package.cmake).all():
+        level = None if any(map(references.is_certain, (reference, *others))) else Severity.WARNING
+        yield Hit(reference.word.path, reference.word.span, message, level, tuple(related))
+    for word, near, is_certain in MistypedLibraries(package.cmake).all():
         message = f"nothing makes the library `{word.text}` (did you mean `{near}`?): the linker does not find it"
-        yield Hit(word.path, word.span, f"{message}; correct it")
+        yield Hit(word.path, word.span, f"{message}; correct it", None if is_certain else Severity.WARNING)
     names = {found.name for found in package.cmake.packages} | {each.name for each in package.manifest.dependencies}
     for reference, first, second in references.run_together(names):
         start = f"`{reference.word.text}` is no package, but `{first}` and `{second}` without a space between them"
