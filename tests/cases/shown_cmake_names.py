@@ -150,6 +150,17 @@ CASES = {
         package("set(MORE_LIBRARIES tf2)\nament_export_dependencies(${MORE_LIBRARIES})\n"),
         package("if(WITH_MORE)\n  ament_export_dependencies(${OpenCV_LIBRARIES})\nendif()\n"),
         package("find_package(my_pkg REQUIRED)\n"),
+        *(
+            package(lines + "ament_export_dependencies(acme_arm)\n", files)
+            for lines, files in (
+                ("", {}),
+                ("find_package(acme_arm)\n", {}),
+                ("include(${MORE}/a.cmake)\n", {}),
+                ("find_library(ARM NAMES acme_arm_core)\n", {}),
+                ("", {"cmake/Findacme_arm.cmake": ""}),
+            )
+        ),
+        package("ament_export_dependencies(yaml-cpp tinyxml2 Acme)\n"),
         package("find_package(${PROJECT_NAME} QUIET)\n"),
         package("find_package(my_pkg REQUIRED)\n", {"cmake/Findmy_pkg.cmake": ""}),
         package("if(BUILD_TESTING)\n  find_package(my_pkg REQUIRED)\nendif()\n"),

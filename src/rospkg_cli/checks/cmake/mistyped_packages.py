@@ -13,6 +13,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.set_variables import SetVariables
 from ...package.workspace import Workspace
+from ...ros.aliases import keys_for_cmake
 from ...ros.link_targets import ROS_NAME
 from ...ros.names import NameKind
 from .mistyped_links import nearest
@@ -28,7 +29,7 @@ KEYWORDS = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
 class MistypedPackage:
     word: Word
     call: EvaluatedCommand
-    kind: Literal["misspelt", "target", "variable", "own"]
+    kind: Literal["misspelt", "target", "variable", "own", "nowhere"]
     near: str = ""
     """The package that is certainly intended, of one that is misspelt."""
     variable: str = ""
@@ -81,7 +82,17 @@ class MistypedPackages:
             return None
         if self.package.cmake.target(word.text) is not None:
             return MistypedPackage(word, call, "target")
-        return self.misspelt(word, call, self.found | self.declared)
+        if (misspelt := self.misspelt(word, call, self.found | self.declared)) is not None:
+            return misspelt
+        return MistypedPackage(word, call, "nowhere") if self.is_nowhere(word, call) else None
+
+    def is_nowhere(self, word: Word, call: EvaluatedCommand) -> bool:
+        """Return whether a package is exported that nobody knows, and that no other command and no file names."""
+        cmake, name = self.package.cmake, word.text
+        unclear = not cmake.is_complete or cmake.reads_unknown_files or not self.is_looked_for_in_vain(name)
+        if call.name != EXPORTED or unclear or keys_for_cmake(name):
+            return False
+        return not any(name in text for each in cmake.calls if each.name != EXPORTED for text in each.texts)
 
     def is_own(self, word: Word, call: EvaluatedCommand) -> bool:
         """Return whether a package looks for itself, before it is installed, and brings no module to be found by."""

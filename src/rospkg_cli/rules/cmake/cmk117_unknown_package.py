@@ -31,8 +31,8 @@ def cmake(name: str) -> str:
     over=MistypedPackages,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is exported, and no package of the workspace is built with this one; or it is the "
-        "package itself, which may be installed from an earlier build"
+        Severity.WARNING: "it is exported, and no package of the workspace is built with this one, or only nobody "
+        "here knows it; or it is the package itself, which may be installed from an earlier build"
     },
     examples=(
         Example(
@@ -57,7 +57,8 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     Finds packages that CMake looks for, links or exports and that are one or two letters off.
     It reads `find_package(… REQUIRED)`, `ament_target_dependencies()` and `ament_export_dependencies()`. In the last
     two it also finds targets of the package itself, which are no packages, in the last one libraries
-    (`${OpenCV_LIBRARIES}`), and in the first one the package itself.
+    (`${OpenCV_LIBRARIES}`) and packages that nobody knows and that the package neither finds nor declares, and in the
+    first one the package itself.
 
     ## Why is this bad?
     CMake stops: "Could not find a package configuration file", or "the passed package name … was not found before".
@@ -77,7 +78,7 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
             edit = Edit(each.word.path, each.word.span, each.near)
             fix = Fix(f"write `{each.near}`", (edit,), Safety.UNSAFE)
         is_unused = each.call.name == EXPORT and not packages.workspace.is_built_against(packages.package.facts.name)
-        level = Severity.WARNING if is_unused or each.kind == "own" else None
+        level = Severity.WARNING if is_unused or each.kind in ("own", "nowhere") else None
         yield Hit(each.word.path, each.word.span, message(each), level, fix=fix)
 
 
@@ -98,6 +99,8 @@ def message(each: MistypedPackage) -> str:
         return f"`{name}` looks for itself: on a clean machine CMake stops, as it is not installed yet; remove the line"
     if each.kind == "variable":
         return f"`{each.variable}` holds no packages: {stops}; write `{each.near}`"
+    if each.kind == "nowhere":
+        return f"nothing finds or declares `{name}`: {stops}; find and declare it, or remove it"
     near = f"(did you mean `{each.near}`?)"
     if stops is None:
         stops = 'CMake stops with "Could not find a package configuration file"'
