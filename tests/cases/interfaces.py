@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rospkg_cli.example import INTERFACES_CMAKE, Example, manifest
 from rospkg_cli.rules.interfaces import idl012_unknown_interface_in_cpp as idl012
+from rospkg_cli.rules.interfaces import idl013_unknown_field_in_cpp as idl013
 
 STATUS = '  "msg/Status.msg"\n'
 CALL = "rosidl_generate_interfaces(${PROJECT_NAME}\n"
@@ -77,6 +78,30 @@ CASES = {
             },
             good={},
             on="",
+        ),
+    ),
+    "IDL013": (
+        Example(
+            bad={
+                **idl013.FILES,
+                "include/my_pkg/a.hpp": idl013.VALUE.replace("text.data", "text.daat"),
+                "src/talker.cpp": "int main() {return 0;}\n",
+            },
+            good={},
+            on="ament_cmake",
+        ),
+        Example(
+            bad={
+                **idl013.FILES,
+                "src/talker.cpp": idl013.VALUE.replace("return text.data", "text.dta; return text.dta"),
+            },
+            good={},
+            on="ament_cmake",
+        ),
+        Example(
+            bad={**idl013.FILES, "src/talker.cpp": idl013.POINTER.replace("stamp.sec", "seq")},
+            good={},
+            on="ament_cmake",
         ),
     ),
     "IDL012": (
