@@ -11,7 +11,7 @@ from ..package.setup.data_files import DataFile
 from ..package.setup.setup_py import SetupPy
 from ..source import Span
 from . import python_list as commas
-from .setup_py import add_argument, add_item, import_code, name_code, quoted, replace_text
+from .setup_py import add_argument, add_item, import_module, name_code, quoted, replace_text
 
 SHARE = regex(
     r"""\bf["']share/\{(?P<name>\w+)\}|(?P<join>[\w.]*\bjoin)\(\s*["']share["']\s*,\s*(\w+)"""
@@ -87,7 +87,8 @@ def install_folder(setup: SetupPy, name: str, folder: str, files: tuple[str, ...
     if not glob_is_known(setup):
         return ()
     edits = add_data_entry(setup, share_code(setup, name, folder), f"{glob_code(setup)}({quoted(setup, pattern)})")
-    return (*edits, *import_code(setup, "glob", "glob")) if edits else ()
+    imported = import_module(setup, "from glob import glob") if setup.names.get("glob") is None else ()
+    return (*edits, *imported) if edits else ()
 
 
 def glob_is_known(setup: SetupPy) -> bool:

@@ -168,9 +168,10 @@ def import_module(setup: SetupPy, line: str) -> tuple[Edit, ...]:
     """Add an import of the standard library: among those that are there, or in a group of its own before the others."""
     module = line.split()[1]
     found = [(text.split()[1].partition(".")[0], span) for text, span in import_lines(setup)]
-    later = next((span for name, span in found if name not in STANDARD or name > module), None)
-    if later is None:
-        at = setup.source.line_starts[setup.source.position(found[-1][1].end)[0]] if found else 0
+    standard = [(name, span) for name, span in found if name in STANDARD]
+    before = [span for name, span in standard if name <= module]
+    if before or not found:
+        at = setup.source.line_starts[setup.source.position(before[-1].end)[0]] if before else 0
         return (Edit(setup.path, Span(at, at), f"{line}\n"),)
-    alone = not any(name in STANDARD for name, _ in found)
-    return (Edit(setup.path, Span(later.start, later.start), f"{line}\n\n" if alone else f"{line}\n"),)
+    at = (standard or found)[0][1].start
+    return (Edit(setup.path, Span(at, at), f"{line}\n" if standard else f"{line}\n\n"),)

@@ -21,7 +21,7 @@ MARKED = SETUP_PY.replace("data_files=", "«data_files»=")
 
 def good(folder: str, pattern: str) -> str:
     line = f"        ('share/' + package_name + '/{folder}', glob('{pattern}')),\n"
-    return "from glob import glob\n" + SETUP_PY.replace(ENTRY, ENTRY + line)
+    return "from glob import glob\n\n" + SETUP_PY.replace(ENTRY, ENTRY + line)
 
 
 @rule(
