@@ -100,6 +100,7 @@ Talker() : Node("talker")
   declare_parameter("frame", "map");
   declare_parameter("gains", std::vector<double>{1.0});
   declare_parameter("count", 3);
+  declare_parameter("top_speed", 1.0);
 }
 """
 
@@ -128,6 +129,7 @@ def package(values: str, node: str = NODE, **others: str) -> dict[str, str]:
         ("rate: $(var rate); gains: [1.0]; count: 5", []),
         ("rate: 5.0; freme: odom; count: 5", ["PRM007 `my_pkg` declares no parameter `freme`"]),
         ("rate: 5.0; colour: odom; count: 5", []),
+        ("rate: 5.0; speed_top: 2.0; count: 5", ["PRM007 `my_pkg` declares no parameter `speed_top`"]),
         ("rate: 5.0; frame: odom; counts: 5; count: 3", []),
         ("other: 5; things: 6; rate: 5", []),
     ],

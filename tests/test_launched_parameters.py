@@ -196,6 +196,7 @@ def test_lists_of_plugins(names: str, said: str) -> None:
         (["wheels"], ["`number_of_wheels`"]),
         (["number"], []),
         (["height"], []),
+        (["wheels_of_number"], ["`number_of_wheels`"]),
         (["of_wheels", "nothing"], []),
         (["wheel"], []),
         (["of"], []),

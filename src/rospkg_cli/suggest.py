@@ -72,6 +72,12 @@ def nearest(word: str, names: Iterable[str], limit: int = 2) -> str | None:
     return Effort.answers[question]
 
 
+def same_words(word: str, names: Iterable[str]) -> list[str]:
+    """Return the names of the same words in another order: `fixed_resolution` for `resolution_fixed`."""
+    words = sorted(word.split("_"))
+    return [name for name in names if name != word and len(words) > 1 and sorted(name.split("_")) == words]
+
+
 def is_misspelt(word: str, name: str) -> bool:
     """Return whether two names have the same words, but for some letters: `acme_test` is none of `acme_arm`."""
     words, others = word.split("_"), name.split("_")

@@ -161,6 +161,8 @@ MIMICS = tuple(
         ("", "fixed", "left"),
         ("${q}", "fixed", "left"),
         ("${p}", "", "left"),
+        ("${p}", "fixed", "${p}le"),
+        ("${p}left_", "fixed", "${p}left"),
     )
 )
 USED = call("prefix='a_' parent='base'") + call("prefix='a_'")

@@ -13,7 +13,7 @@ from ...package.params.declared_parameter import DeclaredParameter, type_named
 from ...package.params.parameter_file import NodeBlock, Parameter, ParameterFile
 from ...package.params.scalar_types import type_of
 from ...package.workspace import Workspace
-from ...suggest import near_names
+from ...suggest import near_names, same_words
 
 OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
 EVERYWHERE = ("qos_overrides.", "bond_")
@@ -47,7 +47,7 @@ class ParameterGroup:
                 before, _, last = parameter.name.rpartition(".")
                 prefix = f"{before}." if before else ""
                 free = {name for name in self.last_names if prefix + name not in given and self.fitting(prefix + name)}
-                found = near_names(last, free)
+                found = near_names(last, free) or same_words(last, free)
                 if len(found) == 1:
                     yield parameter, prefix + found[0]
 

@@ -9,7 +9,7 @@ from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...source import Span
-from ...suggest import near_names
+from ...suggest import near_names, same_words
 from .declaring_packages import ENOUGH, is_its_own
 from .launch_parameters import LaunchParameters, NodeArguments
 
@@ -56,7 +56,8 @@ class LaunchedNames:
                 known = sum(other in declared for other in others)
                 if not is_its_own(name) or name in declared or len(name) < SHORTEST or known < ENOUGH * len(others):
                     continue
-                near = near_names(name, free, 2 if others else 1) or with_another_word(name, free)
+                near = near_names(name, free, 2 if others else 1) or same_words(name, free)
+                near = near or with_another_word(name, free)
                 if len(near) == 1 and DIGITS.sub("", near[0]) != DIGITS.sub("", name):
                     yield LaunchedName(each.launch.path, text.span, facts.name, name, near[0])
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...languages.xml.parser import Element
+from ...languages.xml.parser import Attribute, Element
 from ...lazy_regex import regex
 from ..fault import Fault
 
@@ -20,16 +20,33 @@ def prefix_faults(root: Element) -> Iterator[Fault]:
             continue
         joints = [each for each in macro.walk() if each.tag == "joint" and each.attributes.get("type")]
         prefix = prefix_of([joint.get("name") or "" for joint in joints])
-        names = {joint.get("name") for joint in joints}
-        for joint in joints if prefix else ():
-            for mimic in joint.children:
-                given = mimic.attributes.get("joint") if mimic.tag == "mimic" else None
-                if given is not None and prefix + given.value in names:
-                    message = (
-                        f"`{given.value}` lacks the prefix of `{prefix}{given.value}`: where a call of the macro "
-                        f"`{macro.get('name')}` gives one, no joint has this name; write the prefix"
-                    )
-                    yield Fault(given.value_span, message, "info")
+        names = {joint.get("name") or "" for joint in joints}
+        for mimic in (each for joint in joints if prefix for each in joint.children if each.tag == "mimic"):
+            given = mimic.attributes.get("joint")
+            if given is not None and prefix + given.value in names:
+                message = (
+                    f"`{given.value}` lacks the prefix of `{prefix}{given.value}`: where a call of the macro "
+                    f"`{macro.get('name')}` gives one, no joint has this name; write the prefix"
+                )
+                yield Fault(given.value_span, message, "info")
+            elif given is not None and given.value.startswith(prefix) and not is_given_elsewhere(root, given.value):
+                yield from longer_name(given, names)
+
+
+def is_given_elsewhere(root: Element, name: str) -> bool:
+    """Return whether anything but a `<mimic>` has a name: a joint, or a macro that makes one of it."""
+    others = (element for element in root.walk() if element.tag != "mimic")
+    return any(attribute.value == name for element in others for attribute in element.attributes.values())
+
+
+def longer_name(given: Attribute, names: set[str]) -> Iterator[Fault]:
+    """Yield a mimicked joint that no joint of its macro is, where names of joints begin with it."""
+    longer = sorted(name for name in names if name.startswith(f"{given.value}_"))
+    if longer:
+        message = (
+            f"no joint of this macro is called `{given.value}`: it must be made elsewhere, or `{longer[0]}` is meant"
+        )
+        yield Fault(given.value_span, message, "info")
 
 
 def prefix_of(names: list[str]) -> str:
