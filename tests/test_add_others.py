@@ -446,3 +446,10 @@ def test_a_launch_file_is_removed_by_its_name_alone() -> None:
         comes_back(files, added(files, "launch", f"up:{form}"), "launch", "up")
     after, _ = taken(added(files, "launch", "up:xml", "up:yaml"), "launch", "up:yaml")
     assert after.package("").files.below("launch") == ("launch/up.launch.xml",)
+
+
+def test_the_second_launch_file_leaves_what_the_first_needs() -> None:
+    for one, other in (("xml", "xml"), ("yaml", "yaml"), ("xml", "py"), ("py", "yaml")):
+        first = added(python_package(GLOB), "launch", f"first:{one}")
+        files = {path: text(first, path) for path in first.tree.files()}
+        comes_back(files, added(files, "launch", f"up:{other}"), "launch", "up")

@@ -10,6 +10,7 @@ from in_process import run_here
 from planned import plan
 
 from rospkg_cli.addition import kept_record
+from rospkg_cli.addition.asked_dependencies import asked_dependencies
 from rospkg_cli.addition.kept_record import keep_record
 from rospkg_cli.addition.part import take_out
 from rospkg_cli.addition.wanted import Wanted, parts_to_remove
@@ -21,6 +22,7 @@ from rospkg_cli.scaffold.answers_record import RECORD, AnswersRecord, read_recor
 from rospkg_cli.scaffold.update import UpdatedFile, updates
 from rospkg_cli.scaffold.workspace import WorkspacePackages
 from rospkg_cli.scaffold.write import write_folder
+from rospkg_cli.tree import MemoryTree
 
 
 def made(folder: Path, name: str = "my_pkg", **asked: object) -> Path:
@@ -153,3 +155,12 @@ def test_an_addition_that_new_can_not_plan_stays_the_users_own(
     before = read_record(package)
     monkeypatch.setattr(kept_record, "make_plan", make_plan)
     assert added(package, "node", "extra:timer") == before
+
+
+def test_a_dependency_that_was_asked_for_stays_without_the_node_that_uses_it(tmp_path: Path) -> None:
+    package = made(tmp_path, template="ament_cmake", nodes=("talker",), depends=("std_srvs",))
+    before = content(package)
+    added(package, "node", "extra:service:std_srvs/SetBool")
+    removed(package, "node", "extra")
+    assert content(package) == before
+    assert asked_dependencies(Draft(MemoryTree.of({RECORD: "no record\n"})).package("")) == ()

@@ -22,6 +22,7 @@ STANDS_FOR = {
     "ament_cmake_auto": r"ament_auto_\w+",
     "generate_parameter_library": r"generate_parameter_module\b",
     "generate_parameter_library_py": r"generate_parameter_module\b",
+    "launch_ros": r"<(?:composable_)?node\b|(?m:^\s*-\s*(?:composable_)?node:)",
     "launch_testing_ament_cmake": r"add_launch_test\b",
     "rclcpp_components": r"rclcpp_components_register_\w+",
     "rosidl_default_generators": r"rosidl_generate_interfaces\b",

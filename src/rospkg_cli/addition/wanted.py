@@ -13,6 +13,7 @@ from ..ros.interfaces import KINDS
 from ..scaffold import ScaffoldError
 from ..scaffold.interface import RequestedInterface, text_of
 from ..scaffold.workspace import WorkspacePackages
+from .asked_dependencies import without_asked
 from .depend import depend_parts
 from .dependency import AddedDependency, manifest_of
 from .interface import interface_parts, parts_of
@@ -67,6 +68,11 @@ def parts_to_add(package: Package, wanted: Wanted, name: str, there: WorkspacePa
 
 def parts_to_remove(package: Package, wanted: Wanted, name: str, there: WorkspacePackages) -> Sequence[Part]:
     """Return the parts of what is there under a name; raises ChangeError where nothing is, or where it was edited."""
+    parts = parts_that_are_there(package, wanted, name, there)
+    return parts if wanted.what == "dependency" else without_asked(package, parts)
+
+
+def parts_that_are_there(package: Package, wanted: Wanted, name: str, there: WorkspacePackages) -> Sequence[Part]:
     match wanted.what:
         case "node":
             return node_that_is_there(package, name, there, wanted.force)
