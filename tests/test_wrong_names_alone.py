@@ -29,6 +29,8 @@ def told(depends: str, *needed: str) -> list[tuple[str, str]]:
         ("<depend>std_msgs, nav_msgs</depend>", "DEP001", ["std_msgs", "nav_msgs"]),
         ("<depend>roscpp</depend>", "DEP203", ["rclcpp"]),
         ("<dpeend>tf2_ros</dpeend>", "XML001", ["tf2_ros"]),
+        ("<depend>Eigen3</depend>", "DEP001", ["Eigen3"]),
+        ("<depend>OpenCV</depend>", "DEP001", ["OpenCV"]),
     ],
 )
 def test_what_is_meant_is_declared(line: str, code: str, needed: list[str]) -> None:

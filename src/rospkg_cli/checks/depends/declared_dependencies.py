@@ -17,7 +17,7 @@ from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
 from .brought_dependencies import COLCON, WITH_COLCON, WITH_ROSDEP, Bringer, Brought, brought, brought_by_others
-from .intended_names import intended_names
+from .intended_names import intended_names, key_of_cmake_name
 
 MAX_DEPTH = 20
 
@@ -103,8 +103,8 @@ class DeclaredDependencies:
 
     @cached_property
     def written_otherwise(self) -> frozenset[str]:
-        """What declared names stand for that are names on PyPI or in ROS 1, or several in one tag."""
-        keys = (key for name in self.unknown_names if (key := key_for_pip(name)) is not None)
+        """What declared names stand for that are names on PyPI, of CMake or in ROS 1, or several in one tag."""
+        keys = (key for name in self.unknown_names if (key := key_of_cmake_name(name) or key_for_pip(name)) is not None)
         parts = (words for name in self.unknown_names if len(words := name.replace(",", " ").split()) > 1)
         old = (successors(d.name) or () for d in self.manifest.dependencies if self.workspace.named(d.name) is None)
         return frozenset([*keys, *(each for words in (*parts, *old) for each in words)])

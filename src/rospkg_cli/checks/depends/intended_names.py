@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...package.workspace import Workspace
-from ...ros.aliases import key_for_pip, successors
+from ...ros.aliases import NOTHING_NEEDED, key_for_pip, keys_for_cmake, successors
 from ...ros.names import NameKind
 from .similar_names import SimilarNames
 
@@ -27,5 +27,13 @@ def intended_names(name: str, workspace: Workspace) -> tuple[str, ...]:
     parts = name.replace(",", " ").split()
     if len(parts) > 1:
         return tuple(parts)
+    if found := key_of_cmake_name(name):
+        return (found,)
     meant = None if workspace.may_lack(name) else SimilarNames(workspace).meant(name)
     return (key_for_pip(name, workspace.index) or meant or name,)
+
+
+def key_of_cmake_name(name: str) -> str | None:
+    """Return the key of what CMake calls by a name: `eigen` of Eigen3; None for a name that is in lower case."""
+    keys = [each for each in keys_for_cmake(name) if each != NOTHING_NEEDED and "*" not in each]
+    return keys[0] if keys and not name.islower() else None

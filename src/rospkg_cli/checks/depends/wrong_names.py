@@ -6,12 +6,13 @@ from collections.abc import Callable
 
 from ...light_dataclasses import dataclass
 from ...package.manifest import Dependency
-from ...ros.aliases import NOTHING_NEEDED, key_for_apt, key_for_pip, keys_for_cmake
+from ...ros.aliases import key_for_apt, key_for_pip
 from ...ros.imports import STANDARD
 from ...ros.names import Names
 from ...ros.read_table import rows
 from ...ros.rosdep import CODENAMES, NOT_THERE
 from .declared_dependencies import DeclaredDependencies
+from .intended_names import key_of_cmake_name
 from .similar_names import SimilarNames
 
 PYTHON_TAGS = frozenset({"exec_depend", "test_depend", "run_depend"})
@@ -54,9 +55,8 @@ def several(declared: DeclaredDependencies, dependency: Dependency) -> WrongDepe
 
 
 def of_cmake(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
-    name = dependency.name
-    listed = [each for each in keys_for_cmake(name) if each != NOTHING_NEEDED and "*" not in each]
-    return WrongDependencyName("is what CMake calls it", listed[0]) if listed and not name.islower() else None
+    key = key_of_cmake_name(dependency.name)
+    return WrongDependencyName("is what CMake calls it", key) if key else None
 
 
 def of_python_itself(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
