@@ -2,7 +2,8 @@
 
     .venv/bin/pip install -e '.[docs,test]' && .venv/bin/python -m bench.site_search [FILE…]
 
-Typed are the headings of docs/symptoms.md, the parts of messages of tests/test_symptoms.py, and each line of the files.
+Typed are the headings of docs/symptoms.md, the parts of messages of tests/test_symptoms.py, whole messages with names
+of somebody's own, and each line of the files.
 Told are those for which none of the first results is on that page, or none is there at all.
 """
 
@@ -21,6 +22,13 @@ from urllib.parse import quote
 ROOT = Path(__file__).parents[1]
 sys.path[:0] = [str(ROOT / "tests/real"), str(ROOT / "tests")]
 FIRST = 3
+WHOLE = (
+    'Could not find a package configuration file provided by "our_robot_things" with any of the following names:',
+    """[ERROR] [launch]: Caught exception in launch: "package 'our_robot' not found, searching: ['/opt/ros/jazzy']\"""",
+    "file 'up.launch.py' was not found in the share directory of package 'our_robot' which is at '/ws/install'",
+    "ModuleNotFoundError: No module named 'our_robot.driver'",
+    "error: option --editable not recognized",
+)
 LINKS = "return [...document.querySelectorAll('.md-search-result__link')].map((link) => link.href)"
 DONE = "return !/Initializing|Type to start/.test(document.querySelector('.md-search-result__meta').textContent)"
 
@@ -35,7 +43,7 @@ def symptoms(files: list[str]) -> list[str]:
 
     page = (ROOT / "docs/symptoms.md").read_text("utf-8")
     lines = [line for file in files for line in Path(file).read_text("utf-8").splitlines() if line.strip()]
-    return list(dict.fromkeys([*re.findall(r"^### `(.*)`$", page, re.MULTILINE), *SEARCHED, *lines]))
+    return list(dict.fromkeys([*re.findall(r"^### `(.*)`$", page, re.MULTILINE), *SEARCHED, *WHOLE, *lines]))
 
 
 def main() -> int:

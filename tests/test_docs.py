@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import html
 import json
 import re
+import sys
 from pathlib import Path
 
 from in_process import run_here as rospkg
@@ -62,6 +64,20 @@ def test_the_page_on_new_names_its_options_and_a_template_that_can_be_read(tmp_p
     [block] = [block for block in re.findall(r"```toml\n(.*?)```", text, re.DOTALL) if "build-type" in block]
     (tmp_path / "template.toml").write_text(block)
     assert len(read_template(tmp_path).files) == 4
+
+
+def test_the_picture_shows_what_lint_says_today(tmp_path, write) -> None:
+    """docs/lint.svg, which docs/picture.py draws."""
+    sys.path.insert(0, str(ROOT / "docs"))
+    from picture import COMMAND, package
+
+    files = {path.replace("my_pkg", "my_robot_nav"): text for path, text in package().items()}
+    write(tmp_path / "my_robot_nav", {path: text.replace("my_pkg", "my_robot_nav") for path, text in files.items()})
+    said = rospkg(*COMMAND.split()[1:], cwd=tmp_path).stdout
+    drawn = html.unescape(re.sub(r"<[^>]+>", "", (ROOT / "docs/lint.svg").read_text("utf-8").partition("</style>")[2]))
+    words = re.findall(r"[\w./]{3,}", re.sub(r"in [\d.]+ ?m?s", "", said))
+    assert len(words) > 60
+    assert [word for word in words if word not in drawn] == []
 
 
 def test_hooks_run_verbs_that_exist() -> None:

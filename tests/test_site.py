@@ -13,6 +13,8 @@ import yaml
 from typed_pages import typed
 from writing import Write
 
+from rospkg_cli.rule_address import PAGES
+
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
 
@@ -48,6 +50,17 @@ def test_pages_lead_only_to_the_site_and_the_web() -> None:
 def test_nothing_of_the_site_comes_from_elsewhere() -> None:
     assert SITE["theme"]["font"] is False
     assert not {"extra_css", "extra_javascript"} & set(SITE)
+    for path in (ROOT / SITE["theme"]["custom_dir"]).rglob("*.*"):
+        assert "//" not in re.sub(r"(?m)^\s*//.*", "", path.read_text("utf-8")), path
+
+
+def test_an_address_of_the_site_stands_everywhere_or_nowhere() -> None:
+    """`[project.urls]` in pyproject.toml, `site_url` and where rules say that their pages stand."""
+    project = (ROOT / "pyproject.toml").read_text("utf-8")
+    urls = re.search(r"(?ms)^\[project\.urls\]$.*?^Documentation = \"(.*?)\"", project)
+    site = urls[1].rstrip("/") if urls else None
+    assert SITE.get("site_url", "").rstrip("/") == (site or "")
+    assert (f"{site}/rules/{{code}}/" if site else "docs/rules/{code}.md") == PAGES
 
 
 def test_the_rule_of_the_guide_is_found_and_told(tmp_path: Path, write: Write, clean: dict[str, str]) -> None:
