@@ -164,3 +164,11 @@ def test_a_dependency_that_was_asked_for_stays_without_the_node_that_uses_it(tmp
     removed(package, "node", "extra")
     assert content(package) == before
     assert asked_dependencies(Draft(MemoryTree.of({RECORD: "no record\n"})).package("")) == ()
+
+
+def test_a_dependency_that_cmake_does_not_look_for_stays_the_users_own(tmp_path: Path) -> None:
+    package = made(tmp_path, template="ament_cmake", nodes=("talker",))
+    assert added(package, "dependency", "std_srvs").request.depends == ()
+    record = added(package, "node", "extra:service:std_srvs/SetBool")
+    found = updated(package, template="ament_cmake", nodes=record.request.nodes)
+    assert [path for path, each in found.items() if each.status == "conflict"] == []

@@ -29,6 +29,8 @@ FIELDS = {
 
 INTERFACES = ("msgs", "srvs", "actions")
 
+CMAKE = "CMakeLists.txt"
+
 
 def keep_record(draft: Draft, place: Path, folder: str, wanted: Wanted, adds: bool) -> None:
     """Put the record into a draft as it is after a change: with other answers, and with the lines that were written.
@@ -53,7 +55,10 @@ def keep_record(draft: Draft, place: Path, folder: str, wanted: Wanted, adds: bo
         planned = make_plan(replace(request, name=name), place, {}).files
         old = Renamed(name, record.request.name or name)
         made = {old.text(file.path): digests(old.data(file.entry.data)) for file in planned}
-        lines = lines_after(record, changed_files(draft, folder, old), made, wanted.what == "dependency" and adds)
+        is_exact = wanted.what == "dependency" and adds
+        if is_exact and not is_found_by_cmake(draft, folder, record, made, old):
+            return
+        lines = lines_after(record, changed_files(draft, folder, old), made, is_exact)
     except (ScaffoldError, OwnFaultError, UnicodeError):
         return
     if lines is not None:
@@ -89,6 +94,18 @@ class Renamed:
 
     def data(self, data: bytes) -> bytes:
         return self.text(data.decode("utf-8", "surrogateescape")).encode("utf-8", "surrogateescape")
+
+
+def is_found_by_cmake(
+    draft: Draft, folder: str, record: AnswersRecord, planned: Mapping[str, Lines], renamed: Renamed
+) -> bool:
+    """Return whether CMakeLists.txt has the lines that `new` would write there for a dependency more.
+
+    `add` looks for it only where a source includes it; an update would put the lines into the way of later ones.
+    """
+    entry = draft.entry(f"{folder}/{CMAKE}".lstrip("/"))
+    more = {*planned.get(CMAKE, ())} - {*record.lines.get(CMAKE, ())}
+    return entry is None or more <= {*digests(renamed.data(entry.data))}
 
 
 def changed_files(draft: Draft, folder: str, renamed: Renamed) -> Iterator[tuple[str, Lines | None, Lines | None]]:
