@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import CMAKE, INTERFACES_CMAKE, manifest
+from rospkg_cli.example import BACKDROPS, CMAKE, INTERFACES_CMAKE, existing_files, manifest
 from rospkg_cli.finding import Finding
 from rospkg_cli.testing import lint_files
 
@@ -88,3 +88,10 @@ def test_a_misspelt_name_of_the_package_is_no_missing_dependency() -> None:
     assert codes("robot_mgs", "robot_msgs") == ["CMK001"]
     assert codes("robot_mgs", "messages") == ["CMK001", "DEP108"]
     assert codes("arm_messages", "robot_msgs") == ["CMK001", "DEP108"]
+
+
+def test_a_group_is_no_package_that_may_bring_others() -> None:
+    launch = '<launch><node pkg="joy" exec="joy_node"/></launch>\n'
+    files = {**existing_files(BACKDROPS["ament_python"]), "launch/a.launch.xml": launch}
+    files["package.xml"] = manifest("  <group_depend>parts</group_depend>\n")
+    assert [finding.severity.value for finding in lint_files(files, ["DEP103"]).findings] == ["warning"]

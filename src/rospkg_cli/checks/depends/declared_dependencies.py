@@ -12,7 +12,7 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.aliases import key_for_pip, successors
 from ...ros.distros import Targets
-from ...ros.manifest import BUILD_TYPES, DEPENDENCY_TAGS, EXPORTED, RELATIONS, RUNS
+from ...ros.manifest import BUILD_TYPES, CONDITIONAL_TAGS, DEPENDENCY_TAGS, EXPORTED, RELATIONS, RUNS
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
@@ -92,7 +92,8 @@ class DeclaredDependencies:
 
     @cached_property
     def in_unknown_tags(self) -> frozenset[str]:
-        unknown = (each for each in self.manifest.root.children if each.tag not in DEPENDENCY_TAGS)
+        """What stands in tags that are near to one of dependencies; a group is no package."""
+        unknown = (each for each in self.manifest.root.children if each.tag not in CONDITIONAL_TAGS)
         return frozenset(e.text for e in unknown if "depend" in e.tag.lower() or near_names(e.tag, DEPENDENCY_TAGS))
 
     @cached_property
