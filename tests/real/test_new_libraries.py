@@ -23,6 +23,9 @@ macro(pluginlib_export_plugin_description_file category file)
 endmacro()
 """
 
+OPEN = "import ctypes, os, sys\nfor path in sys.argv[1:]: ctypes.CDLL(path, mode=os.RTLD_NOW)"
+"""Opens libraries as a class loader does: a symbol that nothing defines stops it."""
+
 
 def plugins(distro: str, kinds: tuple[str, ...] = plugin_kinds()) -> Plan:
     names = tuple(f"a_{kind.replace('-', '_')}:{kind}" for kind in kinds)
@@ -82,6 +85,9 @@ def test_plugins_are_installed_with_their_descriptions(shell: Shell, tmp_path: P
     for plugin in planned.answers.plugins:
         assert (prefix / f"lib/lib{plugin.library}.so").is_file()
         assert (prefix / f"share/my_plugins/{plugin.description}").is_file() == bool(plugin.base)
+    libraries = [prefix / f"lib/lib{plugin.library}.so" for plugin in planned.answers.plugins]
+    opened = shell.run("/usr/bin/python3", "-c", OPEN, *libraries, cwd=tmp_path)
+    assert (opened.returncode, opened.stderr) == (0, "")
     assert (prefix / "include/my_plugins/my_plugins/filter.hpp").is_file()
     assert (prefix / "share/my_plugins/cmake/export_my_pluginsExport.cmake").is_file()
 
