@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from typing import Literal
 
 from ..lazy_regex import regex
@@ -23,8 +24,9 @@ LEFT = regex(
 LEFT_FILE = regex(r".*[_.-](legacy|depr[ei]cated|old|backup|bak|obsolete|orig|copy)", re.IGNORECASE | re.DOTALL)
 
 
+@lru_cache(maxsize=4096)
 def role_of(path: str) -> Role:
-    """Return the role of a file by its path."""
+    """Return the role of a file by its path; most readers and rules ask for it."""
     *folders, name = path.split("/")
     if not TESTS.isdisjoint(folders) or name == "conftest.py":
         return "test"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Set
+from collections.abc import Iterator, Mapping, Set
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -69,9 +69,8 @@ class InterfacesInCpp:
             if found is None or each.is_conditional:
                 continue
             package, kind, name = found.groups()
-            names = self.names(package, kind)
-            lowered = {lower(known): known for known in names}
-            near = self.as_generated(package, name, names, each.path)
+            names, lowered = self.names(package, kind), self.lowered(package, kind)
+            near = self.as_generated(package, name, lowered, each.path)
             if (not names and not near) or name in lowered or self.is_own_header(each.path):
                 continue
             near = near or near_names(name, lowered, 2 if self.known.is_here(package) else 1)
@@ -79,13 +78,23 @@ class InterfacesInCpp:
                 meant = f"{package}/{kind}/{near[0]}.{each.path.rpartition('.')[2]}" if near else ""
                 yield self.hit(source, each.span, each.path, package, kind, meant)
 
-    def as_generated(self, package: str, name: str, names: Set[str], path: str) -> list[str]:
+    @cached_property
+    def _lowered(self) -> dict[tuple[str, str], Mapping[str, str]]:
+        return {}
+
+    def lowered(self, package: str, kind: str) -> Mapping[str, str]:
+        """Return the interfaces of a kind that a package has, by the names of their headers."""
+        if (package, kind) not in self._lowered:
+            self._lowered[package, kind] = {lower(known): known for known in self.names(package, kind)}
+        return self._lowered[package, kind]
+
+    def as_generated(self, package: str, name: str, lowered: Mapping[str, str], path: str) -> list[str]:
         """Return the header of a class by whose own name it is included: rosidl writes no capital letter."""
         header = lower(name)
         if header == name:
             return []
         is_of_messages = MESSAGES.fullmatch(package) is not None and not self.known.is_here(package)
-        is_generated = header in map(lower, names) if names else is_of_messages and path.endswith(".hpp")
+        is_generated = header in lowered if lowered else is_of_messages and path.endswith(".hpp")
         return [header] if is_generated else []
 
     def types(self, source: CppFile) -> Iterator[WrongInterface]:

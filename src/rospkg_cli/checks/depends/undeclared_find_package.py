@@ -144,4 +144,4 @@ class FindPackageDependencies:
         patterns = [each for each in keys_for_cmake(name) if "*" in each]
         debian = name.lower().replace("_", "-")
         alike = {f"{name.lower().replace('-', '_')}_vendor", f"lib{debian}-dev", f"{debian}-dev", f"lib{debian}"}
-        return tuple(n for n in names if n.lower() in alike or any(fnmatchcase(n, p) for p in patterns))
+        return tuple(n for n in names if n.lower() in alike or (patterns and any(fnmatchcase(n, p) for p in patterns)))

@@ -130,8 +130,9 @@ class LaunchDependencies:
             there |= self.missing(tests=False).keys()  # an exec_depend covers the tests
         found: dict[str, list[PackageReference]] = {}
         for use in self.uses(tests=tests):
-            is_launch = use.name in LAUNCH and self.is_brought(use.name, tests=tests)
-            if not self.declared.has([use.name]) and use.name not in there and not is_launch:
+            if self.declared.has([use.name]) or use.name in there:
+                continue
+            if use.name not in LAUNCH or not self.is_brought(use.name, tests=tests):
                 found.setdefault(use.name, []).append(use)
         return found
 

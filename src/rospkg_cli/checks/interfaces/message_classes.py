@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of, nodes_of_kind
+from ...languages.python.nodes import nodes_of_kind
 from ...ros.interfaces import KINDS
 
 PARTS = {
@@ -86,25 +86,22 @@ def names_interfaces(file: PythonFile) -> bool:
 
 def bound_names(file: PythonFile) -> Iterator[tuple[str, str]]:
     """Yield every name that is bound somewhere in a file, with the interface it is imported as; "" for others."""
-    for node in nodes_of(file.tree):
-        match node:
-            case ast.ImportFrom(level=0, module=str(module)):
-                package, _, kind = module.partition(".")
-                for alias in node.names:
-                    found = f"{package}/{kind}/{alias.name}" if kind in KINDS else ""
-                    if not kind and alias.name in KINDS:
-                        found = f"{package}/{alias.name}"
-                    yield alias.asname or alias.name, found
-            case ast.Import():
-                for alias in node.names:
-                    package, _, kind = alias.name.partition(".")
-                    if alias.asname:
-                        yield alias.asname, f"{package}/{kind}" if kind in KINDS else ""
-            case ast.ImportFrom():
-                yield from ((alias.asname or alias.name, "") for alias in node.names)
-            case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
-                yield name, ""
-            case ast.Name(id=name, ctx=ast.Store() | ast.Del()) | ast.arg(arg=name):
-                yield name, ""
-            case ast.ExceptHandler(name=str(name)):
-                yield name, ""
+    tree = file.tree
+    for each in nodes_of_kind(tree, ast.ImportFrom):
+        package, _, kind = (each.module or "").partition(".") if not each.level else ("", "", "")
+        for alias in each.names:
+            found = f"{package}/{kind}/{alias.name}" if kind in KINDS else ""
+            if package and not kind and alias.name in KINDS:
+                found = f"{package}/{alias.name}"
+            yield alias.asname or alias.name, found
+    for plain in nodes_of_kind(tree, ast.Import):
+        for alias in plain.names:
+            package, _, kind = alias.name.partition(".")
+            if alias.asname:
+                yield alias.asname, f"{package}/{kind}" if kind in KINDS else ""
+    yield from ((node.name, "") for node in nodes_of_kind(tree, ast.FunctionDef))
+    yield from ((node.name, "") for node in nodes_of_kind(tree, ast.AsyncFunctionDef))
+    yield from ((node.name, "") for node in nodes_of_kind(tree, ast.ClassDef))
+    yield from ((node.id, "") for node in nodes_of_kind(tree, ast.Name) if not isinstance(node.ctx, ast.Load))
+    yield from ((node.arg, "") for node in nodes_of_kind(tree, ast.arg))
+    yield from ((node.name, "") for node in nodes_of_kind(tree, ast.ExceptHandler) if node.name)

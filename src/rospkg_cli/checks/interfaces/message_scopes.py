@@ -11,10 +11,10 @@ from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
 from .callback_types import callback_types
 from .message_classes import MessageClasses
-from .message_variables import Environment, Fields, FunctionNode, asked_names, attributes_of, variables_of
+from .message_variables import Bindings, Environment, Fields, FunctionNode, asked_names, attributes_of, variables_of
 
-Body = tuple[list[ast.stmt], Environment]
-"""The statements of a function or a file, and the variables that hold a message in them."""
+Body = tuple[Bindings, Environment]
+"""A function or a file, and the variables that hold a message in it."""
 FUNCTIONS: tuple[type[FunctionNode], ...] = (ast.FunctionDef, ast.AsyncFunctionDef)
 
 
@@ -26,7 +26,8 @@ class MessageScopes:
 
     def bodies(self) -> Iterator[Body]:
         """Yield the file's own statements and those of each function that may have to do with a message."""
-        yield self.file.tree.body, variables_of(self.file.tree.body, {}, self.classes, self.fields)
+        top = Bindings(self.file.tree.body)
+        yield top, variables_of(top, {}, self.classes, self.fields)
         owned: set[int] = set()
         for owner in nodes_of_kind(self.file.tree, ast.ClassDef):
             methods = [each for each in owner.body if isinstance(each, FunctionNode)]
@@ -36,24 +37,35 @@ class MessageScopes:
         for function in (each for each in functions if id(each) not in owned):
             held = local(self.variables_in(function, ""))
             if held or self.classes.may_be_named_in(function):
-                yield function.body, held
+                yield self.bindings(function), held
 
     def of_class(self, owner: ast.ClassDef, methods: list[FunctionNode]) -> Iterator[Body]:
         named: list[tuple[FunctionNode, Environment]] = [
             (each, self.variables_in(each, owner.name)) for each in methods
         ]
         may_hold = any(variables or self.classes.may_be_named_in(each) for each, variables in named)
-        shared = attributes_of(owner, named, self.classes, self.fields) if may_hold else {}
+        bound = ((self.bindings(each), variables) for each, variables in named) if may_hold else ()
+        shared = attributes_of(owner, [*bound], self.classes, self.fields) if may_hold else {}
         for each, variables in named:
             asked = set(asked_names(each.body)) if shared else ()
             held = {**{name: kind for name, kind in shared.items() if name not in asked}, **local(variables)}
             if held or self.classes.may_be_named_in(each):
-                yield each.body, held
+                yield self.bindings(each), held
 
     def variables_in(self, function: FunctionNode, owner: str) -> Environment:
         given = self.signatures.parameters(function, owner)
         is_of_interest = given or self.classes.may_be_named_in(function)
-        return variables_of(function.body, given, self.classes, self.fields) if is_of_interest else {}
+        return variables_of(self.bindings(function), given, self.classes, self.fields) if is_of_interest else {}
+
+    @cached_property
+    def _bindings(self) -> dict[int, Bindings]:
+        return {}
+
+    def bindings(self, function: FunctionNode) -> Bindings:
+        """Return what a function binds, worked out once: its variables, its class's, and its uses are looked for."""
+        if id(function) not in self._bindings:
+            self._bindings[id(function)] = Bindings(function.body)
+        return self._bindings[id(function)]
 
     @cached_property
     def signatures(self) -> Signatures:

@@ -18,6 +18,10 @@ BINDERS = frozenset({
     ast.Nonlocal, ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef,
 })  # fmt: skip
 """The classes of nodes that may bind a variable."""
+NAMES = (ast.Name, ast.Attribute)
+PATTERNS = (ast.ExceptHandler, ast.MatchAs, ast.MatchStar)
+SHARED = (ast.Global, ast.Nonlocal)
+DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 ASKS = frozenset({"isinstance", "hasattr", "getattr", "setattr", "type"})
 PASSES = 3
 """How often assignments are followed, for variables made of others."""
@@ -26,23 +30,34 @@ Environment = Mapping[str, str]
 """The message that each variable holds: `msg`, `self.msg`."""
 
 
-def own_nodes(body: list[ast.stmt]) -> Iterator[ast.AST]:
-    """Yield the nodes of statements, without those in functions, classes and lambdas in them."""
-    waiting: list[ast.AST] = list(body)
-    while waiting:
-        node = waiting.pop()
-        yield node
-        if node.__class__ not in ENDS:
-            waiting += children_of(node)
+def own_nodes(body: list[ast.stmt]) -> list[ast.AST]:
+    """Return the nodes of statements, without those in functions, classes and lambdas in them, level by level."""
+    found: list[ast.AST] = []
+    level: list[ast.AST] = [*body]
+    while level:
+        found += level
+        level = [inner for node in level if node.__class__ not in ENDS for inner in children_of(node)]
+    return found
+
+
+class Bindings:
+    """What a body binds: each variable with its value and its annotation, None for what is not known.
+
+    None as a value is left out: what is done with it fails anyway. Worked out once for all who ask of a body.
+    """
+
+    def __init__(self, body: list[ast.stmt]) -> None:
+        self.body = body
+        self.nodes = own_nodes(body)
+        self.values = tuple(bound_values([node for node in self.nodes if node.__class__ in BINDERS]))
 
 
 def name_of(node: ast.AST) -> str:
     """Return `x` or `self.x`; "" for other expressions."""
-    match node:
-        case ast.Name(id=name):
-            return name
-        case ast.Attribute(value=ast.Name(id="self"), attr=name):
-            return f"self.{name}"
+    if isinstance(node, ast.Name):
+        return node.id
+    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "self":
+        return f"self.{node.attr}"
     return ""
 
 
@@ -59,15 +74,12 @@ def held_by(node: ast.expr | None, variables: Environment, classes: MessageClass
     return ""
 
 
-def variables_of(
-    body: list[ast.stmt], given: Mapping[str, str], classes: MessageClasses, fields: Fields
-) -> dict[str, str]:
+def variables_of(body: Bindings, given: Mapping[str, str], classes: MessageClasses, fields: Fields) -> dict[str, str]:
     """Return the variables that hold the same message wherever a body binds them; `given` are its parameters."""
     found: dict[str, str] = dict(given)
-    values = list(bound_values(body))
     for _ in range(PASSES):
         bound: dict[str, set[str]] = {name: {kind} for name, kind in given.items()}
-        for name, value, annotation in values:
+        for name, value, annotation in body.values:
             kind = classes.message(annotation) if annotation is not None else ""
             bound.setdefault(name, set()).add(kind or held_by(value, found, classes, fields))
         before, found = (
@@ -76,33 +88,31 @@ def variables_of(
         )
         if found == before:
             break
-    asked = set(asked_names(body)) if found else ()
+    asked = set(asked_names(body.body)) if found else ()
     return {name: kind for name, kind in found.items() if name not in asked}
 
 
-def bound_values(body: list[ast.stmt]) -> Iterator[tuple[str, ast.expr | None, ast.expr | None]]:
-    """Yield what a body binds: the variable, its value, its annotation; None for what is not known.
-
-    None as a value is left out: what is done with it fails anyway.
-    """
+def bound_values(nodes: list[ast.AST]) -> Iterator[tuple[str, ast.expr | None, ast.expr | None]]:
+    """Yield what some nodes bind, as `Bindings` has it."""
     plain: set[int] = set()
-    nodes = [node for node in own_nodes(body) if node.__class__ in BINDERS]
     for node in nodes:
-        if isinstance(node, ast.Assign) and len(node.targets) == 1 and name_of(node.targets[0]):
+        if isinstance(node, ast.Assign) and len(node.targets) == 1 and (name := name_of(node.targets[0])):
             plain.add(id(node.targets[0]))
             if not (isinstance(node.value, ast.Constant) and node.value.value is None):
-                yield name_of(node.targets[0]), node.value, None
-        elif isinstance(node, ast.AnnAssign) and name_of(node.target):
+                yield name, node.value, None
+        elif isinstance(node, ast.AnnAssign) and (name := name_of(node.target)):
             plain.add(id(node.target))
-            yield name_of(node.target), node.value, node.annotation
+            yield name, node.value, node.annotation
     for node in nodes:
-        if isinstance(node, ast.Name | ast.Attribute) and not isinstance(node.ctx, ast.Load) and id(node) not in plain:
-            yield name_of(node), None, None
-        elif isinstance(node, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and node.name:
-            yield node.name, None, None
-        elif isinstance(node, ast.Global | ast.Nonlocal):
+        if isinstance(node, NAMES):
+            if not isinstance(node.ctx, ast.Load) and id(node) not in plain:
+                yield name_of(node), None, None
+        elif isinstance(node, PATTERNS):
+            if node.name:
+                yield node.name, None, None
+        elif isinstance(node, SHARED):
             yield from ((name, None, None) for name in node.names)
-        elif isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+        elif isinstance(node, DEFINITIONS):
             yield node.name, None, None
 
 
@@ -115,13 +125,13 @@ def asked_names(body: list[ast.stmt]) -> Iterator[str]:
 
 
 def attributes_of(
-    owner: ast.ClassDef, functions: list[tuple[FunctionNode, Environment]], classes: MessageClasses, fields: Fields
+    owner: ast.ClassDef, functions: list[tuple[Bindings, Environment]], classes: MessageClasses, fields: Fields
 ) -> dict[str, str]:
     """Return the attributes of `self` that hold the same message wherever a class binds them."""
     bound: dict[str, set[str]] = {}
     for function, variables in functions:
         local = {name: kind for name, kind in variables.items() if "." not in name}
-        for name, value, annotation in bound_values(function.body):
+        for name, value, annotation in function.values:
             if name.startswith("self."):
                 kind = classes.message(annotation) if annotation is not None else ""
                 bound.setdefault(name, set()).add(kind or held_by(value, local, classes, fields))

@@ -16,7 +16,7 @@ from ..run_imports import RunImports
 from .known_interfaces import KnownInterfaces
 from .message_classes import MessageClasses, names_interfaces
 from .message_scopes import MessageScopes
-from .message_variables import Environment, held_by, own_nodes
+from .message_variables import Bindings, Environment, held_by
 
 GENERATED = frozenset({"get_fields_and_field_types", "SLOT_TYPES", "check_fields"})
 CATCHES = frozenset({"AttributeError", "Exception", "BaseException"})
@@ -54,11 +54,10 @@ class FieldUses:
             yield from self.in_body(file, body, variables, classes)
 
     def in_body(
-        self, file: PythonFile, body: list[ast.stmt], variables: Environment, classes: MessageClasses
+        self, file: PythonFile, body: Bindings, variables: Environment, classes: MessageClasses
     ) -> Iterator[UnknownField]:
-        own = list(own_nodes(body))
-        caught = set(guarded_nodes((node for node in own if isinstance(node, ast.Try)), CATCHES))
-        for node in own:
+        caught = set(guarded_nodes((node for node in body.nodes if isinstance(node, ast.Try)), CATCHES))
+        for node in body.nodes:
             if id(node) in caught:
                 continue
             if isinstance(node, ast.Attribute):

@@ -53,9 +53,11 @@ def tail(name: str) -> str:
 
 def is_registered_otherwise(files: Iterable[CppFile], name: str) -> bool:
     """Return whether an unknown macro has a class (or its template) as an argument: it may export it."""
-    tails = "|".join(re.escape(tail(each)) for each in re.findall(r"[\w:]+", name))
-    pattern = re.compile(rf"\b(?!{HARMLESS})([A-Z][A-Z0-9]*_[A-Z0-9_]+)\s*\([^;{{}}()]*\b(?:{tails})\b")
-    return any(match.group(1) not in MACROS for file in files for match in pattern.finditer(file.source.text))
+    tails = [tail(each) for each in re.findall(r"[\w:]+", name)]
+    named = "|".join(map(re.escape, tails))
+    pattern = re.compile(rf"\b(?!{HARMLESS})([A-Z][A-Z0-9]*_[A-Z0-9_]+)\s*\([^;{{}}()]*\b(?:{named})\b")
+    texts = (file.source.text for file in files if any(each in file.source.text for each in tails))
+    return any(match.group(1) not in MACROS for text in texts for match in pattern.finditer(text))
 
 
 HARMLESS = r"(?:RCLCPP|RCUTILS|ROS|EXPECT|ASSERT|TEST|INSTANTIATE|GTEST)_"

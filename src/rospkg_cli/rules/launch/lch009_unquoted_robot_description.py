@@ -79,8 +79,9 @@ def unquoted_robot_description(robots: RobotDescriptions) -> Iterator[Hit]:
     they say nothing), and ParameterValue is imported: the parameter is the same string.
     """
     works: list[tuple[LaunchFile, RobotParameter]] = []
-    width = line_width(robots.files)
-    for file, each, robot in robots.parameters():
+    found = tuple(robots.parameters())
+    width = line_width(robots.files) if found else 0
+    for file, each, robot in found:
         if not robot:
             works.append((file, each))
             continue

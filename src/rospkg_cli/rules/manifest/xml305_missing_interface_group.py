@@ -81,7 +81,7 @@ def missing_interface_group(package: InterfacePackage) -> Iterator[Hit]:
         message = f"interfaces are generated and the group is missing: CMake stops at the first of them; add `{line}`"
         edits = (*upgrade, add_element(manifest, "member_of_group", line, GROUP))
         yield Hit(manifest.path, manifest.name_span, message, fix=Fix("Add the group of interface packages", edits))
-    bringer = package.runtime_bringer
+    bringer = package.runtime_bringer if package.installs else None
     harm_to_users = comes_with(bringer) if bringer else "users of the package can't use its messages"
     for tag, names, harm, level in (
         ("buildtool_depend", GENERATORS, "on a clean machine `find_package` fails", Severity.WARNING),
