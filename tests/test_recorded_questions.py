@@ -6,20 +6,22 @@ import pytest
 
 from rospkg_cli.engine.reuse.recorded_workspace import METHODS, AnswerDigests, Question, RecordedWorkspace
 from rospkg_cli.package.package_facts import ActiveDependency, PackageFacts, Plugin
+from rospkg_cli.package.params.declared_parameter import DeclaredParameter
 from rospkg_cli.package.workspace import Workspace
 
 ARM = PackageFacts("arm", "src/arm", loaders=frozenset({("arm", "arm::Tool")}))
 TOOL = Plugin("hand::Grip", "hand::Grip", "arm::Tool", frozenset({"arm"}), "plugins.xml")
 HAND = PackageFacts(
     "hand", "src/hand", "ament_cmake", modules=frozenset({"gripping"}), headers=frozenset({"hand"}), plugins=(TOOL,),
-    dependencies=(ActiveDependency("depend", "arm"),),
+    dependencies=(ActiveDependency("depend", "arm"),), parameters=(DeclaredParameter("rate", False, "double", False, "src/hand.cpp"),),
 )  # fmt: skip
+RATE = frozenset({"rate"})
 REAL = Workspace((ARM, HAND), frozenset({"src/arm"}))
 
 
 def asked(ask: str) -> set[Question]:
     seen = RecordedWorkspace(REAL, "src/arm")
-    eval(ask, {"w": seen})
+    eval(ask, {"w": seen, "RATE": RATE})
     return seen.noted
 
 
@@ -48,6 +50,13 @@ def asked(ask: str) -> set[Question]:
         ("w.having('started_nodes', 'arm', 'x')", {("having", "started_nodes", "arm", "x")}),
         ("w.needing('arm')[0].version", {("needing", "arm"), ("field", "src/hand", "version")}),
         ("w.is_needed('arm')", {("needing", "arm")}),
+        ("w.launch.has('x')", {("folders",), ("all", "launch_summaries")}),
+        ("w.included_arguments", {("folders",), ("all", "name"), ("all", "launch_files")}),
+        ("w.parameters.count_in('src/hand', RATE)", {("folders",), ("all", "parameters")}),
+        (
+            "[facts.version for facts, _ in w.parameters.counts(RATE)]",
+            {("folders",), ("all", "parameters"), ("field", "src/hand", "version")},
+        ),
     ],
 )
 def test_each_question_is_noted(ask: str, noted: set[Question]) -> None:
@@ -61,11 +70,13 @@ def test_each_question_is_noted(ask: str, noted: set[Question]) -> None:
         "w.is_available('hand')", "w.is_built_against('arm')", "w.loaders_of('arm::Tool')",
         "w.bases_loaded_from('arm')", "w.having('modules', 'gripping')[0].name", "w.needing('arm')[0].folder",
         "w.plugins_of('arm::Tool')", "w.with_header('hand/x.hpp')", "w.providers_of('gripping')",
+        "w.parameters.count_in('src/hand', RATE)", "w.parameters.count_in('src/arm', RATE)",
+        "[(facts.folder, count) for facts, count in w.parameters.counts(RATE)]",
         "w.selected", "w.names", "w.at('src/hand').plugins", "[each.folder for each in w.packages]",
     ],
 )  # fmt: skip
 def test_the_answers_are_the_workspace_s(ask: str) -> None:
-    recorded, real = (eval(ask, {"w": w}) for w in (RecordedWorkspace(REAL, "src/arm"), REAL))
+    recorded, real = (eval(ask, {"w": w, "RATE": RATE}) for w in (RecordedWorkspace(REAL, "src/arm"), REAL))
     assert recorded == real
     assert recorded is not None or "leg" in ask
 

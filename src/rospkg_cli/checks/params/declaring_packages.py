@@ -111,7 +111,7 @@ class ParameterContext:
                 index = self.workspace.parameters
                 names = frozenset(each.name for each in block.parameters if is_its_own(each.name))
                 counts = index.counts(names)
-                own = max((count for facts, count in counts if facts.folder == self.package.folder), default=0)
+                own = index.count_in(self.package.folder, names)
                 for facts, count in counts:
                     if count < max(ALMOST * len(names), own + 1):
                         break  # the most come first
@@ -130,14 +130,14 @@ class ParameterContext:
         `frame_id` are declared by many.
         """
         found, near, is_certain = [], {each.name for each in self.package.dependencies}, False
-        for facts, count in self.workspace.parameters.counts(names):
-            own = facts.folder == self.package.folder
-            if count < ENOUGH * len(names):
+        index = self.workspace.parameters
+        for facts, count in index.counts(names):
+            if count < ENOUGH * len(names) or count == 1:
                 break
-            if count > 1 or (own and len(names) < 3):
-                found.append(facts)
-                is_certain = is_certain or own or facts.name in near or count > 2
-        return found if is_certain else []
+            found.append(facts)
+            is_certain = is_certain or facts.folder == self.package.folder or facts.name in near or count > 2
+        is_alone = index.count_in(self.package.folder, names) == 1 and ENOUGH * len(names) <= 1 and len(names) < 3
+        return [*found, self.package] if is_alone else found if is_certain else []
 
 
 def group_of(name: str) -> str:

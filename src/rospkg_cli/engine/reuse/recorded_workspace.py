@@ -6,11 +6,15 @@ from collections.abc import Iterable
 from typing import Any
 
 from ...light_dataclasses import field_names
+from ...package.launch.included_arguments import IncludedArguments
+from ...package.launch.workspace_launch_files import WorkspaceLaunchFiles
 from ...package.package_facts import PackageFacts, Plugin
+from ...package.params.parameter_index import ParameterIndex
 from ...package.workspace import ValuesField, Workspace
 from ...ros.distros import Targets
 from ...ros.names import NameKind
 from .plain import digest_of
+from .recorded_parameters import RecordedParameterIndex
 
 Question = tuple[str, ...]
 """What is asked, and of what: `("field", "src/other", "version")`."""
@@ -67,6 +71,24 @@ class RecordedWorkspace(Workspace):
     def packages(self) -> tuple[PackageFacts, ...]:
         self.noted.add(("folders",))
         return tuple(map(self.recorded, self.real.packages))
+
+    def noted_of_all(self, *fields: str) -> Workspace:
+        """Return the whole workspace, whose indexes hold some fields of all packages."""
+        self.noted.add(("folders",))
+        self.noted.update(("all", name) for name in fields)
+        return self.real
+
+    @property
+    def parameters(self) -> ParameterIndex:
+        return RecordedParameterIndex(self.noted_of_all("parameters").parameters, self.recorded)
+
+    @property
+    def launch(self) -> WorkspaceLaunchFiles:
+        return self.noted_of_all("launch_summaries").launch
+
+    @property
+    def included_arguments(self) -> IncludedArguments:
+        return self.noted_of_all("name", "launch_files").included_arguments
 
     @property
     def selected(self) -> frozenset[str]:
