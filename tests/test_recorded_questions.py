@@ -13,7 +13,8 @@ ARM = PackageFacts("arm", "src/arm", loaders=frozenset({("arm", "arm::Tool")}))
 TOOL = Plugin("hand::Grip", "hand::Grip", "arm::Tool", frozenset({"arm"}), "plugins.xml")
 HAND = PackageFacts(
     "hand", "src/hand", "ament_cmake", modules=frozenset({"gripping"}), headers=frozenset({"hand"}), plugins=(TOOL,),
-    dependencies=(ActiveDependency("depend", "arm"),), parameters=(DeclaredParameter("rate", False, "double", False, "src/hand.cpp"),),
+    dependencies=(ActiveDependency("depend", "arm"),),
+    parameters=(DeclaredParameter("rate", False, "double", False, "src/hand.cpp"),),
 )  # fmt: skip
 RATE = frozenset({"rate"})
 REAL = Workspace((ARM, HAND), frozenset({"src/arm"}))

@@ -161,6 +161,8 @@ class AnswerDigests:
     def __init__(self, workspace: Workspace) -> None:
         self.workspace = workspace
         self.known: dict[Question, str] = {}
+        self.pairs: dict[Question, tuple[Question, str]] = {}
+        """Questions with their digests, one object for all packages that ask: thousands ask the same hundreds."""
 
     def digest(self, question: Question) -> str:
         """Return the digest of an answer; "" where the question makes no sense in this workspace."""
@@ -202,7 +204,8 @@ class AnswerDigests:
         common = {name for name, count in counts.items() if count > 8 and 2 * count > len(self.workspace.packages)}
         noted = {each for each in noted if each[0] != "field" or each[2] not in common}
         noted |= {("all", name) for name in common} | ({("folders",)} if common else set())
-        return tuple((each, self.digest(each)) for each in sorted(noted))
+        pairs = ((each, self.digest(each)) for each in sorted(noted))
+        return tuple(self.pairs.setdefault(pair[0], pair) for pair in pairs)
 
 
 METHODS = frozenset(

@@ -68,6 +68,8 @@ class Worker:
 
     def __post_init__(self) -> None:
         self.is_recorded = current_trace() is not None and isinstance(self.tree, DiskTree)
+        self.known_questions: dict[Question, Question] = {}
+        """Each question once, however many packages ask it."""
         self.checked: dict[str, Observed] = {}
         """What was asked while packages were read and checked, by folder."""
         self.packages = {f: Package(self.files(f)) for f in self.folders}
@@ -140,8 +142,9 @@ class Worker:
         changed = {o.path for f in findings if f.fix for o in f.fix.operations} | {s.path for s in suppressions}
         checksums = tuple(checksums_of(package.files, changed))
         if isinstance(seen, RecordedWorkspace):
-            self.questions[folder] = frozenset(seen.noted)
-            self.checked |= observed_in(folder, package, frozenset(seen.noted))
+            noted = frozenset(self.known_questions.setdefault(each, each) for each in seen.noted)
+            self.questions[folder] = noted
+            self.checked |= observed_in(folder, package, noted)
         return PackageResults(folder, findings, crashes, suppressions, len(package.files.paths), checksums)
 
 
