@@ -14,7 +14,6 @@ from ...package.interfaces.interface_file import InterfaceFile
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
 from ...ros.distros import Targets
 from ...ros.implied_dependencies import IN_CMAKE, implied_by
-from ...ros.link_targets import ROS_NAME
 from ...ros.names import NameKind
 from ...ros.rosdep import NOT_THERE
 from ...suggest import near_names
@@ -65,16 +64,18 @@ class FindPackageDependencies:
                 )
 
     def unknown(self) -> Iterator[FoundPackage]:
-        """Yield the packages that are used as those of ROS are, that nobody here knows and that are not declared."""
-        seen = {found.name for found in self.cmake.packages if not ROS_NAME.fullmatch(found.name)}
+        """Yield the packages of interfaces, by their names, that nobody here knows and that are not declared.
+
+        Any other name may be a library's, or that of a find module which a declared package brings (`sdl2_custom`).
+        """
+        seen = {found.name for found in self.cmake.packages if not OF_INTERFACES.fullmatch(found.name)}
         for found in self.cmake.packages if self.declared.is_checked else ():
             name = found.name
             if name in seen or not self.is_needed(found) or keys_for_cmake(name):
                 continue
             seen.add(name)
-            is_of_ros = OF_INTERFACES.fullmatch(name) or name in self.handed_to_ament
             is_known = self.declared.workspace.kind_of(name) in (NameKind.PACKAGE, NameKind.KEY)
-            if is_of_ros and not is_known and not found.call.testing and not self.is_declared_alike(name):
+            if not is_known and not found.call.testing and not self.is_declared_alike(name):
                 yield found
 
     def is_declared_alike(self, name: str) -> bool:
