@@ -108,7 +108,9 @@ CASES = {
         cmake("find_package(pluginlib REQUIRED)\npluginlib_export_plugin_description_file(nav2_core plugns.xml)\n"),
         cmake("if(SOMETHING_ELSE)\n  add_executable(talker src/a.cpp)\nendif()\n"),
         cmake("if(SOMETHING_ELSE)\n  add_subdirectory(tets)\n  add_subdirectory(more)\n"
-              "  ament_add_pytest_test(a tests/tset_a.py)\nendif()\n",
+              "  ament_add_pytest_test(a tests/tset_a.py)\n"
+              "  install(DIRECTORY tets other DESTINATION share/x)\n"
+              "  install(FILES tests/test_b.py DESTINATION share/x)\nendif()\n",
               tests__CMakeLists_DOT_txt="", tests__test_a_DOT_py=""),
         cmake(f"if(BUILD_TESTING)\n  {GTEST}  ament_add_gtest(test_a TIMEOUT 60 test/a.cpp ENV a=b)\n"
               "  ament_add_gmock(test_b SKIP_TEST test/b.cpp)\nendif()\n"),
@@ -159,6 +161,10 @@ CASES = {
               "if(WITH_MORE)\n  target_compile_options(talker_croe PRIVATE -w)\nendif()\n",
               "if(WITH_MORE)\n  target_compile_options(listener PRIVATE -w)\nendif()\n",
               "if(WITH_MORE)\n  target_compile_options(talker_core2 PRIVATE -w)\nendif()\n",
+              "add_library(talker_a SHARED src/core.cpp)\nif(X)\n  target_compile_options(talker_b PUBLIC)\nendif()\n",
+              "add_library(talker_a SHARED src/core.cpp)\nif(X)\n  target_link_libraries(talker_a talker_b)\nendif()\n",
+              "add_library(${MORE}_x SHARED src/core.cpp)\ntarget_compile_options(talker_croe PRIVATE -w)\n",
+              "add_library(${MORE}_x SHARED src/core.cpp)\ntarget_compile_options(listener PRIVATE -w)\n",
               "include(${OTHER}/a.cmake)\ntarget_compile_options(talker_croe PRIVATE -w)\n",
               "include(${OTHER}/a.cmake)\ntarget_compile_options(listener PRIVATE -w)\n",
               "add_library(other SHARED src/core.cpp)\ninclude(${OTHER}/a.cmake)\n"

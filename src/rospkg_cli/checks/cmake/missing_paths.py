@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
+from posixpath import splitext
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.meant_paths import meant_path
 from ...package.cmake.referenced_paths import ReferencedPath, ReferencedPaths
+from ...suggest import near_names
 from .distro_guards import guarded_commands
+from .mistyped_links import differ_in_long_words, digits
 
 ASKED_FOR = regex(r"EXISTS|IS_DIRECTORY|ROS_VERSION|ROS1|CATKIN|catkin|ROS_DISTRO")
 """What a condition tests for before it names what is not always there: the path itself, or ROS 1."""
@@ -34,8 +37,15 @@ class MissingPaths:
             yield each, not perhaps and not (each.use != "source" and named.made.is_worked_in)
 
     def is_judged(self, named: ReferencedPath) -> bool:
-        """Return whether a path under a condition is: a source is, of the rest what is nearly called like a file."""
-        return named.use == "source" or (named.use in STOPPING and meant_path(self.cmake, named) is not None)
+        """Return whether a path under a condition is: a source is, of the rest what is nearly called like a file or a
+        folder; of what is installed, and may be made until then, what is a letter or two off."""
+        if named.use == "source":
+            return True
+        meant = meant_path(self.cmake, named)
+        if meant is None or named.use in STOPPING:
+            return meant is not None
+        stem, other = splitext(named.path)[0], splitext(meant)[0]
+        return digits(stem) == digits(other) and differ_in_long_words(stem, other) and bool(near_names(stem, [other]))
 
     @cached_property
     def asked_for(self) -> frozenset[int]:

@@ -11,7 +11,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.target_links import TargetLinks
 from ...suggest import near_names
-from .mistyped_links import digits
+from .mistyped_links import digits, is_clear_slip
 from .target_references import TargetReferences
 
 PLAIN = regex(r"[A-Za-z_][\w-]*")
@@ -31,17 +31,19 @@ class MistypedLibraries:
 
         Where other files may make targets, or under a condition, only long names.
         """
-        if not self.cmake.is_complete or UNKNOWN in self.named:
+        if not self.cmake.is_complete:
             return
+        unclear = self.cmake.reads_unknown_files or UNKNOWN in self.named
         seen: set[tuple[str, int, str]] = set()
         for link in TargetLinks(self.cmake).all:
             word = link.word
             key = (word.path, word.span.start, word.text)
-            maybe = link.call.maybe or word.maybe or self.cmake.reads_unknown_files
-            if link.package or key in seen or not PLAIN.fullmatch(word.text) or (maybe and len(word.text) < SHORT):
+            maybe = link.call.maybe or word.maybe or unclear
+            if link.package or key in seen or not PLAIN.fullmatch(word.text):
                 continue
             seen.add(key)
-            if word.text not in self.named and (near := self.nearest(word.text)):
+            near = self.nearest(word.text) if word.text not in self.named else None
+            if near is not None and (not maybe or is_clear_slip(word.text, near)):
                 yield word, near, not maybe
 
     def nearest(self, name: str) -> str | None:

@@ -13,6 +13,9 @@ from ...ros.link_targets import ROS_NAME, link_targets
 from ...ros.names import NameKind
 from ...suggest import near_names
 
+LONG, LONG_WORD = 8, 4
+"""Letters of a name, and of a word in it, from which it is a slip of another one, whatever is not known."""
+
 SHORTEST = 8
 """Letters of a package's name from which its target may be one letter off."""
 
@@ -110,6 +113,17 @@ def nearest(text: str, names: frozenset[str] | set[str], limit: int) -> str | No
     own = digits(text)
     near = near_names(text, (name for name in names if digits(name) == own), limit)
     return near[0] if near else None
+
+
+def is_clear_slip(text: str, near: str) -> bool:
+    """Return whether a long name is a slip of another one, whatever is not known."""
+    return len(text) >= LONG and differ_in_long_words(text, near)
+
+
+def differ_in_long_words(text: str, near: str) -> bool:
+    """Return whether two names differ in words of some letters: `arm_x` and `arm_y` are two things."""
+    alike = zip(text.split("_"), near.split("_"), strict=False)
+    return all(a == b or min(len(a), len(b)) >= LONG_WORD for a, b in alike)
 
 
 @lru_cache(maxsize=10_000)

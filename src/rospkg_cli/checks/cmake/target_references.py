@@ -11,7 +11,7 @@ from ...languages.cmake.targets import MAKERS
 from ...languages.cmake.values import UNKNOWN, Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from .mistyped_links import nearest
+from .mistyped_links import is_clear_slip, nearest
 
 FIRST_IS_TARGET = (
     "target_link_libraries", "target_include_directories", "target_compile_definitions", "target_compile_features",
@@ -19,9 +19,6 @@ FIRST_IS_TARGET = (
     "rosidl_target_interfaces", "add_dependencies",
 )  # fmt: skip
 EXPORTS = ("ament_export_targets", "ament_export_interfaces")
-
-LONG = 8
-"""Letters of a name from which it is a slip of another one, whatever is not known."""
 
 OF_TESTS = ("gtest", "gtest_main", "gmock", "gmock_main")
 """What `ament_find_gtest()` and `ament_add_gtest()` make."""
@@ -56,13 +53,15 @@ class TargetReferences:
 
     def is_certain(self, reference: TargetReference) -> bool:
         """Return whether nothing that is not known may make it, and CMake certainly gets there."""
-        return not (reference.word.maybe or reference.call.maybe or self.cmake.reads_unknown_files)
+        known = self.exports if reference.kind == "export" else self.names
+        unclear = reference.word.maybe or reference.call.maybe or self.cmake.reads_unknown_files
+        return not unclear and UNKNOWN not in known
 
     def is_slip(self, reference: TargetReference) -> bool:
         """Return whether a long name is one or two letters off one that the package makes."""
         known = self.targets if reference.kind == "target" else self.exports
-        text = reference.word.text
-        return len(text) >= LONG and nearest(text, known, 2) is not None
+        near = nearest(reference.word.text, known, 2)
+        return near is not None and is_clear_slip(reference.word.text, near)
 
     def run_together(self, names: Collection[str]) -> Iterator[tuple[TargetReference, str, str]]:
         """Yield arguments that are two of some packages' names without a blank between them."""
@@ -89,8 +88,8 @@ class TargetReferences:
 
     def is_made(self, reference: TargetReference) -> bool:
         if reference.kind == "export":
-            return reference.word.text in self.exports or UNKNOWN in self.exports
-        return reference.word.text in self.names or "::" in reference.word.text or UNKNOWN in self.names
+            return reference.word.text in self.exports
+        return reference.word.text in self.names or "::" in reference.word.text
 
     @cached_property
     def exports(self) -> frozenset[str]:
