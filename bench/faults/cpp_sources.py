@@ -65,6 +65,15 @@ def cpp_mistyped_message_type(package: SourcePackage) -> Iterator[PutFault]:
 
 
 @kind("c++")
+def cpp_mistyped_field(package: SourcePackage) -> Iterator[PutFault]:
+    fields = r"header|stamp|frame_id|pose|position|orientation|twist|linear|angular|ranges|covariance"
+    for spot in package.spots(r"\.cpp$", rf"(?<![\w.>:])(\w+)(?:->|\.)({fields})\b(?!\s*\()", 2):
+        declared = rf"_msgs::msg::\w+(?:::\w+Ptr)?(?:\s+const)?\s*[\s&]\s*{spot[1]}\b"
+        if re.search(declared, spot.text):
+            yield spot.typo()
+
+
+@kind("c++")
 def cpp_include_of_ros_1(package: SourcePackage) -> Iterator[PutFault]:
     yield from (spot.put("ros/ros.h") for spot in package.spots(CPP, r"^#include\s*[<\"](rclcpp/rclcpp\.hpp)[>\"]"))
 
