@@ -110,6 +110,22 @@ def test_a_page_loads_nothing_and_hinders_nobody(browser: Browser, pages: dict[s
         assert browser.hindrances() == [], scheme
 
 
+def test_a_window_made_narrow_shows_the_whole_graph(browser: Browser, pages: dict[str, Path]) -> None:
+    inside = """
+    const box = picture.elements(":visible").renderedBoundingBox();
+    return box.x1 >= 0 && box.x2 <= picture.width() && picture.width() < arguments[0];
+    """
+    before = browser.driver.get_window_size()
+    browser.driver.set_window_size(1400, 900)
+    try:
+        browser.open(pages["graph"])
+        assert browser.run(inside, 1400)
+        browser.driver.set_window_size(420, 800)
+        browser.wait(lambda: browser.run(inside, 500))
+    finally:
+        browser.driver.set_window_size(before["width"], before["height"])
+
+
 def test_large_parts_and_cycles_have_a_place_for_each(browser: Browser, pages: dict[str, Path]) -> None:
     browser.open(pages["graph"])
     script = """

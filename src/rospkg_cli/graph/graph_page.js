@@ -200,6 +200,12 @@ get("filters").addEventListener("input", show);
 get("filters").addEventListener("reset", () => setTimeout(() => { chosen = null; show(); }));
 get("filters").addEventListener("submit", (event) => event.preventDefault());
 get("fit").addEventListener("click", () => picture.fit(picture.elements(":visible"), 20));
+let width = picture.width();
+picture.on("resize", () => { // a window made narrow, a tablet turned
+  if (picture.width() === width) return;
+  width = picture.width();
+  picture.fit(picture.elements(":visible"), 20);
+});
 get("theme").addEventListener("click", () => {
   const root = document.documentElement;
   const isDark = root.dataset.theme ? root.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
