@@ -28,6 +28,8 @@ NOT_TYPED = {
     r"rospkg server": "waits for an editor: tests/test_server.py is one",
     r"rospkg lint --watch": "waits for changes: tests/test_watch.py makes some",
     r"rospkg (rules OUR|explain OUR001|lint --select OUR)": "of a plugin: tests/test_site.py installs it",
+    r"rospkg --install-completion": "writes into the shell's files; tests/real/test_completion.py asks the shells",
+    r"git config --global": "writes into the user's own config",
     r"rospkg new \.$": "wants an empty folder: tests/test_new_existing.py has one",
     r"rospkg new --template$": "names an option; tests/test_own_templates.py uses it",
 }
