@@ -82,10 +82,11 @@ def test_a_dry_run_shows_every_file_and_writes_none(capsys: pytest.CaptureFixtur
 
 
 REFUSED = {
-    "My-Package": "try `my_package`", "2fast": "letter first", "a": "two or more", "trailing_": "try `trailing`",
-    "a__b": "try `a_b`", "": "two or more", "naïve": "try `na_ve`", "class": "try `my_class`", "import": "Python",
+    "My-Package": "try `my_package`", "2fast": "try `my_2fast`", "a": "try `my_a`", "trailing_": "try `trailing`",
+    "a__b": "try `a_b`", "": "two or more", "naïve": "try `naive`", "class": "try `my_class`", "import": "Python",
     "template": "C\\+\\+", "test": "Python itself", "json": "Python itself", "distutils": "Python itself",
     "numpy": "taken", "std_msgs": "taken", "config": "taken", "x" * 61: "61 characters", "a b": "try `a_b`",
+    "Straße": "try `strasse`", "RobótArm": "try `robot_arm`", "机器人": "two or more", "机器人2": "try `my_2`",
     "../up": "try `up`", "a/b": "try `a_b`", "name\n": "try `name`",
 }  # fmt: skip
 

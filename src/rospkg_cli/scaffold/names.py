@@ -71,8 +71,16 @@ def another(name: str) -> str:
     return f"try `my_{name}`"
 
 
+UNFOLDED = str.maketrans({"ß": "ss", "æ": "ae", "ø": "o", "đ": "d", "ł": "l", "ı": "i"})
+"""Letters that Unicode takes for no accented ones."""
+
+
 def repaired(name: str) -> str:
-    """Return the nearest name of the right form, "" where there is none."""
-    words = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
+    """Return the nearest name of the right form: without accents, with a letter first; "" where there is none."""
+    from unicodedata import normalize
+
+    plain = re.sub(r"[\u0300-\u036f]", "", normalize("NFKD", name.translate(UNFOLDED)))
+    words = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", plain).lower()
     words = re.sub(r"[^a-z0-9]+", "_", words).strip("_")
-    return words if len(words) > 1 and PACKAGE_NAME.fullmatch(words) else ""
+    words = f"my_{words}" if words[:1].isdigit() or len(words) == 1 else words
+    return words if PACKAGE_NAME.fullmatch(words) else ""
