@@ -39,6 +39,9 @@ from editor import Editor  # type: ignore[import-not-found]  # the tests' own
 
 NAMES = (".xml", ".txt", ".py", ".yaml", ".msg", ".srv", ".action", ".cfg", ".cpp", ".hpp", ".xacro", ".urdf")
 
+SOON = 0.2
+"""Seconds within which each request is to be answered or refused."""
+
 OPEN = 20
 """Files that are open at once."""
 
@@ -97,6 +100,17 @@ def processor_seconds(editor: Editor) -> float:
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
+def waited(editor: Editor) -> float:
+    """Return the seconds that the threads between a request and its answer were ready and had no processor.
+
+    Those of the server but the one that has run most, which is that of the runs, and the one that asks; on Linux.
+    """
+    tasks = [path.read_text().split() for path in Path(f"/proc/{editor.process_id}/task").glob("*/schedstat")]
+    on_the_way = sorted(tasks, key=lambda task: int(task[0]))[:-1]
+    own = Path("/proc/thread-self/schedstat").read_text().split()
+    return sum(int(task[1]) for task in [*on_the_way, own]) / 1e9
+
+
 @dataclass(frozen=True)
 class Answer:
     """How long one request took."""
@@ -104,6 +118,15 @@ class Answer:
     seconds: float
     kind: str
     is_refused: bool
+
+
+def is_refused(given: Answer) -> bool:
+    return given.is_refused
+
+
+def is_late(given: Answer) -> bool:
+    """Return whether something was answered, and not soon."""
+    return not given.is_refused and given.seconds > SOON
 
 
 def requests(editor: Editor, path: Path, line: int) -> dict[str, Callable[[], Coroutine[Any, Any, Any]]]:
@@ -154,6 +177,8 @@ class Session:
         self.open: dict[Path, str] = {}
         self.behind_edits: list[Answer] = []
         self.beside_runs: list[Answer] = []
+        self.undisturbed: list[float] = []
+        """How long the answers behind edits had taken if other programs had left a processor free."""
         self.processor: list[float] = []
         """The time that the server had a processor until it answered, a run beside it included."""
 
@@ -171,8 +196,9 @@ class Session:
         self.editor.type(path, self.open[path])
         lines = [*zip(before.split("\n"), self.open[path].split("\n"), strict=False)]
         line = next((number for number, (old, new) in enumerate(lines) if old != new), 0)
-        spent = processor_seconds(self.editor)
+        spent, lost = processor_seconds(self.editor), waited(self.editor)
         self.behind_edits += self.asked(path, line, 1)
+        self.undisturbed.append(max(0, self.behind_edits[-1].seconds - waited(self.editor) + lost))
         self.processor.append(processor_seconds(self.editor) - spent)
         for _ in range(4 if pause else 0):
             self.editor.loop.run_until_complete(asyncio.sleep(pause * self.chance.random() / 2))
@@ -203,15 +229,17 @@ class Session:
             if not answers:
                 continue
             seconds = sorted(each.seconds for each in answers)
-            median, most, late = statistics.median(seconds), seconds[int(len(seconds) * 0.95)], seconds[-1]
-            yield f"asked {what}: median {median:.3f} s, 95 % {most:.3f} s, worst {late:.3f} s of {len(seconds)}"
-            refused = Counter(each.kind for each in answers if each.is_refused)
-            slow = sorted(f"{each.kind} {each.seconds:.2f}" for each in answers if each.seconds > 0.2)
-            told = ", ".join(f"{number} {kind}" for kind, number in refused.items())
-            yield f"  refused: {told or 'none'}; above 0.2 s: {len(slow)} {', '.join(slow[:5])}"
-        spent = sorted(self.processor)
-        median, most = statistics.median(spent), spent[int(len(spent) * 0.95)]
-        yield f"of that a processor: median {median:.2f} s, 95 % {most:.2f} s, worst {spent[-1]:.2f} s"
+            median, most, worst = statistics.median(seconds), seconds[int(len(seconds) * 0.95)], seconds[-1]
+            yield f"asked {what}: median {median:.3f} s, 95 % {most:.3f} s, worst {worst:.3f} s of {len(seconds)}"
+            refused, late = (Counter(each.kind for each in answers if which(each)) for which in (is_refused, is_late))
+            for how, number in (("refused", refused), ("above 0.2 s, answered", late)):
+                yield f"  {how}: {number.total()}, {dict(number)}"
+            yield f"  above 0.2 s, refused: {sum(each.is_refused and each.seconds > SOON for each in answers)}"
+        for what, spent in (("less what other programs took", self.undisturbed), ("on a processor", self.processor)):
+            spent.sort()
+            median, most = statistics.median(spent), spent[int(len(spent) * 0.95)]
+            yield f"right behind an edit, {what}: median {median:.3f} s, 95 % {most:.3f} s, worst {spent[-1]:.3f} s"
+        yield f"  above 0.2 s less what other programs took: {sum(each > SOON for each in self.undisturbed)}"
 
 
 def run(given: argparse.Namespace, root: Path) -> Iterator[str]:

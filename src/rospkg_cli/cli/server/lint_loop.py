@@ -30,6 +30,8 @@ class LintLoop:
         self.went_on = asyncio.Event()
         """Set, and another one put here, whenever a run has begun or ended."""
         self.task: asyncio.Task[None] | None = None
+        self.is_alone = False
+        """Whether all that this process holds is the server's."""
 
     def soon(self) -> None:
         """Let a run follow."""
@@ -47,6 +49,9 @@ class LintLoop:
                     self.has_changed.clear()
                     await self.pause()
                 is_finished = await self.lint_all()
+            if self.is_alone and not gc.get_freeze_count():
+                gc.collect()
+                gc.freeze()
             self.is_settled.set()
             await self.rest()
 
@@ -57,15 +62,12 @@ class LintLoop:
         self.is_urgent.clear()
 
     async def rest(self) -> None:
-        """Collect garbage if nothing changes for a moment; what is known of all packages by then is left alone."""
+        """Collect garbage if nothing changes for a moment; what was known when all were judged is left alone."""
         try:
             await asyncio.wait_for(self.has_changed.wait(), IDLE)
         except asyncio.TimeoutError:
-            is_first = not gc.get_freeze_count()
-            if is_first or gc.get_count()[2] >= MUCH:
+            if self.is_alone and gc.get_count()[2] >= MUCH:
                 gc.collect()
-            if is_first:
-                gc.freeze()
 
     def tell(self) -> None:
         """Wake those that wait for a run."""

@@ -34,6 +34,7 @@ def serve() -> int:
     quieten()
     let_threads_compute()
     server = server_with_features()
+    server.lints.is_alone = True
     with protocol_output() as output, redirect_stdout(sys.stderr):
         try:
             server.start_io(stdout=output)
