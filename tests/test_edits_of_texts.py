@@ -10,6 +10,7 @@ import pytest
 from cmaking import read
 
 from rospkg_cli.edits import cmake_commands
+from rospkg_cli.edits.cmake_export import export_dependencies
 from rospkg_cli.edits.data_files import LAUNCH_GLOB, widen_glob
 from rospkg_cli.edits.entry_points import strings
 from rospkg_cli.edits.launch_file import import_name, pass_through
@@ -279,3 +280,11 @@ def test_the_width_counts_to_the_end_of_a_file_without_a_line_break(width: int, 
     text = "x = (value)"
     edited = applied(text, pass_through(parse_python(Source("a.py", text)), Span(5, 10), "call", "more", width))
     assert edited == ("x = (call(value, more))" if is_one_line else "x = (call(\n    value,\n    more))")
+
+
+def test_a_long_list_of_exports_has_a_line_for_each() -> None:
+    names = [f"a_longer_message_package_{number}" for number in range(3)]
+    text = "project(a)\nfoo(\n    b)\nament_package()\n"
+    short, long = (applied(text, [export_dependencies(read(text), names[:count])]) for count in (2, 3))
+    assert f"\nament_export_dependencies({names[0]} {names[1]})\n" in short
+    assert "\nament_export_dependencies(\n    " + "\n    ".join(names) + "\n)\n" in long

@@ -69,3 +69,8 @@ def user(name: str, *needs: str) -> dict[str, str]:
 def test_no_packages_are_made_to_wait_for_each_other(files: dict[str, str], refused: list[tuple[str, str]]) -> None:
     found = fixed(files, "DEP103")
     assert [(finding.package, why) for finding, why in found.refused] == refused
+
+
+def test_a_dependency_that_is_only_moved_closes_no_cycle() -> None:
+    found = fixed({"package.xml": manifest("  <depend>rclpy</depend>\n  <depend>my_pkg</depend>\n")}, "XML206")
+    assert (found.refused, dependencies(found, "package.xml")) == ([], ["<depend>my_pkg", "<depend>rclpy"])

@@ -141,6 +141,21 @@ def test_what_comes_to_one_place_is_put_in_order_and_once() -> None:
     assert apply(text, group, *several, *single) == text.replace("</name>", f"</name>{new}")
 
 
+def test_what_only_ros_2_has_gets_the_condition_of_its_like() -> None:
+    for_1, for_2 = ("<depend condition='$ROS_VERSION == \"{}\"'>{}</depend>".format(*each) for each in ("1a", "2b"))
+    text = f'<package format="3">\n  {for_1}\n  {for_2}\n</package>\n'
+    added = [add_dependency(read(text), "depend", name) for name in ("eigen", "rclcpp_action", "std_msgs")]
+    new = f"<depend>eigen</depend>\n  {for_2.replace('>b', '>rclcpp_action')}\n  <depend>std_msgs</depend>"
+    assert apply(text, *added) == text.replace(for_2, f"{for_2}\n  {new}")
+    other = text.replace('"2"', "3")
+    assert "\n  <depend>rclcpp</depend>" in apply(other, add_dependency(read(other), "depend", "rclcpp"))
+
+
+def test_blanks_behind_an_element_stay_where_they_are() -> None:
+    text = "<package>\n  <depend>a</depend> \t\n</package>\n"
+    assert apply(text, add_dependency(read(text), "depend", "b")) == text.replace("\t\n", "\t\n  <depend>b</depend>\n")
+
+
 def test_an_element_goes_into_an_empty_package() -> None:
     text = "<package>\n</package>\n"
     assert apply(text, add_element(read(text), "name", "<name>a</name>")) == "<package>\n  <name>a</name>\n</package>\n"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import SETUP_CFG, SETUP_PY, Example, scripts, setup_py
+from rospkg_cli.example import SETUP_CFG, SETUP_PY, Example, manifest, scripts, setup_py
 from rospkg_cli.rules.setup import set001_missing_setup_cfg as set001
 from rospkg_cli.rules.setup import set002_wrong_script_dir as set002
 from rospkg_cli.rules.setup import set101_entry_point_module_missing as set101
@@ -178,6 +178,7 @@ CASES = {
             ("", "    py_modules=[json.loads('[]'), json.loads('[]')],\n"),
         )
     ),
+    "SET403": (python({"package.xml": manifest().replace("<license>Apache-2.0", "<license>Ask us first")}),),
     "SET401": (
         python({"setup.py": SETUP_PY.replace("name=package_name", "name='your_pkg'")}),
         python({"setup.py": OTHER_NAME}),

@@ -7,8 +7,11 @@ from collections.abc import Sequence
 from ..finding import Edit
 from ..languages.cmake.syntax import CommandInvocation
 from ..package.cmake.cmake_project import CMake
-from .cmake_commands import add_after, add_argument
+from .cmake_commands import add_after, add_argument, listed
 from .cmake_install import add_rule
+
+WIDTH = 99
+"""The longest line for packages; ament_lint_cmake allows more."""
 
 
 def export_dependencies(cmake: CMake, names: Sequence[str]) -> Edit:
@@ -21,5 +24,7 @@ def export_dependencies(cmake: CMake, names: Sequence[str]) -> Edit:
         edits = [add_argument(root, plain[-1], name) for name in names]
         return Edit(edits[0].path, edits[0].span, "".join(edit.text for edit in edits))
     call = f"ament_export_dependencies({' '.join(names)})"
+    if len(call) > WIDTH:
+        call = f"ament_export_dependencies({listed(names, root.indent)}\n)"
     others = exports or [each for each in commands if each.name.startswith("ament_export_")]
     return add_after(root, others[-1], call) if others else add_rule(cmake, call)

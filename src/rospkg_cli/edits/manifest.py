@@ -8,17 +8,30 @@ from ..finding import Edit
 from ..languages.xml.elements import Element, XmlComment
 from ..lazy_regex import regex
 from ..package.manifest import Dependency, Manifest
+from ..ros.manifest import ONLY_ROS_2
 from ..source import Span
 from .dependency_lines import in_order
 from .manifest_place import gap_before, gap_behind, neighbour, start_with_heading
+from .manifest_tags import quoted
 
+FOR_ROS_2 = regex(r"""\$ROS_VERSION\s*==\s*["']?2["']?""")
 BLANK_ABOVE = regex(r"\n[ \t]*\n\Z")
 BLANK_LINE = regex(r"[ \t]*\n")
 
 
 def add_dependency(manifest: Manifest, tag: str, name: str) -> Edit:
     """Add a dependency among those of its tag, sorted where they are sorted, and not below a comment of others."""
-    return add_element(manifest, tag, f"<{tag}>{escaped(name)}</{tag}>", name)
+    condition = condition_for(manifest, name)
+    attribute = f" condition={quoted(condition)}" if condition else ""
+    return add_element(manifest, tag, f"<{tag}{attribute}>{escaped(name)}</{tag}>", name)
+
+
+def condition_for(manifest: Manifest, name: str) -> str | None:
+    """Return the condition under which others of ROS 2 are declared in a package of both, for one that ROS 1 lacks."""
+    if not ONLY_ROS_2.fullmatch(name):
+        return None
+    conditions = [each.condition for each in manifest.dependencies if each.condition]
+    return next((each for each in conditions if FOR_ROS_2.fullmatch(each.strip())), None)
 
 
 def add_dependencies(manifest: Manifest, wanted: Iterable[tuple[str, str]]) -> tuple[Edit, ...]:
@@ -73,11 +86,10 @@ def indentation(manifest: Manifest, sibling: Element | XmlComment | None) -> str
 
 
 def end_of_line(manifest: Manifest, element: Element) -> int:
-    """Return the end of an element, past a comment behind it in the same line."""
+    """Return the end of an element, past blanks and a comment behind it in the same line."""
     rest = manifest.source.line_span(manifest.source.position(element.span.end)[0])
-    behind = manifest.source.text[element.span.end : rest.end]
-    commented = behind.strip().startswith("<!--") and behind.strip().endswith("-->")
-    return element.span.end + len(behind.rstrip()) if commented else element.span.end
+    behind = manifest.source.text[element.span.end : rest.end].strip()
+    return rest.end if not behind or (behind.startswith("<!--") and behind.endswith("-->")) else element.span.end
 
 
 def remove_element(manifest: Manifest, element: Element) -> Edit:

@@ -127,6 +127,9 @@ BUILD_TOOLS = regex(
 )
 """Packages that take part in a build and are no part of what is built."""
 
+ONLY_ROS_2 = regex(r"(ament|rcl|rclc|rclcpp|rclpy|rmw|rosidl|launch|nav2)(_.*)?|rcutils|rcpputils|(rosbag2|ros2).*")
+"""Packages of which no distribution of ROS 1 has one of that name."""
+
 
 def is_buildtool(name: str) -> bool:
     return BUILD_TOOLS.fullmatch(name) is not None

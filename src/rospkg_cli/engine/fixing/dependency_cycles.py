@@ -26,6 +26,7 @@ def closing_cycles(tree: Tree, folders: Sequence[str], findings: Sequence[Findin
     graph: Graph = {names[path]: {*DEPENDENCY.findall(text)} for path, text in texts.items() if path in names}
     for finding, new in added:
         edges = [(names[path], name) for path, name in new if path in names and name in graph]
+        edges = [(package, name) for package, name in edges if name not in graph[package]]  # written anew, not added
         cycle = next((edge for edge in edges if waits_for(graph, edge[1], edge[0])), None)
         if cycle is not None:
             yield finding, f"`{cycle[1]}` depends on `{cycle[0]}`, or is to: colcon could build neither"

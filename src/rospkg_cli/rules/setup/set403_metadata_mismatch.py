@@ -45,6 +45,9 @@ def metadata_mismatch(metadata: Metadata) -> Iterator[Hit]:
     ## When it is quiet
     Where a value is read from package.xml or can't be evaluated, and where one of several maintainers or licenses
     fits.
+
+    ## Fix safety
+    There is no fix where only setup.py names a license that has an SPDX id.
     """
     for name, said, wanted, element in metadata.differing:
         edits = replace_text(said, wanted) if wanted else ()
