@@ -70,7 +70,7 @@ def test_formats_of_reports() -> None:
     }
     assert files == set(FORMATS)
     assert names(help_of("lint", "--format")) == list(FORMATS), "FORMAT_HELP in cli/lint/options.py"
-    assert sorted(words("README.md", r"--format (sarif +and [^\n]*)")) == sorted(FORMATS), (
+    assert sorted(words("README.md", r"--format (sarif +# and [^\n]*)")) == sorted(FORMATS), (
         "README.md, --format sarif and …"
     )
     assert words(ARCHITECTURE, r"one file a format: ([^|]*)") == list(FORMATS), ARCHITECTURE

@@ -177,9 +177,15 @@ def type_it(each: Typed, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     said = f"{line}\n{done.stdout}{done.stderr}"
     may_find = words[0] in MAY_FIND and not re.search("--exit-zero|baseline", line)
     assert done.returncode in ((0, 1) if may_find else (0,)), said
-    for part in (*re.findall(r'^"([^"]+)"', each.beside), *each.prints):
+    for part in (*re.findall(r'^# "([^"]+)"', each.beside), *each.prints):
         assert part in " ".join(said.split()), said
     assert not target or "<!doctype html>" in done.stdout
+
+
+def test_a_block_can_be_copied_into_a_shell() -> None:
+    beside = [(page, each.beside) for page in PAGES for each in typed(page) if each.beside]
+    assert [words for words in beside if not words[1].startswith("# ")] == []
+    assert len(beside) > 60
 
 
 def test_what_is_not_typed_is_somewhere() -> None:

@@ -49,7 +49,7 @@ def lines_of(text: str) -> Iterator[Typed]:
         elif line.startswith("    "):
             if not is_shown(lines[:number]):
                 command, _, beside = re.sub(r" {2,}", "\0", line.strip(), count=1).partition("\0")
-                yield Typed(section, command, beside)
+                yield Typed(section, command, beside.strip())
         else:
             yield from (Typed(section, span, is_span=True) for span in SPAN.findall(line))
 
