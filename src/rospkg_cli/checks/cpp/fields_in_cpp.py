@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 
 from ...languages.cpp.code_text import code_text
@@ -10,12 +10,11 @@ from ...languages.cpp.file import CppFile
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...ros.interface_fields import ros1_fields
-from ...ros.interfaces import KINDS
 from ...source import Span
 from ..depends.compiled_sources import compiled_sources, own_compiled
 from ..interfaces.known_interfaces import KnownInterfaces
 from ..interfaces.unknown_fields import similar
-from .message_variables import MemberPath, member_paths, message_variables
+from .message_variables import member_paths, message_variables, named_members
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,34 +38,53 @@ class FieldsInCpp:
     def wrong(self) -> Iterator[WrongField]:
         for source, role in compiled_sources(self.cmake, self.sources):
             text = source.source.text
-            if role == "aside" or not any(f"::{kind}::" in text for kind in KINDS):
-                continue
-            if any(True for _ in self.in_text(source, text)):  # before comments are found, which takes longer
-                yield from self.in_text(source, code_text(text))
+            if role != "aside" and any(self.may_lack(each) for each in named_members(text)):
+                yield from self.in_text(source, code_text(text))  # which takes longer
+
+    def may_lack(self, members: tuple[str, tuple[str, ...]]) -> bool:
+        """Return whether one of some members of a message, each of the one before, is told of."""
+        if members not in self._lacking:
+            self._lacking[members] = self.first_wrong(*members) is not None
+        return self._lacking[members]
+
+    @cached_property
+    def _lacking(self) -> dict[tuple[str, tuple[str, ...]], bool]:
+        return {}
+
+    def first_wrong(self, message: str, names: tuple[str, ...]) -> tuple[int, str, str | None] | None:
+        """Return the first member that its message lacks, as far as that is certain: its place, the message, and the
+        field that is near."""
+        for at, name in enumerate(names):
+            fields = self.fields(message) if message else None
+            if fields is None:
+                return None
+            if name not in fields:
+                is_here = self.known.is_here(message.partition("/")[0])
+                near = similar(name, fields, is_certain=is_here)
+                is_told = not name.startswith("_") and (near or is_here or name in ros1_fields(message))
+                return (at, message, near) if is_told else None
+            message = fields[name]
+        return None
+
+    def fields(self, message: str) -> Mapping[str, str] | None:
+        if message not in self._fields:
+            self._fields[message] = self.known.fields(message)
+        return self._fields[message]
+
+    @cached_property
+    def _fields(self) -> dict[str, Mapping[str, str] | None]:
+        return {}
 
     def in_text(self, source: CppFile, text: str) -> Iterator[WrongField]:
         found: dict[Span, WrongField] = {}
         for variable in message_variables(text):
             for path in member_paths(text, variable):
-                for each in self.judged(source, path):
-                    found[each.span] = each
+                if (wrong := self.first_wrong(variable.message, path.names)) is not None:
+                    at, message, near = wrong
+                    is_compiled = self.compiled is not None and source.path in self.compiled
+                    span = path.spans[at]
+                    found[span] = WrongField(source.path, span, message, path.names[at], near, is_compiled)
         yield from (found[span] for span in sorted(found))
-
-    def judged(self, source: CppFile, path: MemberPath) -> Iterator[WrongField]:
-        message = path.variable.message
-        for name, span in zip(path.names, path.spans, strict=True):
-            fields = self.known.fields(message) if message else None
-            if fields is None:
-                return
-            if name in fields:
-                message = fields[name]
-                continue
-            is_here = self.known.is_here(message.partition("/")[0])
-            near = similar(name, fields, is_certain=is_here)
-            if not name.startswith("_") and (near or is_here or name in ros1_fields(message)):
-                is_compiled = self.compiled is not None and source.path in self.compiled
-                yield WrongField(source.path, span, message, name, near, is_compiled)
-            return
 
     @cached_property
     def compiled(self) -> set[str] | None:
