@@ -67,6 +67,12 @@ def test_each_distribution_gets_its_form() -> None:
 def test_what_can_not_be_is_refused() -> None:
     with pytest.raises(ScaffoldError, match=r"no kind of plugin `costmap-lyer` \(did you mean `costmap-layer`\?\)"):
         plan(template="plugin", plugins=("costmap-lyer",))
+    with pytest.raises(ScaffoldError, match=r"no kind of plugin `costmap` \(did you mean `costmap-layer`\?\)"):
+        plan(template="plugin", plugins=("wall:costmap",))
+    with pytest.raises(ScaffoldError, match=r"knows no `CI` \(did you mean `ci`\?\)"):
+        plan(extras=("CI",))
+    with pytest.raises(ScaffoldError, match=r"no type of package `nodes`; known: .*, workspace"):
+        plan(template="nodes")
     with pytest.raises(ScaffoldError, match="named twice"):
         plan(template="plugin", plugins=("pluginlib", "controller"))
     with pytest.raises(ScaffoldError, match="rospkg new my_robot_nav_plugins --plugin controller"):

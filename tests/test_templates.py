@@ -510,6 +510,8 @@ def test_what_only_python_uses_is_for_when_a_mixed_package_runs() -> None:
             "a component can be written only in C++, and `ament_python` has nodes in Python",
         ),
         ("ament_cmake", "tmer", "there is no kind of node `tmer` (did you mean `timer`?); known: publisher, "),
+        ("ament_python", "sub", "there is no kind of node `sub` (did you mean `subscriber`?)"),
+        ("ament_python", "action", "there is no kind of node `action`; known"),
         ("mixed", "publisher-of", "there is no kind of node `publisher-of`"),
     ],
 )

@@ -21,7 +21,7 @@ PARAMETER_FORMS = {
 def is_generating(asked: str, template: Template) -> bool:
     """Return whether the library declares the parameters; raises ScaffoldError where it can't, or for another word."""
     if asked and asked not in PARAMETER_FORMS:
-        known = ", ".join(PARAMETER_FORMS)
+        known = ", ".join((*PARAMETER_FORMS, "none"))
         raise ScaffoldError(f"parameters can't be `{asked}`{did_you_mean(asked, PARAMETER_FORMS)}; known: {known}")
     if asked != "generate":
         return False

@@ -9,7 +9,6 @@ from pathlib import Path
 from ..finding import Finding, Severity
 from ..light_dataclasses import dataclass, replace
 from ..ros.interfaces import SEPARATORS
-from ..suggest import did_you_mean
 from . import OwnFaultError, ScaffoldError
 from .answers import Answers, Request
 from .bringup import Bringup, bringup_of
@@ -26,7 +25,8 @@ from .plugin_kinds import plugin_kinds
 from .render import RenderedFile, render, render_line
 from .resolve_request import depends_of, distro_of, license_of, requested_interfaces, version_of
 from .self_lint import lint_written
-from .template import Template, load_template, template_names
+from .short_words import meant
+from .template import WORKSPACE, Template, load_template, template_names
 from .test_level import test_level
 from .user_text import UserText, user_text
 from .workspace import WorkspacePackages, workspace_packages
@@ -114,7 +114,8 @@ def template_of(name: str) -> Template:
     known = template_names()
     if name in known:
         return load_template(name)
-    raise ScaffoldError(f"there is no type of package `{name}`{did_you_mean(name, known)}; known: {', '.join(known)}")
+    offered = (*known, WORKSPACE)
+    raise ScaffoldError(f"there is no type of package `{name}`{meant(name, offered)}; known: {', '.join(offered)}")
 
 
 def answers_of(
