@@ -16,6 +16,7 @@ from rospkg_cli.light_dataclasses import replace
 from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.answers_record import RECORD, read_record, record_text, request_of, tomllib, with_record
 from rospkg_cli.scaffold.line_digests import digests
+from rospkg_cli.scaffold.merge_lines import merge_lines
 from rospkg_cli.scaffold.plan import Plan, make_plan
 from rospkg_cli.scaffold.render import RenderedFile
 from rospkg_cli.scaffold.update import UpdatedFile, updates
@@ -85,6 +86,14 @@ TOP, MIDDLE = b"import rclpy\n", b"    def __init__(self) -> None:\n"
 TITLE, SECTION = b"# my_robot_nav\n", b"## Nodes\n"
 BUILT = b"colcon build --packages-up-to my_robot_nav"
 
+XML = "package.xml"
+
+
+def depend(name: bytes) -> bytes:
+    return b"  <exec_depend>%b</exec_depend>\n" % name
+
+
+RCLPY = depend(b"rclpy")
 HISTORIES: dict[str, tuple[Edits, Edits, dict[str, str]]] = {
     "nothing happened": ({}, {}, {}),
     "only the user edited": ({NODE: swap(MIDDLE, MIDDLE + IN_NODE), README: added(b"More.\n")}, {},
@@ -132,6 +141,15 @@ HISTORIES: dict[str, tuple[Edits, Edits, dict[str, str]]] = {
         {README: swap(BUILT, BUILT + b" -b")}, {README: "conflict"}),
     "a conflict that the user resolved": (
         {README: swap(BUILT, BUILT + b" -a -b")}, {README: added(b"x\n")}, {README: "merged"}),
+    "dependencies of both at one place": (
+        {XML: swap(RCLPY, RCLPY + depend(b"sensor_msgs"))},
+        {XML: swap(RCLPY, depend(b"nav_msgs") + RCLPY + depend(b"rclpz"))},
+        {XML: "merged"}),
+    "a dependency instead of another": (
+        {XML: swap(RCLPY, depend(b"rclcpp"))}, {XML: swap(RCLPY, RCLPY + depend(b"rosbag2"))}, {XML: "merged"}),
+    "a dependency and something else": (
+        {XML: swap(RCLPY, RCLPY + b"  <!-- mine -->\n")}, {XML: swap(RCLPY, RCLPY + depend(b"rosbag2"))},
+        {XML: "conflict"}),
     "a merge that was left as it was": (
         {README: b"<<<<<<< yours\na\n=======\nb\n>>>>>>> rospkg\n"}, {SETUP: added(b"# new\n")},
         {SETUP: "updated", README: "kept"}),
@@ -174,6 +192,14 @@ def test_an_unmarked_place_is_in_conflict_as_git_shows_it(made: Plan, package: P
     update(package, planned(made, {README: swap(BUILT, BUILT + b" -b")}))
     both = b"<<<<<<< yours\n%b -a\n=======\n%b -b\n>>>>>>> rospkg\n" % (BUILT, BUILT)
     assert both in (package / README).read_bytes()
+
+
+def test_dependencies_of_both_are_in_their_order_and_what_one_side_removed_stays_away() -> None:
+    lines = {name: depend(name.encode()) for name in "abcdefg"}
+    base, yours, new = (b"".join(lines[name] for name in names) for names in ("bd", "acd", "bdeg"))
+    merged = merge_lines(yours.replace(b"\n", b"\r\n"), digests(base), new)
+    assert merged is not None
+    assert (merged.conflicts, re.findall(rb">(\w)<", merged.data)) == (0, [b"a", b"c", b"d", b"e", b"g"])
 
 
 def test_modes_and_links_stay_the_users(made: Plan, package: Path) -> None:

@@ -10,6 +10,7 @@ from pathlib import Path
 from ..light_dataclasses import dataclass
 from . import ScaffoldError
 from .line_digests import digests, rebuilt
+from .merge_dependencies import with_all_dependencies
 
 SECONDS = 60
 
@@ -35,7 +36,12 @@ def merge_lines(yours: bytes, written: Sequence[str], new: bytes) -> MergedLines
     if tuple(written) == digests(yours):
         return MergedLines(new, 0)
     base = rebuilt(written, new, yours)
-    return git_merge(yours, base.replace(b"\n", b"\r\n") if has_windows_ends(yours) else base, new)
+    base = base.replace(b"\n", b"\r\n") if has_windows_ends(yours) else base
+    merged = git_merge(yours, base, new)
+    if merged is None or not merged.conflicts:
+        return merged
+    data, solved = with_all_dependencies(merged.data, base)
+    return MergedLines(data, merged.conflicts - solved)
 
 
 def has_windows_ends(data: bytes) -> bool:
