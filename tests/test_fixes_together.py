@@ -74,3 +74,15 @@ def test_no_packages_are_made_to_wait_for_each_other(files: dict[str, str], refu
 def test_a_dependency_that_is_only_moved_closes_no_cycle() -> None:
     found = fixed({"package.xml": manifest("  <depend>rclpy</depend>\n  <depend>my_pkg</depend>\n")}, "XML206")
     assert (found.refused, dependencies(found, "package.xml")) == ([], ["<depend>my_pkg", "<depend>rclpy"])
+
+
+def test_what_a_comment_leaves_out_keeps_no_other_from_being_declared() -> None:
+    cmake = CMAKE.replace(
+        "ament_package", "find_package(std_msgs REQUIRED)\nfind_package(rclcpp REQUIRED)\nament_package"
+    )
+    lines = "  <!-- <depend>std_msgs</depend> -->\n  <depend>rclcpp_action</depend>\n  <depend>nav_msgs</depend>\n"
+    found = fixed({"package.xml": manifest(lines, "ament_cmake"), "CMakeLists.txt": cmake}, "DEP104")
+    assert dependencies(found, "package.xml")[-3:] == ["<depend>rclcpp_action", "<depend>nav_msgs", "<depend>rclcpp"]
+    (left,) = found.results.findings
+    assert left.fix is not None
+    assert (left.fix.title, left.fix.safety) == ("declare `std_msgs`", Safety.UNSAFE)

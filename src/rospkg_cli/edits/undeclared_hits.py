@@ -50,12 +50,12 @@ def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
 def declaration(declared: DeclaredDependencies, tag: str, name: str) -> Fix:
     """Return the fix that declares a dependency."""
     edit = add_dependency(declared.manifest, tag, name)
-    return Fix(f"add <{tag}>{name}</{tag}>", (edit,), safety_of(declared, [name]))
+    return Fix(f"add <{tag}>{name}</{tag}>", (edit,), safety_of(declared, name))
 
 
-def safety_of(declared: DeclaredDependencies, names: Iterable[str]) -> Safety:
-    """Return whether names may be declared unasked: each can be installed without pip, and no comment leaves it out."""
-    sure = all(source_of(declared, name) == "released" and name not in declared.commented_out for name in names)
+def safety_of(declared: DeclaredDependencies, name: str) -> Safety:
+    """Return whether a name may be declared unasked: it can be installed without pip, and no comment leaves it out."""
+    sure = source_of(declared, name) == "released" and name not in declared.commented_out
     return Safety.SAFE if sure else Safety.UNSAFE
 
 
@@ -76,11 +76,12 @@ def left_to_some(declared: DeclaredDependencies, uses: Sequence[BroughtUse], use
     be, it, comes = ("is", "it", "comes") if len(uses) == 1 else ("are", "they", "come")
     come = f"{comes} with {who} today" if uses[0].bringer.is_certain else f"may come with {who}"
     message = f"{quoted(names)} {be} {used} and not declared: {it} {come}; declare what you use"
-    edits = add_dependencies(declared.manifest, ((use.tag, use.name) for use in uses))
+    safe = [use for use in uses if safety_of(declared, use.name) is Safety.SAFE]
+    edits = add_dependencies(declared.manifest, ((use.tag, use.name) for use in safe or uses))
     first, *others = uses
     by = {use.name: f", by way of `{use.bringer.name}`" if len(bringers) > 1 else "" for use in uses}
     places = tuple(Related(use.path, use.span, f"`{use.name}` here{by[use.name]}") for use in others)
-    fix = Fix(f"declare {quoted(names)}", edits, safety_of(declared, names))
+    fix = Fix(f"declare {quoted([use.name for use in safe or uses])}", edits, Safety.SAFE if safe else Safety.UNSAFE)
     return Hit(first.path, first.span, message, Severity.INFO, places, fix)
 
 
