@@ -181,8 +181,20 @@ def test_actions_are_those_of_the_line(editor: Editor, package: Path) -> None:
     editor.until(lambda: editor.codes(path) == ["XML104"])
     line = text.split("\n").index("  <description>TODO</description>")
     titles = [each.title for each in editor.actions(path, line, line)]
-    assert titles == ["Ignore XML104 with a reason", f"rospkg: fix all in {package.name}"]
-    assert [each.kind for each in editor.actions(path, line + 1, line + 1)] == ["source.fixAll.rospkg"]
+    assert titles == ["Ignore XML104 with a reason"]
+    assert editor.actions(path, line + 1, line + 1) == []
+
+
+def test_all_fixes_are_offered_where_one_is_made(editor: Editor, package: Path) -> None:
+    """What is declared twice is an error for the one tag, and an info, which is left alone, for the other."""
+    path = package / "package.xml"
+    text = path.read_text()
+    editor.open(path)
+    for tag, are_fixed in (("depend", True), ("exec_depend", False)):
+        editor.type(path, text.replace("  <export>", f"  <{tag}>rclpy</{tag}>\n" * 2 + "  <export>"))
+        editor.settle()
+        assert "XML201" in editor.codes(path)
+        assert ("source.fixAll.rospkg" in [each.kind for each in editor.actions(path)]) is are_fixed
 
 
 def test_what_no_fix_declares_is_declared_by_an_action(editor: Editor, package: Path, write: Write) -> None:

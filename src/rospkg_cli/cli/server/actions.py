@@ -23,6 +23,9 @@ from .text_overlay import package_of
 
 FIX_ALL = "source.fixAll.rospkg"
 FIX_ALL_COMMAND = "rospkg.fixAll"
+SAFETY, LEAST = Safety.SAFE, Severity.WARNING
+"""What is fixed by it, as by `rospkg lint --fix`."""
+
 REASON = "say here why"
 """What stands for the reason of an ignore until somebody writes it."""
 
@@ -38,8 +41,14 @@ def actions(linted: Linted, path: Path, asked: types.CodeActionParams) -> Iterat
         at = to_range(linted.codec, linted.source(finding.location.path), finding.location)
         if is_wanted(types.CodeActionKind.QuickFix, only) and touch(at, asked.range):
             yield from fixes(linted, finding)
-    if is_wanted(FIX_ALL, only) and linted.by_file.get(path):
-        yield fix_all_action(linted.by_file[path][0].package, path)
+    if is_wanted(FIX_ALL, only) and (found := linted.by_file.get(path)) and has_safe_fix(linted, found[0].package):
+        yield fix_all_action(found[0].package, path)
+
+
+def has_safe_fix(linted: Linted, package: str) -> bool:
+    """Return whether fixing all in a package fixes anything."""
+    own = [each for each in linted.findings if each.package == package and each.severity.rank >= LEAST.rank]
+    return any(each.fix is not None and each.fix.safety is SAFETY for each in own)
 
 
 def fix_all_action(package: str, path: Path) -> types.CodeAction:
@@ -92,5 +101,5 @@ def all_fixes(linted: Linted, path: Path) -> types.WorkspaceEdit:
     scope = replace(session.scope, selected=frozenset([] if folder is None else [folder]))
     pool = partial(NotingPool, look=linted.run.order.look)
     session = replace(session, scope=scope, kept=None, make_pool=pool, make_small_pool=pool)
-    found = fix_all(session, (Safety.SAFE,), Severity.WARNING)
+    found = fix_all(session, (SAFETY,), LEAST)
     return edit_of_changes(found.changes, linted)
