@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import sys
 import time
+from pathlib import Path
 from typing import Any
 
-from rospkg_cli.cli.server import live_lint, navigation
+from rospkg_cli.cli.server import live_lint, navigation, offered_actions
+from rospkg_cli.cli.server.actions import actions
 from rospkg_cli.cli.server.run import serve
 from rospkg_cli.engine.run import worker
 from rospkg_cli.light_dataclasses import replace
@@ -39,7 +41,14 @@ def slow_rule(code: str) -> Any:
     return replace(real, check=check) if code == "XML104" else real
 
 
+def failing_actions(linted: Any, path: Path, asked: Any) -> Any:
+    if "actions_that_fail" in str(path):
+        raise KeyError("actions")
+    return actions(linted, path, asked)
+
+
 worker.rule_by_code = slow_rule
+offered_actions.actions = failing_actions
 navigation.definitions = failing(navigation.definitions, "broken_lookup")
 live_lint.make_session = failing(live_lint.make_session, "broken_run")
 sys.exit(serve())

@@ -82,6 +82,14 @@ def test_a_lookup_that_fails_is_a_finding(editor: Editor, manifest: Path) -> Non
     editor.until(lambda: editor.codes(manifest) == [])
 
 
+def test_actions_that_fail_are_a_finding(editor: Editor, manifest: Path) -> None:
+    assert editor.actions(manifest) == []
+    editor.until(lambda: editor.codes(manifest) == ["RPK005"])
+    [found] = editor.diagnostics[manifest]
+    name = manifest.parent.name
+    assert found.message == f"answer to actions failed on `{name}`: KeyError: 'actions'; please report this"
+
+
 def test_a_run_that_fails_is_told_once(editor: Editor, manifest: Path, write: Write) -> None:
     broken = write(editor.folder / "src/broken_run", {"package.xml": editor.texts[manifest]})
     editor.type(manifest, editor.texts[manifest].replace(*TODO))

@@ -317,6 +317,20 @@ def test_fixes_of_a_text_that_changed_meanwhile_are_not_made(manifest: Path, hel
     play(manifest, scene)
 
 
+def test_fixes_that_fail_are_a_finding(manifest: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def failing(*_: object) -> None:
+        raise KeyError("fixes")
+
+    monkeypatch.setattr(fixing_all, "all_fixes", failing)
+
+    async def scene(server: ServerInProcess) -> None:
+        action = await fix_all_action(server, manifest)
+        assert (await server.answer("codeAction/resolve", action))["result"]["edit"] == {}
+        await until(lambda: "RPK005" in server.published(manifest)[-1])
+
+    play(manifest, scene)
+
+
 def test_threads_compute_properties_of_two_instances_at_once(hold: Hold) -> None:
     """Before Python 3.12, one that takes long holds up that of all other instances."""
 

@@ -37,10 +37,15 @@ class FixingAll:
         return self.going_on[key]
 
     async def make(self, path: Path) -> types.WorkspaceEdit | None:
-        linted = await self.server.linted_at(path)
-        if linted is None:
+        """Return the edit, one of nothing where making it failed."""
+        live, linted = self.server.workspaces.at(path), await self.server.linted_at(path)
+        if live is None or linted is None:
             return None
-        return await asyncio.get_running_loop().run_in_executor(self.server.linting, fixes_of, linted, path)
+        try:
+            return await asyncio.get_running_loop().run_in_executor(self.server.linting, fixes_of, linted, path)
+        except Exception:
+            self.server.crashed(live, path, "fix all")
+            return types.WorkspaceEdit()
 
     async def edit_in_time(self, key: str, path: Path) -> types.WorkspaceEdit | None:
         """Return the edit; None where it is not ready, and goes on to be made for the command."""

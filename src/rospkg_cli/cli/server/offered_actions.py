@@ -46,7 +46,11 @@ async def actions_at(server: PackageServer, path: Path, asked: types.CodeActionP
         return []
     live.asked.add(path)
     linted = await server.linted_at(path)
-    found = await looked_up(server, listed, linted, path, asked) if linted else []
+    try:
+        found = await looked_up(server, listed, linted, path, asked) if linted else []
+    except Exception:
+        server.crashed(live, path, "actions")
+        found = []
     live.asked.discard(path)
     return found
 
