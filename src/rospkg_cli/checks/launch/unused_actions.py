@@ -47,11 +47,13 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
         return
     calls = {call.span: call for call in launch.calls if class_of(call) in ACTIONS}
     told = told_arguments(configurations)
-    unknown = {each.name for each in undefined_names(file)}
     for name, node, value in unread(file):
         call = calls.get(file.span(value))
-        is_misspelt = bool(near_names(name, unknown))  # where it is read: LCH013
-        if call is not None and not is_misspelt and not is_told(call, told) and not is_mentioned(name, file):
+        if call is None or is_told(call, told) or is_mentioned(name, file):
+            continue
+        if not near_names(
+            name, {each.name for each in undefined_names(file)}
+        ):  # of a slip where it is read LCH013 tells
             what = f"`{name}`" if name else f"this `{class_of(call)}`"
             kind = class_of(call)
             harm = HARM.get(kind, "it has no effect")
