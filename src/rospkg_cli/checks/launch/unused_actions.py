@@ -51,9 +51,8 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
         call = calls.get(file.span(value))
         if call is None or is_told(call, told) or is_mentioned(name, file):
             continue
-        if not near_names(
-            name, {each.name for each in undefined_names(file)}
-        ):  # of a slip where it is read LCH013 tells
+        unknown = {each.name for each in undefined_names(file)} if name else ()
+        if not near_names(name, unknown):  # of a slip where it is read LCH013 tells
             what = f"`{name}`" if name else f"this `{class_of(call)}`"
             kind = class_of(call)
             harm = HARM.get(kind, "it has no effect")
