@@ -92,7 +92,6 @@ def test_a_misspelt_keyword_of_install_is_read_as_it_is_meant(word: str, expecte
         ("add_library(a a.cpp)\ninstall(TARGETS a DESTINATION lib INCLUDES DESTINATION INCLUDE)", {"a.cpp": ""}, []),
         ("install(FILES a OPTONAL DESTINATION share/${PROJECT_NAME})", {}, ["CMK120"]),
         ("install(FILES README DESTINATION share/${PROJECT_NAME} PERMISIONS)", {"README": "x\n"}, ["CMK120"]),
-        ("if(X)\ninstall(FILES README DESTINATION share/${PROJECT_NAME} PERMISIONS)\nendif()", {"README": "x\n"}, []),
         ("install(FILES README DESTINATION share/${PROJECT_NAME} DIRECTORY_PERMISIONNS)", {"README": ""}, ["CMK120"]),
         ("install(FILES README DESTINATION share/${PROJECT_NAME} EXPRTS)", {"README": "x\n"}, []),
     ],

@@ -146,6 +146,10 @@ CASES = {
     "CMK107": (
         cmake(f"{GTEST}ament_add_gtest(test_a test/a.cpp)  # fast\n", NEEDS_GTEST, test__a_DOT_cpp=MAIN),
     ),
+    "CMK120": (
+        cmake("if(WITH_MORE)\n  install(FILES LICENSE DESTINTION share/x)\nendif()\n"),
+        cmake("set(TO DESTINTION)\ninstall(FILES package.xml ${TO} share/x)\n"),
+    ),
     "CMK110": (
         cmake("find_package(rclcpp REQUIRED)\nfind_package(std_msgs REQUIRED)\n"
               "ament_export_dependencies(rclcppstd_msgs)\n",

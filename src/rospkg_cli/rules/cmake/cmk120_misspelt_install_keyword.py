@@ -30,6 +30,7 @@ def cmake(lines: str, keyword: str) -> str:
     "misspelt-install-keyword",
     over=CMakePackage,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "under a condition that can't be evaluated"},
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake(LINES, "«DESTINTION»"), "launch/talker.launch.xml": "<launch/>\n"},
@@ -57,18 +58,19 @@ def misspelt_install_keyword(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     For words in quotes, values (`DESTINATION INCLUDE`), words that are not all in capitals, and names of targets, files
-    and folders that are there. Under a condition that can't be evaluated.
+    and folders that are there.
 
     ## Fix safety
     The word may be the name of something that is missing.
     """
     cmake = package.cmake
     for call in cmake.named("install"):
-        for word, meant in meant_keywords(call) if not call.maybe else ():
-            if meant is None or word.maybe or cmake.target(word.text) or cmake.package_files.is_there(word.text):
+        for word, meant in meant_keywords(call):
+            if meant is None or cmake.target(word.text) or cmake.package_files.is_there(word.text):
                 continue
             start = f"`install` has no keyword `{word.text}` (did you mean `{meant}`?)"
             message = f"{start}: CMake stops, as it takes it for something to install; correct it"
             fix = Fix(f"write `{meant}`", (Edit(word.path, word.span, meant),), Safety.UNSAFE)
             is_literal = cmake.source_text(word) == word.text
-            yield Hit(word.path, word.span, message, fix=fix if is_literal else None)
+            level = Severity.WARNING if call.maybe or word.maybe else None
+            yield Hit(word.path, word.span, message, level, fix=fix if is_literal else None)
