@@ -16,6 +16,7 @@ from rospkg_cli.light_dataclasses import replace
 from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.answers_record import RECORD, read_record, record_text, request_of, tomllib, with_record
 from rospkg_cli.scaffold.line_digests import digests
+from rospkg_cli.scaffold.merge_dependencies import with_all_dependencies
 from rospkg_cli.scaffold.merge_lines import merge_lines
 from rospkg_cli.scaffold.plan import Plan, make_plan
 from rospkg_cli.scaffold.render import RenderedFile
@@ -200,6 +201,16 @@ def test_dependencies_of_both_are_in_their_order_and_what_one_side_removed_stays
     merged = merge_lines(yours.replace(b"\n", b"\r\n"), digests(base), new)
     assert merged is not None
     assert (merged.conflicts, re.findall(rb">(\w)<", merged.data)) == (0, [b"a", b"c", b"d", b"e", b"g"])
+
+
+def test_a_group_of_dependencies_that_one_side_has_stays_with_its_blank_line() -> None:
+    side, other = depend(b"mine") + b"\n", b"  <x/>\n"
+    text = b"<<<<<<< yours\n%b=======\n%b>>>>>>> rospkg\n"
+    assert with_all_dependencies(text % (side, b""), b"") == (side, 1)
+    assert with_all_dependencies(text % (b"", side), b"a\n") == (side, 1)
+    assert with_all_dependencies(text % (side, b""), side) == (b"\n", 1)
+    for unlike in ((side, depend(b"other")), (other, b""), (b"", other), (side + other, b"")):
+        assert with_all_dependencies(text % unlike, b"") == (text % unlike, 0)
 
 
 def test_modes_and_links_stay_the_users(made: Plan, package: Path) -> None:

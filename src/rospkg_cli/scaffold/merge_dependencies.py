@@ -18,9 +18,11 @@ def with_all_dependencies(merged: bytes, base: bytes) -> tuple[bytes, int]:
     def of_both(conflict: re.Match[bytes]) -> bytes:
         nonlocal solved
         yours, new = (conflict[side].splitlines(keepends=True) for side in ("yours", "new"))
-        if not all(DEPENDENCY.fullmatch(line) for line in (*yours, *new)):
+        if not all(DEPENDENCY.fullmatch(line) or not (line.strip() or (yours and new)) for line in (*yours, *new)):
             return conflict[0]
         solved += 1
+        if not (yours and new):  # a group with the blank line behind it
+            return b"".join(line for line in (*yours, *new) if not line.strip() or line not in written)
         kept = [line for line in yours if line in new or line not in written]
         kept += [line for line in new if line not in yours and line not in written]
         return b"".join(sorted(kept) if yours == sorted(yours) else kept)
