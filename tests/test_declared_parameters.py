@@ -207,6 +207,19 @@ def test_a_parameter_of_any_type_takes_any_value() -> None:
     assert not lint_files(package("rate: 5; frame: odom", node), ["PRM006"]).findings
 
 
+@pytest.mark.parametrize("read, count", [("max_height", 0), ("max_rnage", 1)])
+def test_parameters_of_a_plugin_may_be_declared_by_its_base_class(read: str, count: int) -> None:
+    code = f"""\
+#include <nav2_costmap_2d/obstacle_layer.hpp>
+void Layer::onInitialize() {{
+  ObstacleLayer::onInitialize();
+  max_ = node->get_parameter(name_ + ".{read}").as_double();
+  node->declare_parameter(name_ + ".max_range", 0.1);
+}}
+"""
+    assert len(lint_files(package("rate: 5.0", code), ["PRM007"]).findings) == count
+
+
 def test_a_read_that_nobody_declares() -> None:
     node = NODE.replace("}\n", '  get_parameter("rte", rate_);\n  get_parameter("use_sim_time", s_);\n}\n')
     (finding,) = lint_files(package("rate: 5.0", node), ["PRM007"]).findings

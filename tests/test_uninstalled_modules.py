@@ -82,3 +82,13 @@ def test_a_module_beside_a_script_in_the_packages_own_folder() -> None:
     files = {"a.py": "#!/usr/bin/env python3\nimport b\n"}
     assert levels(install, {**files, "b.py": ""}) == [Severity.WARNING]
     assert levels(install, files) == []
+
+
+def test_folders_of_data_whose_scripts_change_where_python_looks() -> None:
+    data = "install(DIRECTORY trials DESTINATION share/${PROJECT_NAME})\n"
+    files = {"trials/__init__.py": "", "trials/rates.py": "", "trials/first.py": "from trials.rates import x\n"}
+    assert levels(data, files) == []
+    script = {"scripts/a.py": "#!/usr/bin/env python3\nfrom trials.rates import x\n"}
+    assert levels(SCRIPT, {**files, **script}) == [Severity.ERROR]
+    able = {"scripts/b.py": "#!/usr/bin/env python3\nimport sys\nsys.path.append('x')\nfrom trials import first\n"}
+    assert levels(BOTH, {**files, **script, **able}) == []

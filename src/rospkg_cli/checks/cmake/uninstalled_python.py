@@ -50,7 +50,7 @@ class PythonPackages:
             return
         if self.names_no_folder:
             return
-        missing = set(self.folders - self.installed)
+        missing = set(self.folders - self.installed - self.found_by_scripts)
         for row in self.table.rows:
             if row.what not in ("executable", "share") or not row.source.endswith(".py") or not missing:
                 continue
@@ -63,6 +63,7 @@ class PythonPackages:
                 is_neighbour = any(other.destination.startswith(f"{folder_there}/{name}/") for other in self.table.rows)
                 if (
                     name in missing
+                    and not (row.what == "share" and row.source.startswith(f"{name}/"))
                     and not each.level
                     and not each.is_optional
                     and self.is_own(each)
@@ -70,6 +71,13 @@ class PythonPackages:
                 ):
                     missing.discard(name)
                     yield UninstalledPythonPackage(name, row.source, each.span, each.module)
+
+    @property
+    def found_by_scripts(self) -> set[str]:
+        """The top-level names that an installed script imports after it has changed where Python looks."""
+        files = (self.modules.at(row.source) for row in self.table.rows if row.source.endswith(".py"))
+        able = (file for file in files if file is not None and "sys.path" in file.source.text)
+        return {each.module.partition(".")[0] for file in able for each in file.imports if not each.level}
 
     def forgotten(self) -> str:
         """Return the folder of the Python package called like the package, where nothing of it is installed though

@@ -15,7 +15,7 @@ from ...package.params.python_parameters import read_in as read_in_python
 from ...package.python_modules import PythonModules
 from ...package.workspace import Workspace
 from ...source import Span
-from ...suggest import nearest
+from ...suggest import near_names, nearest
 from .declaring_packages import ParameterContext, is_its_own
 from .launched_names import LaunchedNames
 
@@ -58,6 +58,8 @@ class ParameterReads:
             for read, call in unmatched:
                 only = len(unread) == 1 and len({read.name for read, _ in unmatched}) == 1
                 suggestion = next(iter(unread)) if only else nearest(read.name, unread)
+                if read.name.startswith(".") and suggestion not in near_names(read.name, unread):
+                    continue  # a plugin's, whose base class may declare it: a slip alone is certain
                 if suggestion is not None and call.arguments:
                     throws = len(call.arguments) == 1 and not MILD.search(file.source.text)
                     yield UnknownRead(file.path, call.arguments[0].span, read.name, suggestion, throws)

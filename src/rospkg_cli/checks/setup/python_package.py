@@ -65,11 +65,18 @@ class PythonPackage:
             or setup.may_write_files
             or not setup.knows("package_dir")
             or setup.file_of(module)
+            or self.is_of_missing_folder(module)
             or self.may_be_generated(module)
             or self.is_expected(module)
         ):
             return False
         return module.partition(".")[0] in self.roots or self.misplaced(module) is not None
+
+    def is_of_missing_folder(self, module: str) -> bool:
+        """Return whether `packages` lists the module's package and its folder is not there: the build stops at that."""
+        setup, package = self.setup, module.rpartition(".")[0]
+        is_listed = not setup.searches and package in {said.text for said in setup.packages}
+        return is_listed and setup.kind(setup.folder_of(package)) is None
 
     def is_expected(self, module: str) -> bool:
         """Return whether git ignores the file of a module, or a submodule that is not checked out has it."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from ...checks.cmake.installed_scripts import BrokenScript, InstalledScripts
 from ...edits.cmake_scripts import make_executable
 from ...example import CMAKE, Example
-from ...finding import Fix, Hit, Safety, Severity
+from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
+from ...source import Span
 
 BARE = "print('hello')\n"
 SHEBANG = "#!/usr/bin/env python3\n"
@@ -70,15 +71,28 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     """
     if not scripts.package.is_ament:
         return
-    for script in scripts.broken():
+    for script, others in together(scripts.broken()):
         mild = script.wrong == "no bit" or (script.wrong == "directory" and scripts.uses_programs)
         level = Severity.WARNING if mild else None
         operations = make_executable(scripts, script)
+        related = tuple(Related(path, Span(0, 0), "and this one") for path in others)
         fix = Fix(f"make `{script.copy.source}` executable", operations) if operations else None
-        yield Hit(script.copy.item.path, script.copy.item.span, message(scripts, script), level, fix=fix)
+        yield Hit(script.copy.item.path, script.copy.item.span, message(scripts, script, others), level, related, fix)
 
 
-def message(scripts: InstalledScripts, script: BrokenScript) -> str:
+def together(broken: Iterable[BrokenScript]) -> Iterator[tuple[BrokenScript, Sequence[str]]]:
+    """Yield what is wrong, each with the further files of a folder of which one word installs none as a program."""
+    folders: dict[tuple[str, Span], list[BrokenScript]] = {}
+    for script in broken:
+        if script.wrong == "directory":
+            folders.setdefault((script.copy.item.path, script.copy.item.span), []).append(script)
+        else:
+            yield script, ()
+    for first, *others in folders.values():
+        yield first, [each.copy.source for each in others]
+
+
+def message(scripts: InstalledScripts, script: BrokenScript, others: Sequence[str]) -> str:
     path, name = script.copy.source, script.copy.destination.rpartition("/")[2]
     run = f"`ros2 run {scripts.package.facts.name} {name}`"
     match script.wrong:
@@ -89,8 +103,10 @@ def message(scripts: InstalledScripts, script: BrokenScript) -> str:
         case "no shebang":
             return f'`{path}` does not begin with `#!`: {run} ends with "Exec format error"; write `{SHEBANG.strip()}`'
         case "directory":
+            more = f" and {len(others)} more" if others else ""
             return (
-                f"the executable bit of `{path}` is not installed: {run} does not find it; add USE_SOURCE_PERMISSIONS"
+                f"the executable bit of `{path}`{more} is not installed: {run} does not find it; "
+                "add USE_SOURCE_PERMISSIONS"
             )
         case "directory, no bit":
             return f"`{path}` is not executable: {run} does not find it; `chmod +x {path}`"
