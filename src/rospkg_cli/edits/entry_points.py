@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import tokenize
 
 from ..finding import Edit
 from ..lazy_regex import regex
@@ -52,6 +51,8 @@ def separate_with_commas(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
 
 def strings(code: str) -> list[tuple[int, int]]:
     """Return where the string literals of an expression stand; none where there is anything else."""
+    import tokenize
+
     lines = code.splitlines(keepends=True)
     starts = [0]
     for line in lines:

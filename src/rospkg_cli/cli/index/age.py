@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from datetime import datetime, timezone
 
 from ...cache.recheck import today
 from ...disk_trace import note
@@ -21,6 +20,7 @@ ASKS = "DEP001"
 
 def age(index: Index) -> int:
     """Return how many days ago an index was fetched."""
+    from datetime import datetime, timezone
 
     then = datetime.strptime(index.fetched, "%Y-%m-%dT%H:%M:%SZ").replace(tzinfo=timezone.utc)
     return max(0, (datetime.now(timezone.utc) - then).days)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Mapping, Set
 from typing import Any
 
@@ -80,6 +79,8 @@ class KeptPackages:
         fields = load(self.path)
         if fields is None or len(fields) != 3 or fields[0] != self.facts_key:
             return {}
+        import json
+
         try:
             found = json.loads(fields[2])
         except ValueError:
@@ -136,6 +137,8 @@ class KeptPackages:
             facts = workspace.at(folder)
             if folder not in failed and type(facts) is PackageFacts:  # facts on demand are not all there
                 self.kept[folder] = self.package(facts, seen, answers, results.get(folder))
+        import json
+
         data = {
             folder: [p.files, p.reads, p.above, p.facts, p.asked, p.results] for folder, p in sorted(self.kept.items())
         }

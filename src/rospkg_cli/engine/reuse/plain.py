@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from enum import Enum
 from typing import Any
 
@@ -74,4 +73,6 @@ def from_plain(data: Any) -> Any:
 
 def digest_of(value: Any) -> str:
     """Return a digest of a value; equal values have the same."""
+    import json
+
     return digest(json.dumps(to_plain(value)).encode())

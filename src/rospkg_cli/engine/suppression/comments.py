@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import re
-import tokenize
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
@@ -45,7 +44,8 @@ class Suppression:
 def suppressions_in(files: PackageFiles) -> Iterator[Suppression]:
     """Yield the ignore comments of every file that a rule may report on."""
     for path in files.paths:
-        if PurePosixPath(path).suffix not in SUFFIXES:
+        name = path.rpartition("/")[2]
+        if name[max(name.rfind("."), 0) :] not in SUFFIXES or name in SUFFIXES:
             continue
         try:
             source = files.source(path)
@@ -103,6 +103,8 @@ def removal(source: Source, span: Span, alone: bool) -> Span:
 
 def python_comments(source: Source) -> set[int] | None:
     """Return the lines that hold a real comment, or None where the file can't be tokenised."""
+    import tokenize  # few files have an ignore, and it takes a start some milliseconds
+
     try:
         tokens = tokenize.generate_tokens(io.StringIO(source.text).readline)
         return {token.start[0] for token in tokens if token.type == tokenize.COMMENT}

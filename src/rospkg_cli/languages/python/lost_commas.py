@@ -8,7 +8,6 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from io import StringIO
-from tokenize import COMMENT, ENDMARKER, NEWLINE, NL, TokenError, generate_tokens
 
 from ...light_dataclasses import dataclass
 from ...source import Span
@@ -21,7 +20,6 @@ KINDS: dict[type[ast.expr], str] = {
 }  # fmt: skip
 """What Python calls the value of each kind of literal."""
 
-BLANK = (COMMENT, ENDMARKER, NEWLINE, NL)
 SEQUENCES = ("tuple", "list", "str")
 
 
@@ -59,9 +57,13 @@ def kind_of(node: ast.expr) -> str:
 
 def joined_strings(text: str) -> list[str]:
     """Return the values of the plain strings that an expression joins by writing them side by side, else nothing."""
+    import tokenize  # it takes a start some milliseconds, and few files are in doubt
+
+    blank = (tokenize.COMMENT, tokenize.ENDMARKER, tokenize.NEWLINE, tokenize.NL)
     try:
-        tokens = [each for each in generate_tokens(StringIO(f"({text}\n)").readline) if each.type not in BLANK]
+        every = tokenize.generate_tokens(StringIO(f"({text}\n)").readline)
+        tokens = [each for each in every if each.type not in blank]
         values = [ast.literal_eval(each.string) for each in tokens[1:-1]] if len(tokens) > len("(a)") else []
-    except (TokenError, SyntaxError, ValueError):
+    except (tokenize.TokenError, SyntaxError, ValueError):
         return []
     return values if all(isinstance(each, str) for each in values) else []

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from string import Formatter
 
 from ....lazy_regex import regex
 from ....light_dataclasses import replace
@@ -100,6 +99,8 @@ def brace_format(text: str, positional: list[Value], named: Callable[[str], Valu
     parts: list[Value] = []
     count = 0
     spend(len(text))
+    from string import Formatter
+
     try:
         for literal, field, spec, conversion in Formatter().parse(text):
             spend(STEP)
