@@ -29,7 +29,7 @@ PARSERS = (
 
 HEAVY = (
     "concurrent", "multiprocessing", "importlib.metadata", "tomllib", "socket", "email", "xmlschema", "jinja2",
-    "urllib.request", "watchfiles", "typer", "tokenize", "json", "string", "inspect", "dataclasses",
+    "urllib.request", "watchfiles", "typer", "json", "string", "inspect", "dataclasses",
 )  # fmt: skip
 LATER = (
     "edits.toml", "engine.fixing.apply", "engine.fixing.fix", "engine.fixing.write", "engine.run.process_pool",
