@@ -231,7 +231,7 @@ def test_everything_of_cmake_is_a_buildtool(name: str) -> None:
     "files, guess, level, happens",
     [
         ({"setup.py": "from setuptools import setup\nsetup()\n"}, "ament_python", "error", "does not build it"),
-        ({"CMakeLists.txt": CMAKE}, "ament_cmake", "error", "Package 'my_pkg' not found"),
+        ({"CMakeLists.txt": CMAKE}, "ament_cmake", "warning", "no command of `ros2` finds it"),
         ({"CMakeLists.txt": "project(my_pkg)\n"}, "cmake", "info", "though it builds it"),
         ({"CMakeLists.txt": "find_package(our_cmake)\n"}, None, "warning", "Package 'my_pkg' not found"),
         ({}, None, "error", "does not build it"),

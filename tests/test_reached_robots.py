@@ -40,6 +40,8 @@ def lint(robot: str, part: str = MESH, **more: str) -> Finding:
         (INCLUDE, "error"),
         (f'{ARG.format("false")}<xacro:if value="$(arg sim)">{INCLUDE}</xacro:if>', "warning"),
         (f'{ARG.format("true")}<xacro:if value="$(arg sim)">{INCLUDE}</xacro:if>', "error"),
+        (f"{ARG.format('gz')}<xacro:if value=\"${{'$(arg sim)' == 'gz'}}\">{INCLUDE}</xacro:if>", "error"),
+        (f"{ARG.format('gz')}<xacro:if value=\"${{'$(arg sim)' == 'mujoco'}}\">{INCLUDE}</xacro:if>", "warning"),
         (f'{ARG.format("true")}<xacro:unless value="$(arg sim)">{INCLUDE}</xacro:unless>', "warning"),
         (f'{ARG.format("false")}<xacro:unless value="$(arg sim)">{INCLUDE}</xacro:unless>', "error"),
         (

@@ -135,6 +135,21 @@ CASES = {
         depend('condition=""'),
         depend('condition="$ROS_DISTRO &amp;&amp; humble"'),
     ),
+    "XML301": tuple(
+        Example(
+            on="ament_cmake",
+            bad={
+                "package.xml": manifest().replace("<build_type>ament_python</build_type>", "<x/>"),
+                "CMakeLists.txt": text,
+                "a.cpp": "int main() {}\n",
+            },
+            good={},
+        )
+        for text in (
+            "cmake_minimum_required(VERSION 3.20)\nproject(my_pkg)\n",
+            CMAKE.replace("ament_package", "add_executable(a a.cpp)\nament_package"),
+        )
+    ),
     "XML305": (
         generating("<exec_depend>rosidl_default_generators</exec_depend>"),
         generating("<depend>rosidl_default_generators</depend>"),

@@ -130,6 +130,12 @@ class PackageFacts:
         """Whether it is a package of ROS 2 that is built with CMake."""
         return self.build_type in ("ament_cmake", "cmake")
 
+    @property
+    def is_for_ros1(self) -> bool:
+        """Whether catkin builds it, and nothing of ament: it takes no part in a build or run of ROS 2."""
+        tools = {each.name for each in self.dependencies if each.tag == "buildtool_depend"}
+        return self.build_type == "catkin" and "catkin" in tools and not any(t.startswith("ament_") for t in tools)
+
     def knows(self, field: UnknownField) -> bool:
         return field not in self.unknown
 

@@ -110,7 +110,7 @@ class RobotUses:
             name = self.package_of(use) if is_meant else None
             if name is not None and name not in self.available and name not in TOOLS:
                 is_optional = not use.path.endswith((".yaml", ".yml")) or not self.loads_plugins
-                is_optional = is_optional or self.is_unused_example(use.path)
+                is_optional = is_optional or self.is_unnamed(use.path)
                 usage, consequence = f"and its plugin `{use.name}` is named here", "the node can't load it"
                 yield name, RobotUse(use.path, use.span, usage, consequence, is_optional)
 
@@ -138,11 +138,16 @@ class RobotUses:
         """The packages whose nodes or files the launch files use."""
         return frozenset(use.name for file in self.launch.launch_files for use in every_reference(file))
 
-    def is_unused_example(self, path: str) -> bool:
-        """Return whether a file is an example by its name, and no launch file names it: it is there to be copied."""
-        name = path.rpartition("/")[2]
-        named = (name in file.source.text for file in self.launch.launch_files)
-        return EXAMPLE.search(path) is not None and not any(named)
+    def is_unnamed(self, path: str) -> bool:
+        """Return whether no launch file names a file, and no other package may: it is there to be copied, or left over.
+
+        MoveIt looks for the files of its configs by their names alone.
+        """
+        texts = [file.source.text for file in self.launch.launch_files]
+        stem = re.compile(rf"\b{re.escape(path.rpartition('/')[2].rpartition('.')[0])}\b")
+        if any(stem.search(text) or "MoveItConfigsBuilder" in text for text in texts):
+            return False
+        return EXAMPLE.search(path) is not None or not self.declared.workspace.is_needed(self.declared.facts.name)
 
     @cached_property
     def loads_plugins(self) -> bool:

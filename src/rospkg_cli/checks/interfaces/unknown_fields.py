@@ -79,10 +79,16 @@ class FieldUses:
         fields = self.known.fields(message) if message else None
         if fields is None or name in fields or name in GENERATED or name.startswith("_") or name.endswith("__DEFAULT"):
             return
+        if any(message.endswith(kind) and name in around for kind, around in AROUND.items()):
+            return
         is_ros1 = name in ros1_fields(message)
         near = similar(name, fields, is_certain=self.known.is_here(message.partition("/")[0]))
         if near or is_ros1 or self.known.is_here(message.partition("/")[0]):
             yield UnknownField(path, span, message, name, near, is_keyword, is_ros1)
+
+
+AROUND = {"_Feedback": ("feedback", "goal_id"), "_Result": ("result", "status")}
+"""What an action client is handed: a message around the feedback or result, which annotations often take for it."""
 
 
 def imports_interfaces(each: Import) -> bool:

@@ -27,6 +27,11 @@ DOUBLED = regex(r"((?:\.[a-z][a-z0-9]*)+)\1$")
 State = Literal["absent", "not installed", "elsewhere", "no slash"]
 
 
+URL = regex(r"(?:_|\b)ur[li]\b['\"]?\s*(?:[,:=]|value=)(?:[^:;={}]*|[^\n<>]*)\Z")
+REACH = 200
+"""The most characters between the name of a parameter and a path in its value."""
+
+
 @dataclass(frozen=True, slots=True)
 class MissingReference:
     """A file that is named and missing where it is looked for."""
@@ -70,12 +75,10 @@ class LaunchContext:
         is_known = self.cmake is not None and self.cmake.is_complete
         return test and is_known and self.cmake is not None and not self.cmake.mentions_file(self.file.path)
 
-    @property
-    def is_in_ros1_package(self) -> bool:
-        """Whether the package is built by catkin and by nothing of ament: then its launch files are for roslaunch."""
-        names = {each.name for each in self.package.dependencies if each.tag == "buildtool_depend"}
-        ament = any(name.startswith("ament_") for name in names)
-        return self.package.build_type == "catkin" and "catkin" in names and not ament
+    def is_for_url(self, missing: MissingReference) -> bool:
+        """Return whether it is the value of a `camera_info_url` or the like, without which a camera goes on."""
+        before = self.file.source.text[max(0, missing.span.start - REACH) : missing.span.start]
+        return URL.search(before) is not None
 
     @property
     def is_ros1_leftover(self) -> bool:

@@ -90,6 +90,15 @@ class ManifestAndCMake:
         return self.cmake is not None and self.cmake.ends_a_package
 
     @property
+    def may_be_started(self) -> bool:
+        """Whether it has programs, components or launch files, as far as CMake is known."""
+        cmake = self.cmake
+        if cmake is None or not cmake.is_complete or any(path.startswith("launch/") for path in self.files.paths):
+            return True
+        is_built = any(target.is_executable for target in cmake.targets)
+        return is_built or any("register_node" in call.name or "PROGRAMS" in call.texts for call in cmake.calls)
+
+    @property
     def installs_python(self) -> bool:
         """Whether CMake builds or installs Python packages, so that a setup.py next to CMakeLists.txt is intended."""
         words = ("ament_cmake_python", "catkin", "Python3", "PythonInterp", "pybind11", "pybind11_vendor")

@@ -77,6 +77,8 @@ class RobotInWorkspace:
                 return softer(fault, "info", f"where no `{name}:=` is given, which each launch file here gives")
             if around.tag == "xacro:arg" and not self.reached.reads(self.robot.path, name):
                 return softer(fault, "info", f"as soon as something reads `$(arg {name})`")
+            if around.tag in ("gazebo", "plugin"):
+                return softer(fault, "warning", "in Gazebo alone")
         found = self.calls.weighed(self.robot.document.root, fault)
         if found.level is None and self.reached.is_off(self.robot.path):
             return softer(found, "warning", "where the condition around its include holds")

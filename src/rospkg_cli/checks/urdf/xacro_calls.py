@@ -44,7 +44,7 @@ class XacroCalls:
             if around.tag in CONDITIONS:
                 return softer(fault, "warning", "where the condition around it holds")
             if around.tag == "xacro:macro" and not self.is_called(name):
-                return softer(fault, "warning", f"as soon as something calls the macro `{name}`")
+                return softer(fault, "info", f"as soon as something calls the macro `{name}`")
             if around.tag == "xacro:property" and around.get("lazy_eval") != "false" and not self.is_read(around):
                 return softer(fault, "info", f"as soon as something reads `{name}`")
         return fault

@@ -132,8 +132,10 @@ class Worker:
         package = self.packages.pop(folder)  # what was read of it is given back when it is checked
         seen = RecordedWorkspace(workspace, folder) if self.is_recorded or self.notes_questions else workspace
         whole = PackageFiles(package.files.whole or self.tree)
-        builder = FindingBuilder(package.files, whole, workspace.at(folder).name)
-        rules = [rule_by_code(code) for code in codes if has_inputs(code, package)]
+        facts = workspace.at(folder)
+        builder = FindingBuilder(package.files, whole, facts.name)
+        fitting = (code for code in codes if not (facts.is_for_ros1 and code.startswith(OF_ROS_2)))
+        rules = [rule_by_code(code) for code in fitting if has_inputs(code, package)]
         results = list(run_rules(self.inputs(package, seen), rules, builder))
         results += reader_crashes(package, builder.package, builder.crash_path)
         findings = tuple(r for r in results if isinstance(r, Finding))
@@ -163,6 +165,9 @@ def checksums_of(files: PackageFiles, paths: Iterable[str]) -> Iterator[tuple[st
         with suppress(OSError):
             yield path, crc32(files.tree.entry(path.removeprefix(prefix)).data)
 
+
+OF_ROS_2 = ("CMK", "DEP", "IDL", "LCH", "PLG", "PRM", "SET")
+"""Families about builds, launches and runs of ROS 2, which a package for ROS 1 has none of."""
 
 OVER_RUNS = {kind.__name__ for kind in RUN_EVENTS | {Workspace}}
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.values import UNKNOWN, Word
+from ...lazy_regex import regex
 from ...light_dataclasses import replace
 from ...source import Span
 from ...tree import LINKED
@@ -21,6 +22,8 @@ from .macro_installs import PACKAGE, installed_by_macros
 from .set_variables import SetVariables
 
 INSTALLS_ON_ITS_OWN = frozenset({"externalproject_add", "ament_vendor", "fetchcontent_makeavailable"})
+MAKES_PROGRAMS = regex(r"executable|program|install|node(?:s|let)?(?:_|$)")
+"""Names of commands of other packages that may make programs: `agnocast_register_node`."""
 FETCHES = "fetchcontent_makeavailable"
 """It builds another project too: its programs may be installed anywhere, its files in a share folder of its own."""
 
@@ -124,6 +127,8 @@ class CMakeTableBuilder:
         for call in foreign_commands(self.cmake):
             why = f"`{call.name}` of another package may install anything"
             yield UnknownPart("share", why, call.path, call.command.span)
+            if MAKES_PROGRAMS.search(call.name) or "EXECUTABLE" in call.texts:
+                yield UnknownPart("executable", why, call.path, call.command.span)
 
     def unknown_rule(self, rule: InstallRule) -> Iterator[UnknownPart]:
         places = [rule.destination] if rule.kind != "TARGETS" else list((rule.destinations or {}).values())

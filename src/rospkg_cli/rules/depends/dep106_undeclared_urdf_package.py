@@ -66,7 +66,7 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     come. Left alone are files that are not installed, what comes with RViz itself, plugins of a metapackage or of a
     package whose node is launched, and what launch files need as well (DEP103). Plugins of robots and RViz configs are
     infos, and so are those of parameter files in a package that launches nothing that loads plugins
-    (controller_manager, nav2, MoveIt), or in an example that no launch file names: others may use the file without
+    (controller_manager, nav2, MoveIt), or in a file that no launch file names: others may use the file without
     them. So is what xacro needs only where an argument turns it on (`GAZEBO:=true`).
 
     ## Fix safety

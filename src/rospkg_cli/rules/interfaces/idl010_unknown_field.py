@@ -60,8 +60,9 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a variable may hold something else, or its type or attributes are asked for; where an AttributeError is
-    caught; for packages outside of the workspace, unless the name is near a field or was one in ROS 1; in files that
-    nothing installs.
+    caught; for what an action client is handed, a message around the feedback or result (`.feedback`), which
+    annotations often take for it; for packages outside of the workspace, unless the name is near a field or was one in
+    ROS 1; in files that nothing installs.
 
     ## Fix safety
     The intended field is a guess.

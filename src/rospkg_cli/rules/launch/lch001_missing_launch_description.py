@@ -24,6 +24,9 @@ def generate_launch_description():
 """
 
 
+IN_LAUNCH = regex(r"(?:^|/)launch(?:es)?/")
+
+
 @rule(
     "LCH001",
     "missing-launch-description",
@@ -51,12 +54,13 @@ def missing_launch_description(file: LaunchFile) -> Iterator[Hit]:
     'generate_launch_description()'".
 
     ## When it is quiet
-    Files whose name does not end in `launch.py`, tests, files that are programs of their own, and files that import
-    `*`, are left alone. A function that is imported or assigned counts. A file whose every line is a
-    comment is an info.
+    Files whose name does not end in `launch.py`, modules such as `my_pkg/gen_launch.py` in no folder for launch files,
+    tests, files that are programs of their own, and files that import `*`, are left alone. A function that is imported
+    or assigned counts. A file whose every line is a comment is an info.
     """
     name = file.path.rpartition("/")[2]
-    installed = role_of(file.path) == "launch"
+    is_module = name.endswith("_launch.py") and not IN_LAUNCH.search(file.path)
+    installed = role_of(file.path) == "launch" and not is_module
     if file.frontend == "python" and not file.has_entry_point and installed and STARTABLE.fullmatch(name):
         message = (
             f"`{name}` defines no `generate_launch_description`: `ros2 launch` refuses it; define it, "

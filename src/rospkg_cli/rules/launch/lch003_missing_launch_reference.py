@@ -54,7 +54,8 @@ HARM: dict[ReferenceKind, str] = {
     over=LaunchContext,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is the default of an argument, for RViz, in the current directory, or its action is off",
+        Severity.WARNING: "it is the default of an argument, for RViz or a camera, in the current directory, or its "
+        "action is off",
         Severity.INFO: "the action is never added to the launch description, the argument or value never used",
     },
     examples=(
@@ -82,7 +83,8 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
 
     ## Why is this bad?
     The build is green, and the launch stops at an included file that can't be opened. A node whose parameter file is
-    missing starts with its defaults ("Parameter file path is not a file"), RViz with its default view.
+    missing starts with its defaults ("Parameter file path is not a file"), RViz with its default view, a camera without
+    its calibration (`camera_info_url`).
 
     ## When it is quiet
     Files are left alone that the code looks for first (`os.path.exists`, `try`), that the build or the package's
@@ -96,7 +98,7 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
             softer, why = level_at(scope.file, each.span)
             if not softer and scope.is_unread(each):
                 softer, why = "info", "but nothing uses the argument"
-            mild = each.use == "default" or each.is_for_rviz
+            mild = each.use == "default" or each.is_for_rviz or scope.is_for_url(each)
             level = Severity(softer) if softer else Severity.WARNING if mild else None
             others = tuple(Related(scope.file.path, span, "here too") for span in each.other_spans)
             yield Hit(scope.file.path, each.span, message(scope, each, why), level, others)

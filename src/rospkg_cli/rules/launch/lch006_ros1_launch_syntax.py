@@ -72,7 +72,7 @@ def ros1_launch_syntax(scope: LaunchContext) -> Iterator[Hit]:
     names catkin in its manifest. So are all launch files of a package that catkin alone builds.
     """
     file = scope.file
-    if scope.is_in_ros1_package:
+    if scope.package.is_for_ros1:
         return
     yield from hits(file.path, ros1_syntax(file))
     if scope.is_ros1_leftover:

@@ -19,6 +19,10 @@ EXPORT = "  <export>\n    <build_type>ament_python</build_type>\n  </export>\n"
     "missing-build-type",
     over=ManifestAndCMake,
     severity=Severity.ERROR,
+    levels={
+        Severity.WARNING: "it has no programs and no launch files, or is not certainly of ament_cmake",
+        Severity.INFO: "plain CMake builds it",
+    },
     examples=(
         Example(
             bad={"package.xml": GOOD.replace(EXPORT, "").replace('<package format="3">', '«<package format="3">»')},
@@ -55,7 +59,7 @@ def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
     ## When it is quiet
     Packages that depend on catkin and on no ament_cmake are for ROS 1. A build type under a condition counts where the
     condition may hold for a target. It is milder, an info, for plain CMake, which is found by `find_package` alone, and
-    a warning where neither ament_cmake nor plain CMake is certain.
+    a warning where neither ament_cmake nor plain CMake is certain, or where nothing in it can be started.
 
     ## References
     - [REP-149, build_type](https://ros.org/reps/rep-0149.html): "If no build_type is provided, catkin is assumed."
@@ -82,5 +86,7 @@ def consequence(package: ManifestAndCMake) -> tuple[Severity, str]:
         return Severity.ERROR, " and does not build it: it has no CMakeLists.txt"
     if package.likely_build_type == "cmake":
         return Severity.INFO, " of ROS 1, though it builds it"
+    if package.likely_build_type and not package.may_be_started:
+        return Severity.WARNING, ": the build is green, and no command of `ros2` finds it"
     not_found = f": the build is green, and `ros2 run` says \"Package '{package.manifest.name}' not found\""
     return (Severity.ERROR if package.likely_build_type else Severity.WARNING), not_found

@@ -13,6 +13,7 @@ from .expressions import GLOBAL, NoValueError, evaluate, free_names, parsed
 from .values import Value, XacroBlock, XacroPlace, XacroScope, XacroText, XacroUnknown, literal, shown
 
 TOKEN = regex(r"\$\$+[{(]|\$\{[^}]*\}|\$\([^)]*\)|[^$]+|\$")
+COMMAND = regex(r"\$\([^)]*\)")
 MAX_DEPTH = 40
 PACKAGE = "package://"
 QUOTES = {"&quot;": '"', "&apos;": "'"}
@@ -64,7 +65,8 @@ class TextEvaluator:
         return XacroUnknown(" ".join(token.split()))
 
     def expression(self, token: str, place: XacroPlace, scope: XacroScope) -> Value:
-        tree = parsed(" ".join(unescape(token[2:-1], QUOTES).split()))
+        inner = self.filled(unescape(token[2:-1], QUOTES), place)
+        tree = None if inner is None else parsed(" ".join(inner.split()))
         if tree is None or self.depth > MAX_DEPTH:
             return XacroUnknown(f"{token}{unlike(scope)}")
         names: dict[str, Value] = {}
@@ -77,6 +79,18 @@ class TextEvaluator:
         if isinstance(tree, ast.Name) and tree.id in names:
             return names[tree.id]
         return folded(tree, names, f"{token}{unlike(scope)}")
+
+    def filled(self, text: str, place: XacroPlace) -> str | None:
+        """Return an expression with the commands inside of it replaced, `'$(arg sim)' == 'gz'`; None if unknown."""
+        parts: list[str] = []
+        at = 0
+        for match in COMMAND.finditer(text):
+            value = self.command(match.group(), place)
+            if isinstance(value, XacroUnknown):
+                return None
+            parts += [text[at : match.start()], shown(value)]
+            at = match.end()
+        return "".join([*parts, text[at:]])
 
     def read(self, name: str, home: XacroScope) -> Value:
         """Return the value of a name in its table; what is read first is evaluated there."""
