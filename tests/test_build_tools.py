@@ -55,3 +55,15 @@ def test_a_tool_is_asked_for_once(lines: str, wanted: str) -> None:
 )
 def test_what_is_optional_or_comes_with_others_is_left_alone(lines: str, body: str) -> None:
     assert told(lines, body) == []
+
+
+def test_what_is_asked_for_is_not_unused() -> None:
+    """The words that the package stands for are looked for, since nothing names the package itself."""
+    asks = 'if($ENV{ROS_DISTRO} STREQUAL "humble")\nendif()\nadd_library(x x.cpp)\n'
+    for lines, count in ((asks, 0), (asks.replace("ENV{ROS_DISTRO}", "ENV{HOME}"), 1)):
+        files = {
+            "CMakeLists.txt": CMAKE.replace("ament_package()", f"{lines}ament_package()"),
+            "package.xml": manifest("  <build_depend>ros_environment</build_depend>\n", "ament_cmake"),
+            "x.cpp": "",
+        }
+        assert len(lint_files(files, ["DEP202"]).findings) == count

@@ -16,6 +16,7 @@ from ...package.python.python_imports import PackageImports
 from ...ros.headers import SHARED
 from ...ros.imports import may_serve
 from ...ros.names import NameKind
+from .build_tools_of_cmake import ENVIRONMENT
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
 from .missing_find_package import AUTOMATIC
@@ -155,6 +156,8 @@ class UnusedDependencies:
         """
         if self.words.has(name, "build") or (name in BY_GENERATORS and self.declared.facts.interfaces):
             return True
+        if name == ENVIRONMENT and self.cmake is not None:
+            return any("ENV{ROS_" in file.source.text for file in self.cmake.files)
         return self.has_header(name) or name.endswith(("_vendor", "_cmake"))
 
     def has_header(self, name: str) -> bool:
