@@ -11,7 +11,7 @@ from cmaking import read
 from rospkg_cli.checks.cmake.misplaced_executables import MAX_DEPTH, MisplacedExecutables
 from rospkg_cli.checks.cmake.missing_export_dependencies import UNKNOWN, ExportedDependencies
 from rospkg_cli.checks.depends import declared_dependencies
-from rospkg_cli.checks.depends.compiled_sources import among
+from rospkg_cli.checks.depends.compiled_sources import compiled_sources
 from rospkg_cli.checks.depends.undeclared_find_package import FindPackageDependencies
 from rospkg_cli.checks.depends.undeclared_includes import IncludeDependencies
 from rospkg_cli.checks.launch.entity_schema import substitution_faults
@@ -24,10 +24,9 @@ from rospkg_cli.testing import lint_files
 
 
 def test_where_the_sources_of_a_target_are_unknown_every_file_counts() -> None:
-    source: Any = SimpleNamespace(includes=())
-    files = {"src/a.cpp": source, "src/b.cpp": source}
-    assert among(read("add_executable(a ${unheard_of})\n"), files) == [(source, "run")] * 2
-    assert among(read("add_executable(a src/a.cpp)\n"), files) == [(source, "run")]
+    files: list[Any] = [SimpleNamespace(path=path, includes=()) for path in ("src/a.cpp", "src/b.cpp")]
+    assert compiled_sources(read("add_executable(a ${unheard_of})\n"), files) == [(each, "run") for each in files]
+    assert compiled_sources(read("add_executable(a src/a.cpp)\n"), files) == [(files[0], "run")]
 
 
 @pytest.mark.parametrize(
@@ -42,6 +41,7 @@ def test_where_the_sources_of_a_target_are_unknown_every_file_counts() -> None:
 )
 def test_packages_that_a_target_certainly_needs(text: str, needed: set[str]) -> None:
     model: Any = SimpleNamespace(cmake=read(f"add_library(a a.cpp)\n{text}"))
+    model.handed_to_ament = FindPackageDependencies.handed_to_ament.func(model)
     assert FindPackageDependencies.needed_names.func(model) & {"rclcpp", "tf2"} == needed
 
 

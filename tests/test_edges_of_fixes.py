@@ -9,7 +9,7 @@ import pytest
 from reading import one
 
 from rospkg_cli import disk_trace
-from rospkg_cli.checks.depends.compiled_sources import with_included
+from rospkg_cli.checks.depends.compiled_sources import Inclusions
 from rospkg_cli.checks.params.rcl_validation import name_problem
 from rospkg_cli.checks.setup.python_package import PythonPackage
 from rospkg_cli.edits.entry_points import separate_with_commas
@@ -162,7 +162,7 @@ def test_headers_of_one_name_are_told_apart_by_their_folders(included: str, name
     files: Any = {
         "src/m.cpp": SimpleNamespace(includes=(include,)), "src/a/x.hpp": nothing, "src/b/x.hpp": nothing,
     }  # fmt: skip
-    assert with_included(files, ["src/m.cpp"]) == {"src/m.cpp", *names}
+    assert Inclusions(files).reached(["src/m.cpp"]) == {"src/m.cpp", *names}
 
 
 @pytest.mark.parametrize("is_traced", [True, False])

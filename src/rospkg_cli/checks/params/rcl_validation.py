@@ -41,8 +41,9 @@ def rcl_faults(file: ParameterFile) -> Iterator[Fault]:
         elif entry.kind == "after block":
             node = entry.above[-1].text
             yield Fault(key.span, f"`{key.text}` must come before the `{KEY}` of `{node}`; {REFUSES}")
-        elif entry.kind == "value":
-            yield misplaced_value(key, value, entry)
+        elif entry.kind == "value" and (isinstance(value, AliasNode) or is_empty(value)):
+            yield alias_fault(value) if isinstance(value, AliasNode) else no_value(key)
+    yield from misplaced_values(file)
 
 
 def block_faults(key: ScalarNode, value: YamlNode, entry: NodeEntry) -> Iterator[Fault]:
@@ -87,14 +88,23 @@ def name_problem(name: str) -> str | None:
     return f"`{node[:20]}…` is longer than {MAX_NAME} characters" if len(node) > MAX_NAME else None
 
 
-def misplaced_value(key: ScalarNode, value: YamlNode, entry: NodeEntry) -> Fault:
-    """Return the fault of a value that belongs below a `ros__parameters`."""
-    if isinstance(value, AliasNode):
-        return alias_fault(value)
-    if is_empty(value):
-        return Fault(key.span, f"`{key.text}` has no value; {REFUSES}: remove it")
-    where = f"the `{KEY}:` of `{entry.above[-1].text}`" if entry.above else f"a node and its `{KEY}:`"
-    return Fault(key.span, f"the value of `{key.text}` is outside of {where}; {REFUSES}")
+def no_value(key: ScalarNode) -> Fault:
+    return Fault(key.span, f"`{key.text}` has no value; {REFUSES}: remove it")
+
+
+def misplaced_values(file: ParameterFile) -> Iterator[Fault]:
+    """Yield one fault for all values of a node, or of none, that belong below a `ros__parameters`."""
+    outside: dict[str, list[ScalarNode]] = {}
+    for entry in file.entries:
+        is_value = entry.kind == "value" and not isinstance(entry.value, AliasNode) and not is_empty(entry.value)
+        if is_value and isinstance(entry.key, ScalarNode):
+            where = f"the `{KEY}:` of `{entry.above[-1].text}`" if entry.above else f"a node and its `{KEY}:`"
+            outside.setdefault(where, []).append(entry.key)
+    for where, (first, *others) in outside.items():
+        name = f"`{first.text}`"
+        what = f"the values of {name} and {len(others)} more are" if others else f"the value of {name} is"
+        message = f"{what} outside of {where}; {REFUSES}"
+        yield Fault(first.span, message, related=tuple((each.span, "and this one") for each in others))
 
 
 def value_faults(mapping: MappingNode) -> Iterator[Fault]:
