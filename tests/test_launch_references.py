@@ -203,7 +203,7 @@ def test_what_an_argument_is_by_default_is_put_in_its_place() -> None:
 
 def test_a_missing_slash_is_seen_where_the_file_is_there() -> None:
     body = "return Node(parameters=[get_package_share_directory('my_pkg') + '{}'])"
-    assert said({**BASE, "launch/a.launch.py": python(body.format("config/robot.yaml"))}) == ["LCH003 error"]
+    assert said({**BASE, "launch/a.launch.py": python(body.format("config/robot.yaml"))}) == ["LCH003 warning"]
     assert said({**BASE, "launch/a.launch.py": python(body.format("_more/robot.yaml"))}) == []
 
 

@@ -11,9 +11,14 @@ from ..checks.depends.unavailable_on_target import enumerated
 from ..finding import Fix, Hit, Related, Safety, Severity
 from ..light_dataclasses import dataclass
 from ..source import Span
-from .manifest import add_dependencies, add_dependency
+from .manifest import add_dependencies
 
 MAX_RELATED = 3
+
+IN_FORMAT_1 = {
+    "depend": ("build_depend", "run_depend"), "exec_depend": ("run_depend",), "build_export_depend": ("run_depend",),
+}  # fmt: skip
+"""The tags that stand for those which format 1 does not have (REP-127); catkin_pkg refuses a manifest with others."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +43,7 @@ def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
     """Return what to do about a missing dependency."""
     match source_of(declared, name):
         case "released":
-            return f"add <{tag}>{name}</{tag}>"
+            return f"add {written(declared, tag, name)}"
         case "pip":
             return f"<{tag}>{name}</{tag}> installs it from PyPI, and prevents a release"
         case "unknown" if not declared.workspace.is_complete:
@@ -49,8 +54,17 @@ def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
 
 def declaration(declared: DeclaredDependencies, tag: str, name: str) -> Fix:
     """Return the fix that declares a dependency."""
-    edit = add_dependency(declared.manifest, tag, name)
-    return Fix(f"add <{tag}>{name}</{tag}>", (edit,), safety_of(declared, name))
+    edits = add_dependencies(declared.manifest, ((each, name) for each in tags(declared, tag)))
+    return Fix(f"add {written(declared, tag, name)}", edits, safety_of(declared, name))
+
+
+def tags(declared: DeclaredDependencies, tag: str) -> tuple[str, ...]:
+    """Return the tags that say in the manifest's format what a tag of format 3 says."""
+    return IN_FORMAT_1.get(tag, (tag,)) if declared.manifest.schema_format == 1 else (tag,)
+
+
+def written(declared: DeclaredDependencies, tag: str, name: str) -> str:
+    return " and ".join(f"<{each}>{name}</{each}>" for each in tags(declared, tag))
 
 
 def safety_of(declared: DeclaredDependencies, name: str) -> Safety:
@@ -77,7 +91,8 @@ def left_to_some(declared: DeclaredDependencies, uses: Sequence[BroughtUse], use
     come = f"{comes} with {who} today" if uses[0].bringer.is_certain else f"may come with {who}"
     message = f"{quoted(names)} {be} {used} and not declared: {it} {come}; declare what you use"
     safe = [use for use in uses if safety_of(declared, use.name) is Safety.SAFE]
-    edits = add_dependencies(declared.manifest, ((use.tag, use.name) for use in safe or uses))
+    added = ((tag, use.name) for use in safe or uses for tag in tags(declared, use.tag))
+    edits = add_dependencies(declared.manifest, added)
     first, *others = uses
     by = {use.name: f", by way of `{use.bringer.name}`" if len(bringers) > 1 else "" for use in uses}
     places = tuple(Related(use.path, use.span, f"`{use.name}` here{by[use.name]}") for use in others)

@@ -10,7 +10,7 @@ from ...package.launch.argument_defaults import literal_defaults
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText, Substitution
 from ...source import Span
-from .missing_references import LaunchContext
+from .missing_references import LaunchContext, MissingReference
 
 RELATIVE = regex(r"\w[\w.-]*(?:/[\w.-]+)*\.ya?ml")
 
@@ -52,3 +52,10 @@ def given_files(file: LaunchFile) -> Iterator[tuple[LaunchText, bool]]:
                     yield default, True
             case _ if given.file is not None:
                 yield given.file, False
+
+
+def is_for_nodes(scope: LaunchContext, missing: MissingReference) -> bool:
+    """Return whether it is a parameter file of nodes alone: launch_ros leaves out one that is no file, and warns."""
+    texts = [text.span for text, _ in given_files(scope.file)]
+    spans = (missing.span, *missing.other_spans)
+    return all(any(text.start <= span.start and span.end <= text.end for text in texts) for span in spans)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.launch.idle_actions import level_at
 from ...checks.launch.missing_references import LaunchContext, MissingReference
-from ...checks.launch.relative_parameter_files import relative_parameter_files
+from ...checks.launch.relative_parameter_files import is_for_nodes, relative_parameter_files
 from ...edits.offers import file_command
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
@@ -46,6 +46,7 @@ HARM: dict[ReferenceKind, str] = {
     "default": "what opens it fails unless another one is given",
     "file": "what opens it finds nothing there",
 }
+WITHOUT_PARAMETERS = "launch warns, and the node starts with its defaults"
 
 
 @rule(
@@ -54,8 +55,8 @@ HARM: dict[ReferenceKind, str] = {
     over=LaunchContext,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is the default of an argument, for RViz or a camera, in the current directory, or its "
-        "action is off",
+        Severity.WARNING: "it is the default of an argument, a parameter file, for RViz or a camera, in the current "
+        "directory, or its action is off",
         Severity.INFO: "the action is never added to the launch description, the argument or value never used",
     },
     examples=(
@@ -98,7 +99,7 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
             softer, why = level_at(scope.file, each.span)
             if not softer and scope.is_unread(each):
                 softer, why = "info", "but nothing uses the argument"
-            mild = each.use == "default" or each.is_for_rviz or scope.is_for_url(each)
+            mild = each.use == "default" or each.is_for_rviz or scope.is_for_url(each) or is_for_nodes(scope, each)
             level = Severity(softer) if softer else Severity.WARNING if mild else None
             others = tuple(Related(scope.file.path, span, "here too") for span in each.other_spans)
             yield Hit(scope.file.path, each.span, message(scope, each, why), level, others)
@@ -113,7 +114,8 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
 
 
 def message(scope: LaunchContext, missing: MissingReference, why: str) -> str:
-    harm = f"{harm_of(missing)}, {why}" if why else harm_of(missing)
+    harm = WITHOUT_PARAMETERS if is_for_nodes(scope, missing) else harm_of(missing)
+    harm = f"{harm}, {why}" if why else harm
     if missing.state == "no slash":
         return (
             f"there is no `/` between the share directory of `{missing.package}` and `{missing.path}`: "
