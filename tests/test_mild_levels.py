@@ -213,7 +213,8 @@ STARTS = '<launch><node pkg="controller_manager" exec="x">{}</node></launch>\n'
 @pytest.mark.parametrize(
     ("name", "launch", "level"),
     [
-        ("arm", STARTS.format(""), "warning"),
+        ("arm", STARTS.format(""), "info"),
+        ("arm", STARTS.format('<param from="$(find-pkg-share my_pkg)/config/arm.yaml"/>'), "warning"),
         ("arm_example", STARTS.format(""), "info"),
         ("arm_example", STARTS.format('<param from="$(find-pkg-share my_pkg)/config/arm_example.yaml"/>'), "warning"),
     ],
