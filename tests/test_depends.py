@@ -513,6 +513,19 @@ def test_files_that_nothing_compiles_include_what_they_like() -> None:
     assert built("DEP105", NODE, **{"src/node.cpp": "", "include/my_pkg/public.hpp": text}) == ["rclcpp"]
 
 
+@pytest.mark.parametrize(
+    "folder, found",
+    [
+        ("${CMAKE_CURRENT_SOURCE_DIR}/../rclcpp/include", []),
+        ("${CMAKE_CURRENT_SOURCE_DIR}/../other/include", ["rclcpp"]),
+        ("include", ["rclcpp"]),
+    ],
+)
+def test_a_neighbour_whose_folder_cmake_names_needs_no_package(folder: str, found: list[str]) -> None:
+    text = cmake("add_executable(node src/node.cpp)", f"include_directories({folder})")
+    assert built("DEP105", text, **{"src/node.cpp": "#include <rclcpp/rclcpp.hpp>\n"}) == found
+
+
 def test_an_include_that_find_package_names_is_said_once() -> None:
     text = cmake("find_package(rclcpp REQUIRED)", "add_executable(node src/node.cpp)")
     source = "#include <rclcpp/rclcpp.hpp>\n"

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cpp.common_includes import common_includes
 from ...languages.cpp.file import CppFile
 from ...languages.cpp.lexer import TOKEN
@@ -87,12 +88,19 @@ class IncludeDependencies:
                 is_certain = not each.is_conditional or folder in always
                 if slash and is_certain and not self.is_own(each.path):
                     names, cmake = self.providers(each.path)
-                    if names and source.path not in self.guarded:
+                    if names and source.path not in self.guarded and self.outside.isdisjoint((folder, *names)):
                         use = IncludeUse(source.path, each.span, each.path)
                         found.setdefault((role, names, cmake), []).append(use)
         for (role, names, cmake), uses in sorted(found.items(), key=lambda item: item[0][0] == "test"):
             if role != "test" or ("run", names, cmake) not in found:
                 yield IncludedPackage(names, cmake, role, tuple(uses))
+
+    @cached_property
+    def outside(self) -> frozenset[str]:
+        """The parts of include folders that CMake names outside of the package: it needs no package to find them."""
+        calls = self.cmake.named("include_directories", "target_include_directories")
+        words = ((word.text, path_in_package(word.text, call.folder)) for call in calls for word in call.words)
+        return frozenset(part for text, path in words if path is None and "../" in text for part in text.split("/"))
 
     @cached_property
     def guarded(self) -> frozenset[str]:

@@ -47,7 +47,8 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     What a declared dependency certainly installs, or a package that CMake requires, is one info, which names who brings
     it. What may come with one is another, as anything may with a package that is not here; so is what only files
     include that an option of CMake must ask for. Files that no target compiles, includes under `#if`, headers that all
-    others include under it, and packages that `find_package()` names as well (DEP104) are left alone.
+    others include under it, neighbours whose folder CMake names (`include_directories(../other/include)`), and packages
+    that `find_package()` names as well (DEP104) are left alone.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
