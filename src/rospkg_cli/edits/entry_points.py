@@ -57,14 +57,17 @@ def strings(code: str) -> list[tuple[int, int]]:
     starts = [0]
     for line in lines:
         starts.append(starts[-1] + len(line))
-    found = []
+    begins, ends = (getattr(tokenize, name, None) for name in ("FSTRING_START", "FSTRING_END"))  # Python 3.12
+    found, first, depth = [], (1, 0), 0
     try:
         for token in tokenize.generate_tokens(io.StringIO(f"({code}\n)").readline):
-            if token.type == tokenize.STRING:
-                shift = [1 if row == 1 else 0 for row in (token.start[0], token.end[0])]
-                at = starts[token.start[0] - 1] + token.start[1] - shift[0]
+            first = token.start if not depth else first
+            depth += (token.type == begins) - (token.type == ends)
+            if token.type in (tokenize.STRING, ends) and not depth:
+                shift = [1 if row == 1 else 0 for row in (first[0], token.end[0])]
+                at = starts[first[0] - 1] + first[1] - shift[0]
                 found.append((at, starts[token.end[0] - 1] + token.end[1] - shift[1]))
-            elif token.type == tokenize.NAME:
+            elif token.type == tokenize.NAME and not depth:
                 return []
     except (tokenize.TokenError, SyntaxError, IndexError):
         return []
