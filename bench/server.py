@@ -88,16 +88,22 @@ def published(editor: Editor, root: Path) -> Seen:
     }
 
 
+def processes(editor: Editor) -> list[Path]:
+    """Return the folders of the server's processes in /proc: the one that was started, and the one behind it."""
+    first = Path(f"/proc/{editor.process_id}")
+    return [first, *(Path(f"/proc/{each}") for each in (first / f"task/{first.name}/children").read_text().split())]
+
+
 def memory(editor: Editor) -> float:
-    """Return the resident memory of the server, in MiB."""
-    status = Path(f"/proc/{editor.process_id}/status").read_text()
-    return int(status.partition("VmRSS:")[2].split()[0]) / 1024
+    """Return the memory of the server, in MiB; what its processes share counts once."""
+    found = [(each / "smaps_rollup").read_text() for each in processes(editor)]
+    return sum(int(each.partition("\nPss:")[2].split()[0]) for each in found) / 1024
 
 
 def processor_seconds(editor: Editor) -> float:
     """Return the time that the server has had a processor, in all its threads, by 0.01 s."""
-    fields = Path(f"/proc/{editor.process_id}/stat").read_text().rpartition(")")[2].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    stats = [(each / "stat").read_text().rpartition(")")[2].split() for each in processes(editor)]
+    return sum(int(fields[11]) + int(fields[12]) for fields in stats) / os.sysconf("SC_CLK_TCK")
 
 
 def waited(editor: Editor) -> float:
@@ -105,7 +111,7 @@ def waited(editor: Editor) -> float:
 
     Those of the server but the one that has run most, which is that of the runs, and the one that asks; on Linux.
     """
-    tasks = [path.read_text().split() for path in Path(f"/proc/{editor.process_id}/task").glob("*/schedstat")]
+    tasks = [path.read_text().split() for each in processes(editor) for path in each.glob("task/*/schedstat")]
     on_the_way = sorted(tasks, key=lambda task: int(task[0]))[:-1]
     own = Path("/proc/thread-self/schedstat").read_text().split()
     return sum(int(task[1]) for task in [*on_the_way, own]) / 1e9

@@ -9,7 +9,7 @@ from typing import Any
 
 from rospkg_cli.cli.server import live_lint, navigation, offered_actions
 from rospkg_cli.cli.server.actions import actions
-from rospkg_cli.cli.server.run import serve
+from rospkg_cli.cli.server.run import serve_here
 from rospkg_cli.engine.run import worker
 from rospkg_cli.light_dataclasses import replace
 from rospkg_cli.rule_table import rule_by_code
@@ -51,4 +51,4 @@ worker.rule_by_code = slow_rule
 offered_actions.actions = failing_actions
 navigation.definitions = failing(navigation.definitions, "broken_lookup")
 live_lint.make_session = failing(live_lint.make_session, "broken_run")
-sys.exit(serve())
+sys.exit(serve_here())

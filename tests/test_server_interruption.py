@@ -10,11 +10,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from lsprotocol import types
 from server_in_process import ServerInProcess, until
 
 from rospkg_cli.cli.server import fixing_all, language_server
-from rospkg_cli.cli.server.in_time import LIMIT, limit_of
 from rospkg_cli.cli.server.live_lint import LintOrder, LiveLint
 from rospkg_cli.cli.server.shared_properties import get
 from rospkg_cli.engine.live.safe_point import RightOfWay, RunInterrupted, SafePoint
@@ -303,6 +301,24 @@ def test_fixes_of_a_package_that_came_in_time_do_not_come_twice(manifest: Path, 
     play(manifest, scene)
 
 
+def test_fixes_that_came_too_late_for_the_front_come_by_the_command(manifest: Path, held_fixes: Hold) -> None:
+    async def scene(server: ServerInProcess) -> None:
+        held_fixes.go_on.set()
+        for tells_first in (True, False):
+            action = await fix_all_action(server, manifest)
+            unanswered = {"key": action["data"]["key"]}
+            if tells_first:
+                server.tell("rospkg/unanswered", unanswered)
+            assert "edit" in (await server.answer("codeAction/resolve", action))["result"]
+            if not tells_first:
+                server.tell("rospkg/unanswered", unanswered)
+            before = len(applied(server))
+            await server.answer("workspace/executeCommand", action["command"])
+            await until(lambda before=before: len(applied(server)) == before + 1)
+
+    play(manifest, scene)
+
+
 def test_fixes_of_a_text_that_changed_meanwhile_are_not_made(manifest: Path, held_fixes: Hold) -> None:
     async def scene(server: ServerInProcess) -> None:
         action = await fix_all_action(server, manifest)
@@ -356,18 +372,3 @@ def test_threads_compute_properties_of_two_instances_at_once(hold: Hold) -> None
     hold.go_on.set()
     thread.join()
     assert slow.calls == 1
-
-
-@pytest.mark.parametrize(
-    "options, limit",
-    [
-        (None, LIMIT),
-        ({}, LIMIT),
-        ({"answerWithin": 3}, 3),
-        ({"answerWithin": 0}, LIMIT),
-        ({"answerWithin": "1"}, LIMIT),
-    ],
-)
-def test_an_editor_may_say_how_long_it_waits(options: object, limit: float) -> None:
-    asked = types.InitializeParams(types.ClientCapabilities(), initialization_options=options)
-    assert limit_of(asked) == limit

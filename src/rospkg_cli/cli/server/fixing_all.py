@@ -27,6 +27,8 @@ class FixingAll:
         self.server = server
         self.going_on: dict[str, asyncio.Task[types.WorkspaceEdit | None]] = {}
         self.given: deque[str] = deque(maxlen=REMEMBERED)
+        self.withheld: deque[str] = deque(maxlen=REMEMBERED)
+        """Those whose edits came too late for the front."""
         self.applying: set[asyncio.Task[None]] = set()
 
     def edit(self, key: str, path: Path) -> asyncio.Task[types.WorkspaceEdit | None]:
@@ -53,9 +55,15 @@ class FixingAll:
             found = await self.server.in_time(asyncio.shield(self.edit(key, path)))
         except JsonRpcContentModified:
             return None
-        if found is not None:
+        if found is not None and key not in self.withheld:
             self.given.append(key)
         return found
+
+    def withhold(self, key: str) -> None:
+        """Note that the editor has been told that the edit is not ready, even if it is."""
+        self.withheld.append(key)
+        if key in self.given:
+            self.given.remove(key)
 
     def apply_later(self, key: str, path: Path) -> None:
         """Let the editor make the edit of an action when it is ready, if it has not got it yet."""

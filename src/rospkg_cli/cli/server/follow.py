@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from lsprotocol import types
 
-from .in_time import limit_of
 from .language_server import PackageServer
 from .open_text import OpenText
 from .open_workspaces import path_of
+from .refusal import limit_in
 
 SETTLED = "rospkg.settled"
 """The command that is answered when there is nothing left to lint."""
@@ -47,7 +47,7 @@ def follow_folders(server: PackageServer) -> None:
 
     @server.feature(types.INITIALIZE)
     def initialize(asked: types.InitializeParams) -> None:
-        server.limit = limit_of(asked)
+        server.limit = limit_in(asked.initialization_options)
 
     @server.feature(types.SHUTDOWN)
     def shut_down(*_: object) -> None:

@@ -17,13 +17,14 @@ from ... import __version__
 from ...engine.live.safe_point import RightOfWay, RunInterrupted
 from ...package.run_events import RuleCrash
 from ...user_error import UserError
-from .in_time import LIMIT, in_time
+from .in_time import in_time
 from .lint_loop import LintLoop
 from .linted import Linted
 from .live_lint import LintOrder, LiveLint, Scene
 from .live_workspace import LiveWorkspace
 from .open_workspaces import OpenWorkspaces
 from .publication import Publication
+from .refusal import LIMIT
 
 T = TypeVar("T")
 

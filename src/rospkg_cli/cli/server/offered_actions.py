@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 from lsprotocol import types
 
@@ -12,6 +13,7 @@ from .fixing_all import FixingAll
 from .language_server import PackageServer
 from .linted import Linted
 from .open_workspaces import path_of
+from .refusal import UNANSWERED
 
 
 def offer_actions(server: PackageServer) -> None:
@@ -32,6 +34,10 @@ def offer_actions(server: PackageServer) -> None:
         if action.kind == FIX_ALL and isinstance(action.data, dict):
             action.edit = await fixing.edit_in_time(str(action.data["key"]), Path(action.data["path"]))
         return action
+
+    @server.feature(UNANSWERED)
+    def unanswered(told: Any) -> None:
+        fixing.withhold(str(told.key))
 
     @server.command(FIX_ALL_COMMAND)
     def fix_all(key: str, path: str) -> None:

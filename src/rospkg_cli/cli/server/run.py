@@ -25,6 +25,13 @@ def serve() -> int:
     """Serve until the editor ends it; return the exit status. Raises UsageError without pygls."""
     if find_spec("pygls") is None:
         raise UsageError(MISSING)
+    from .processes import behind_front
+
+    return behind_front(serve_here)
+
+
+def serve_here() -> int:
+    """Serve in this process alone."""
     from .features import server_with_features
     from .in_time import quieten
     from .shared_properties import let_threads_compute
