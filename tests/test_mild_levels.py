@@ -190,8 +190,11 @@ def test_a_file_of_another_kind_that_nothing_names(files: dict[str, str], level:
     [
         ("save.sh", {}, []),
         ("save.bash", {}, []),
-        ("save.sh", {"README.md": "Run save.sh\n"}, ["warning"]),
-        ("save.py", {}, ["warning"]),
+        ("save.sh", {"README.md": "Run save.sh\n"}, []),
+        ("save.sh", {"README.md": "Run `ros2 run my_pkg save.sh`\n"}, ["warning"]),
+        ("save.sh", {"README.md": "Run ros2 run my_pkg save.sh.old\n"}, []),
+        ("save.py", {}, ["info"]),
+        ("save.py", {"launch/a.launch.py": "x = 'save.py'\n"}, ["warning"]),
     ],
 )
 def test_a_shell_helper_that_nothing_names(name: str, more: dict[str, str], expected: list[str]) -> None:

@@ -128,9 +128,11 @@ CASES = {
               "install(TARGETS core\n  DESTINATION lib\n)\n", src__a_DOT_cpp=MAIN, core="a file of that name\n"),
         cmake(f"{LIBRARY}add_library(base SHARED src/base.cpp)\ntarget_link_libraries(core PUBLIC base)\n{EXPORTED}",
               src__core_DOT_cpp="int core() {return 1;}\n", src__base_DOT_cpp="int base() {return 1;}\n"),
-        cmake(f"{LIBRARY}add_library(base SHARED src/base.cpp)\ntarget_link_libraries(core PUBLIC base)\n"
-              "install(TARGETS core DESTINATION lib)\n",
-              src__core_DOT_cpp="int core() {return 1;}\n", src__base_DOT_cpp="int base() {return 1;}\n"),
+        *(cmake(f"{each}{LIBRARY}add_library(base SHARED src/base.cpp)\ntarget_link_libraries(core PUBLIC base)\n"
+                "install(TARGETS core DESTINATION lib)\n",
+                src__core_DOT_cpp="int core() {return 1;}\n", src__base_DOT_cpp="int base() {return 1;}\n")
+          for each in ("", 'set(CMAKE_INSTALL_RPATH "${PROJECT_BINARY_DIR}")\n',
+                       'set(CMAKE_INSTALL_RPATH "$ORIGIN")\nset(other ${PROJECT_BINARY_DIR})\n')),
     ),
     "CMK104": (
         cmake(BIN, src__talker_DOT_cpp=MAIN, src__core_DOT_cpp="int core();\n"),

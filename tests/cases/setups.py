@@ -45,6 +45,10 @@ YAML = "from glob import glob\n" + SETUP_PY.replace(
 )
 
 SPIN = "import rclpy\n\nrclpy.init()\n"
+DRIVER = (
+    "class Driver:\n    def init(self, webots_node, properties):\n        self.robot = webots_node.robot\n\n"
+    "    def step(self):\n        pass\n"
+)
 RUNNING = (
     f"{SPIN}rclpy.spin(None)\n",
     f"{SPIN}try:\n    rclpy.spin(None)\nfinally:\n    rclpy.shutdown()\n",
@@ -107,7 +111,7 @@ CASES = {
     ),
     "SET102": tuple(
         python({"setup.py": setup_py(scripts("talker = my_pkg.talker:main")), "my_pkg/talker.py": text})
-        for text in RUNNING
+        for text in (*RUNNING, DRIVER, DRIVER.replace("step", "steps"))
     ),
     "SET103": tuple(
         python({"setup.py": setup_py(scripts("talker = my_pkg.talker")), "my_pkg/talker.py": text}) for text in RUNNING

@@ -30,6 +30,27 @@ def importing(text: str, **files: str | None) -> Example:
     return python({**SPEECH, "my_pkg/talker.py": text, **paths})
 
 
+WRONG = "from my_pkg.speach import GREETING\n"
+REACHING: tuple[dict[str, str], ...] = (
+    {},
+    {"my_pkg/other.py": "from .inner import deep\n\n\ndef main(): ...\n"},
+    {"my_pkg/other.py": "import my_pkg.inner.other\n\n\ndef main(): ...\n", "my_pkg/inner/other.py": ""},
+    {"my_pkg/unused.py": "import my_pkg.inner.deep\n"},
+    {"test/test_a.py": "from my_pkg.inner.deep import A\n"},
+    {"launch/a.launch.py": "from my_pkg.inner.deep import A\n"},
+    {"urdf/a.urdf": "<robot><plugin type='my_pkg.inner.deep.Driver'/></robot>\n"},
+    {"urdf/a.urdf": "<robot><plugin type='my_pkg.inner.deeper.Driver'/></robot>\n"},
+    {"my_pkg/__init__.py": "from . import inner\n"},
+)
+
+
+def started(files: dict[str, str]) -> Example:
+    """A package that starts two modules, and has another one that ends at an import."""
+    mains = {f"my_pkg/{each}.py": "def main(): ...\n" for each in ("talker", "other")}
+    inner = {"my_pkg/inner/__init__.py": WRONG, "my_pkg/inner/deep.py": "A = 1\n"}
+    return python({**STARTED, **mains, **inner, **files})
+
+
 def neighbour(text: str, files: dict[str, str | None] | None = None) -> Example:
     return python({**STARTED, "my_pkg/other.py": "def main(): ...\n", "my_pkg/talker.py": text + MAIN, **(files or {})})
 
@@ -47,6 +68,7 @@ def two_packages(text: str, other: str = "speech") -> Example:
 CASES = {
     "DEP109": (
         importing("import my_pkg.speach\n"),
+        *(started(files) for files in REACHING),
         importing("import my_pkg.speach.words\n"),
         importing("import my_pkg.speech.words\n"),
         importing("import my_pkg.nothing_alike\n"),

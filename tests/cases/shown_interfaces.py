@@ -147,6 +147,9 @@ CASES = {
     "IDL005": (
         message(msg__Other_DOT_msg="int32 a\n", interfaces__More_DOT_msg="int32 a\n",
                 action__Go_DOT_action="---\n---\n"),
+        *(message(msg__Other_DOT_msg=text)
+          for text in ("int a\n", "Else other\n", "my_pkg/Else other\n", "my_pkg/Status one\nother/Else two\n")),
+        message(msg__other_DOT_msg="int32 a\n"),
         message(cmake=ASIDE),
         message(cmake=FROM_LIST),
         message(cmake=UNKNOWN, msg__Other_DOT_msg="int32 a\n"),

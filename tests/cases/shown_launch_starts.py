@@ -93,6 +93,12 @@ SINGLE = python(
 )
 
 
+def beside(text: str) -> Example:
+    """A launch file that makes what it never adds, and another one of the package."""
+    one = unused("node = Node(package='p', executable='e')", "load = ExecuteProcess(cmd=['ros2', 'load', 'joint'])")
+    return Example(bad={**one.bad, "launch/b.launch.xml": text}, good={})
+
+
 def unused(*lines: str, before: str = "", returned: str = "[first]", **files: str) -> Example:
     body = "".join(f"    {line}\n" for line in ("first = LogInfo(msg='up')", *lines))
     text = f"{HEAD}{before}\n\ndef generate_launch_description():\n{body}    return LaunchDescription({returned})\n"
@@ -209,6 +215,9 @@ UNKNOWN_INSIDE = Example(
 )
 
 
+LEFT_OVER = Example(bad={**lch015.FILES, "launch/robot.launch.xml": lch015.GIVEN.replace("«ratee»", "world")}, good={})
+
+
 CASES = {
     "LCH002": (WITHOUT_PACKAGE, OPEN_CALL, UNUSED_TEST, ON_PATH),
     "LCH003": (ABSENT, RELATIVE),
@@ -219,7 +228,7 @@ CASES = {
         looked_up("    context.launch_configurations.update(unknown)\n"),
     ),
     "LCH014": (SINGLE,),
-    "LCH015": (PATHS, UNKNOWN_INSIDE),
+    "LCH015": (PATHS, UNKNOWN_INSIDE, LEFT_OVER),
     "LCH018": (
         ACTIONS,
         unused("node = Node(package='my_pkg', executable='e')", "more = Node(package='my_pkg', executable=first)"),
@@ -228,6 +237,37 @@ CASES = {
             setup="from setuptools import setup\nfrom x import entries\n\nsetup(entry_points=entries())\n",
         ),
         unused("node = Node(package='my_pkg', executable='e')", setup=setup_py(scripts("e = my_pkg:main"))),
+        *(
+            unused(
+                f"node = Node(package='p', executable='e'{mine})",
+                f"Node(package='p', executable='e'{other})",
+                f"more = Node(package='p', executable='e'{other})",
+                returned="[first, more]",
+            )
+            for mine, other in (
+                ("", ""),
+                (", name='a'", ""),
+                (", name='a'", ", name='a'"),
+                (", name='a'", ", name='b'"),
+                (", arguments=['1']", ", arguments=['1']"),
+                (", arguments=['1']", ", arguments=['2']"),
+                (", arguments=['1']", ", arguments=[first]"),
+            )
+        ),
+        *(
+            beside(text)
+            for text in (
+                '<launch>\n  <node pkg="p" exec="e"/>\n</launch>\n',
+                '<launch>\n  <node pkg="p" exec="f"/>\n  <executable cmd="ros2 control load joint"/>\n</launch>\n',
+            )
+        ),
+        unused(
+            "node = ExecuteProcess(cmd=['ros2', 'control', 'load', 'joint'])",
+            "for each in ['arm', 'joint']:",
+            "    spawn(each)",
+        ),
+        unused("node = ExecuteProcess(cmd=['ros2', 'control', 'load', 'joint'])"),
+        unused("node = ExecuteProcess(cmd=[])"),
         unused("node = Node(package='p', executable='e')", "print(locals())"),
         unused("node = Node(package='p', executable='e')", before="if __name__ == 'x':\n    print(1)\n"),
     ),

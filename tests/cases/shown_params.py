@@ -55,6 +55,23 @@ def parsed(loads: str, *given: str, text: str = PANEL, file: str = "config/robot
     return Example(bad={file: text, "launch/a.launch.py": PARSED.format(loads, entry)}, good={}, on="config")
 
 
+MIXED = "talker:\n  ros__parameters:\n    a: [1, 2.5]\n"
+LOADING = (
+    {"launch__a_DOT_launch_DOT_xml": "<launch/>\n"},
+    {"launch__a_DOT_launch_DOT_xml": "<launch>\n  <arg name='a' default='config/robot.yaml'/>\n</launch>\n"},
+    {"launch__a_DOT_launch_DOT_xml": "<launch>\n  <arg name='a' default='robot'/>\n</launch>\n"},
+    {"launch__a_DOT_launch_DOT_xml": "<launch/>\n", "README_DOT_md": "Wheels are in config/robot.yaml\n"},
+    {"launch__a_DOT_launch_DOT_xml": "<launch/>\n", "README_DOT_md": "ros2 run a b --params-file config/robot.yaml\n"},
+    {"launch__a_DOT_launch_DOT_xml": "<launch/>\n", "run_DOT_sh": "ros2 param load /talker 'config/robot.yaml'\n"},
+)
+
+
+def launched(**files: str) -> Example:
+    """A package that launches something, and has a parameter file that rcl refuses."""
+    paths = {name.replace("__", "/").replace("_DOT_", "."): each for name, each in files.items()}
+    return Example(bad={"config/robot.yaml": MIXED, **paths}, good={}, on="config")
+
+
 NUMBERS = (
     "1e-9",
     "1E9",
@@ -193,6 +210,7 @@ CASES = {
     "PRM004": (
         *(parsed(loads, text="talker:\n  ros__parameters:\n    a: [1, 2.5]\n")
           for loads in ("yaml.safe_load(f)", "f.read()")),
+        *(launched(**each) for each in LOADING),
         config("- a\n- b\n"),
         config("just text\n"),
         config("[x]: 1\ntalker:\n  ros__parameters:\n    a: 1\n  after: 1\n"),

@@ -29,7 +29,6 @@ FOR_ROS1 = regex(r"^[ \t]*(?:import|from)[ \t]+rospy\b", re.MULTILINE)
 DEFINES = regex(r"^(?:class|def|async def)\b", re.MULTILINE)
 IMPORTS = regex(r"^(?:from[ \t]+[\w.]+[ \t]+import[ \t(]|import[ \t]+[\w.]+[ \t]*$)", re.MULTILINE)
 """A line that is of Python and of no shell."""
-USES_ROS = regex(r"^[ \t]*(?:import|from)[ \t]+rclpy\b|\bros2[ \t]", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -95,14 +94,11 @@ class InstalledScripts:
         return "directory" if not copy.keeps_permissions else None if bit else "directory, no bit"
 
     def is_wanted(self, path: str) -> bool:
-        """Return whether a script uses rclpy, or something names it."""
-        return USES_ROS.search(self.package.cmake.package_files.readable_text(path)) is not None or self.is_named(path)
-
-    def is_named(self, path: str) -> bool:
-        """Return whether a launch file, a README or an installed script names a script."""
-        readmes = (each for each in self.package.cmake.package_files.paths if is_readme(each))
-        texts = (*self.launch_texts, *self.texts, *map(self.package.cmake.package_files.readable_text, readmes))
-        return any(posixpath.basename(path) in text for text in texts)
+        """Return whether a launch file names a script, or a README starts it with `ros2 run`."""
+        name, files = posixpath.basename(path), self.package.cmake.package_files
+        started = re.compile(rf"\bros2 run {re.escape(self.package.facts.name)} {re.escape(name)}(?![.-]?\w)")
+        texts = (*self.texts, *(files.readable_text(each) for each in files.paths if is_readme(each)))
+        return any(name in text for text in self.launch_texts) or any(started.search(text) for text in texts)
 
     def holds_definitions(self, path: str) -> bool:
         """Return whether a file is a Python module to import: definitions, and nothing that does something."""
@@ -178,7 +174,7 @@ class InstalledScripts:
             installed = next(copy for path, copy in programs.items() if posixpath.dirname(path) == folder)
             for path in cmake.package_files.paths:
                 fits = posixpath.dirname(path) == folder and path not in named and self.is_script(path)
-                if not fits or (path.endswith(SHELL) and not self.is_named(path)):
+                if not fits or (path.endswith(SHELL) and not self.is_wanted(path)):
                     continue
                 if not self.is_installed(path) and not ASIDE.intersection(path.split("/")):
                     yield path, installed

@@ -10,7 +10,7 @@ from ...files import PackageFiles
 from ...languages.python.alias_span import alias_span
 from ...languages.python.file import Import, PythonFile
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
@@ -20,6 +20,7 @@ from ...source import Span
 from ...suggest import nearest
 from ..run_imports import RunImports
 from .installed_modules import InstalledModules
+from .reached_modules import ReachedModules
 
 REQUIREMENTS = regex(r"requirements[^/]*\.txt")
 README = regex(r"README[^/]*")
@@ -39,6 +40,8 @@ class MissingOwnName:
     is_module: bool
     """Whether Python looks for a module and nothing else."""
     is_local: bool
+    is_reached: bool = True
+    """Whether what the package starts, launches or tests imports the file, as far as it can be known."""
 
 
 @dataclass(frozen=True)
@@ -56,12 +59,19 @@ class OwnImports:
         return InstalledModules(self.files, self.run.modules, self.table)
 
     @cached_property
+    def reached(self) -> ReachedModules:
+        return ReachedModules(self.installed, self.run, self.table)
+
+    @cached_property
     def is_generated_of(self) -> bool:
         """Whether CMake builds it: a module without a file may be compiled."""
         return self.facts.build_type != "ament_python"
 
     def wrong(self) -> Iterator[MissingOwnName]:
         """Yield the imports of modules and names that the workspace's packages do not have."""
+        return (replace(each, is_reached=self.reached.has(each.path)) for each in self.absent())
+
+    def absent(self) -> Iterator[MissingOwnName]:
         is_known = self.table.knows("module")
         for file, each in self.run.certain:
             module = self.installed.absolute(each, file.path)
@@ -119,7 +129,7 @@ class OwnImports:
         programs = {row.source for row in self.table.rows if row.what == "executable"}
         for file, each in self.run.certain:
             name = self.installed.names.get(file.path, "")
-            package = name.rpartition(".")[0] if name in self.started else ""
+            package = name.rpartition(".")[0] if name in self.reached.started else ""
             top = each.module.partition(".")[0]
             if each.level or not package or file.path in programs or self.is_found(top) or self.changes_path(file):
                 continue
@@ -146,34 +156,6 @@ class OwnImports:
         """Return whether Python may find a module of that name outside of the importing file's folder."""
         own = top in self.installed.tops or top in STANDARD or self.files.exists(f"{top}.py")
         return own or bool(self.workspace.providers_of(top)) or top in {each.name for each in self.facts.dependencies}
-
-    @cached_property
-    def is_library(self) -> bool:
-        """Whether the package has modules for others alone: it is known that it installs no program."""
-        programs = any(row.what == "executable" for row in self.table.rows)
-        return not programs and self.table.knows("executable") and self.table.knows("module")
-
-    @cached_property
-    def started(self) -> frozenset[str]:
-        """The installed modules that entry points start, and those that these import.
-
-        Of a library it is every module that does nothing when it is started by its path.
-        """
-        waiting = [row.entry.partition(":")[0] for row in self.table.of("executable") if row.entry]
-        for module, source in self.installed.sources.items() if self.is_library else ():
-            file = self.run.modules.at(source)
-            waiting += [module] if file is not None and "__main__" not in file.source.text else []
-        found: set[str] = set()
-        while waiting:
-            module = waiting.pop()
-            source = self.installed.sources.get(module, "")
-            file = self.run.modules.at(source) if source else None
-            if module not in found and file is not None:
-                found.add(module)
-                for each in file.imports:
-                    inner = self.installed.absolute(each, source)
-                    waiting += [inner, *(f"{inner}.{name}" for name in each.names)]
-        return frozenset(found)
 
 
 def part_span(file: PythonFile, each: Import, module: str, name: str) -> Span:

@@ -109,7 +109,8 @@ class IncludeDependencies:
 
     def are_passed_on(self, each: IncludedPackage) -> bool:
         """Return whether only headers for others include it: the package itself compiles none of them."""
-        return self.compiled is not None and self.compiled.isdisjoint(use.path for use in each.uses)
+        known = self.compiled if each.role != "test" else None
+        return known is not None and known.isdisjoint(use.path for use in each.uses)
 
     @cached_property
     def compiled(self) -> set[str] | None:

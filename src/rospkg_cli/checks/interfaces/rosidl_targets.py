@@ -19,7 +19,7 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.core_messages import CORE_DEPENDENCIES
 from ...ros.distros import Targets
-from ...ros.interfaces import KINDS
+from ...ros.interfaces import KINDS, valid_interface_name
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names, nearest
@@ -84,6 +84,13 @@ class RosidlTargets:
     def is_left_out(self, interface: InterfaceFile) -> bool:
         """Return whether a file is an old copy by its name, or a comment says that not all files are listed."""
         return is_set_aside(interface.path) or self.tells_of_gaps
+
+    def is_refused(self, interface: InterfaceFile) -> bool:
+        """Return whether the build would stop at a file: its name, its text, or a message that the package lacks."""
+        own = {each.name for each in self.interfaces if each.kind == "msg"}
+        needed = (each for each in interface.types if each.package in ("", self.package.name))
+        is_valid = valid_interface_name(interface.name) and not interface.problems
+        return not is_valid or any(each.base not in own for each in needed)
 
     @cached_property
     def tells_of_gaps(self) -> bool:

@@ -49,6 +49,8 @@ class UnsetConfiguration:
 class LaunchConfigurations:
     workspace: Workspace
     file: LaunchFile
+    around: tuple[LaunchFile, ...] = ()
+    """All launch files of the package."""
 
     @cached_property
     def is_startable(self) -> bool:

@@ -18,6 +18,7 @@ from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from ...suggest import near_names
 from .idle_actions import is_stored
+from .started_elsewhere import started_elsewhere
 from .unset_configurations import LaunchConfigurations
 
 HARM = {
@@ -38,6 +39,8 @@ class UnusedAction:
     """Whether it declares an argument, which the user can set nevertheless."""
     is_gone: bool = False
     """Whether it starts an executable that its package, one of the workspace, does not install: a leftover."""
+    starter: str = ""
+    """The launch file that starts the same by another action."""
 
 
 def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedAction]:
@@ -57,7 +60,8 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
             kind = class_of(call)
             harm = HARM.get(kind, "it has no effect")
             is_gone = starts_nothing(call, configurations.workspace)
-            yield UnusedAction(file.span(node), what, harm, kind == "DeclareLaunchArgument", is_gone)
+            starter = started_elsewhere(call, configurations.file, configurations.around)
+            yield UnusedAction(file.span(node), what, harm, kind == "DeclareLaunchArgument", is_gone, starter)
 
 
 def starts_nothing(call: Call, workspace: Workspace) -> bool:

@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from functools import cached_property
 
+from ...files import PackageFiles
 from ...languages.yaml.nodes import MappingNode, ScalarNode
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import KEY, ParameterFile, is_key
 from ...package.workspace import Workspace
+from ...ros.share_layout import LAUNCH
 from ...source import Source, Span
 from ..fault import Fault, TextRepair
 from .rcl_validation import REFUSES
 
+STARTING = regex(r"\.(?:py|xml|launch|launch\.ya?ml|sh|bash|[ch]pp|cc|service)$")
+"""Files that give parameter files to nodes."""
+DOCS = regex(r"\.(?:md|rst|txt)$")
 TITLE = f"write `{KEY}:`"
 
 
@@ -21,12 +30,31 @@ class ParameterFileUse:
 
     file: ParameterFile
     workspace: Workspace
+    package: PackageFacts
+    files: PackageFiles
 
     @property
     def is_parsed_by_launch(self) -> bool:
         """Whether a launch file parses it and hands on values: then what is there for others needs no block."""
         name = self.file.path.rpartition("/")[2]
         return bool(self.workspace.having("parsed_yaml", name))
+
+    @cached_property
+    def is_unnamed(self) -> bool:
+        """Whether the package launches nodes and names it nowhere, and no other package may give it to one.
+
+        A README names it where it tells to start a node with it.
+        """
+        if not any(LAUNCH.fullmatch(path.rpartition("/")[2]) for path in self.files.paths):
+            return False
+        name = self.file.path.rpartition("/")[2]
+        stem = re.compile(rf"[\"'/]{re.escape(name.rpartition('.')[0])}[\"'.]")
+        told = re.compile(rf"params[-_]file\S*[ \t]*\S*{re.escape(name)}")
+        for path in self.files.paths:
+            wanted = stem if STARTING.search(path) else told if DOCS.search(path) else None
+            if wanted is not None and wanted.search(self.files.readable_text(path)):
+                return False
+        return not self.workspace.is_needed(self.package.name)
 
 
 def key_faults(file: ParameterFile, *, is_parsed_by_launch: bool = False) -> Iterator[Fault]:

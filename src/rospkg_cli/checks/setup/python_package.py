@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import ast
 import posixpath
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts
@@ -125,6 +127,13 @@ class PythonPackage:
         """Return whether a module of the package starts what it does when it is imported."""
         file = self.modules.at(self.setup.file_of(module) or "")
         return file is not None and file.runs_when_imported
+
+    def is_webots_driver(self, module: str) -> bool:
+        """Return whether a module of the package has a class with `init` and `step`, which Webots loads by its name."""
+        file = self.modules.at(self.setup.file_of(module) or "")
+        classes = nodes_of_kind(file.tree, ast.ClassDef) if file is not None else ()
+        methods = ({each.name for each in one.body if isinstance(each, ast.FunctionDef)} for one in classes)
+        return any({"init", "step"} <= names for names in methods)
 
     def ros1_module(self, module: str) -> str:
         """Return the module of ROS 1 at which importing a module of the package ends; "" for none."""

@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.targets import Target
-from ...languages.cmake.values import UNKNOWN, Word
+from ...languages.cmake.values import BINARY, UNKNOWN, Word
 from ...light_dataclasses import dataclass
 from .cmake_project import CMake
 from .install_rules import InstallRule
@@ -23,6 +23,7 @@ SETTERS = ("target_", "set_target_properties", "ament_target_dependencies", "ros
            "ament_export_", "install", "add_dependencies", "set_property", "ament_auto_add_")  # fmt: skip
 """Commands that name a target without using its file."""
 
+RPATHS = frozenset({"CMAKE_INSTALL_RPATH", "INSTALL_RPATH"})
 MAX_PARTS = 5
 """Behind the first `:` of `$<TARGET_FILE:ns::talker>` there are three, parted by `:`."""
 
@@ -116,9 +117,15 @@ class UninstalledTargets:
         if target.name in self.promised:
             return TargetUse("exporter")
         for link in self.links.with_word(target.name):
-            if link.target in self.links.installed and not link.package:
+            if link.target in self.links.installed and not link.package and not self.runs_from_build:
                 return TargetUse("linked target", link.target)
         return None
+
+    @cached_property
+    def runs_from_build(self) -> bool:
+        """Whether CMake tells what is installed to look for libraries in the build folder, too."""
+        calls = self.cmake.named("set", "set_target_properties", "set_property")
+        return any(RPATHS.intersection(call.texts) and any(BINARY in text for text in call.texts) for call in calls)
 
     @cached_property
     def plugins(self) -> dict[str, str]:

@@ -82,7 +82,8 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Where an install rule can't be evaluated or runs code. For executables that a test or another command uses, and in
-    folders of tests, benchmarks, examples or third parties. For static libraries, and with EXCLUDE_FROM_ALL.
+    folders of tests, benchmarks, examples or third parties. For static libraries, and with EXCLUDE_FROM_ALL. For
+    libraries that are linked, where the RPATH of what is installed names the build folder: they are loaded from there.
     """
     if not package.is_ament:
         return

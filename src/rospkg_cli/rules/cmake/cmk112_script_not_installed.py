@@ -24,7 +24,7 @@ ONE = CMAKE.replace(
     "script-not-installed",
     over=InstalledScripts,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "it does not use rclpy, and nothing names it"},
+    levels={Severity.INFO: "no launch file names it, and no README starts it with `ros2 run`"},
     examples=(
         Example(
             bad={"CMakeLists.txt": ONE, "scripts/hello.py": SCRIPT, "scripts/bye.py": SCRIPT, "README.md": README},
@@ -45,8 +45,8 @@ def script_not_installed(scripts: InstalledScripts) -> Iterator[Hit]:
 
     ## When it is quiet
     Where install rules can't be evaluated, where another command names the script, for scripts of tests, and for those
-    whose names begin with `_`. Where it neither uses rclpy nor is named in a launch file, a README or another script,
-    it may be for developers: an info; a shell script is then left alone.
+    whose names begin with `_`. Where no launch file names it, and no README or script starts it with `ros2 run`, it may
+    be for developers: an info; a shell script is then left alone.
     """
     if not scripts.package.is_ament:
         return

@@ -22,7 +22,10 @@ NODE = CMAKE.replace(
     "undeclared-include",
     over=IncludeDependencies,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where a dependency brings it, or may bring it, or package.xml has it in a comment"},
+    levels={
+        Severity.INFO: "where a dependency brings it, or may bring it, package.xml has it in a comment, or the package "
+        "itself compiles no file that includes it"
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -46,9 +49,9 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     ## When it is quiet
     What a declared dependency certainly installs, or a package that CMake requires, is one info, which names who brings
     it. What may come with one is another, as anything may with a package that is not here; so is what only files
-    include that an option of CMake must ask for. Files that no target compiles, includes under `#if`, headers that all
-    others include under it, neighbours whose folder CMake names (`include_directories(../other/include)`), and packages
-    that `find_package()` names as well (DEP104) are left alone.
+    include that an option of CMake must ask for, or only headers that this package does not compile. Files that no
+    target compiles, includes under `#if`, headers that all others include under it, neighbours whose folder CMake names
+    (`include_directories(../other/include)`), and packages that `find_package()` names as well (DEP104) are left alone.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -70,6 +73,7 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
             f'"No such file or directory" where nothing else brings it; {advice(declared, kind, name)}'
         )
         places = related((use.path, use.span) for use in each.uses)
-        level = Severity.INFO if is_left_out(declared, name) or includes.are_optional(each) else None
+        is_mild = is_left_out(declared, name) or includes.are_optional(each) or includes.are_passed_on(each)
+        level = Severity.INFO if is_mild else None
         yield Hit(first.path, first.span, message, level, places, declaration(declared, kind, name))
     yield from left_to_others(declared, brought, "included")

@@ -5,12 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.own_imports import MissingOwnName, OwnImports
-from ...example import Example
+from ...example import Example, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
 
-SPEECH = {"my_pkg/speech.py": "GREETING = 'hello'\n"}
-GOOD = {"my_pkg/talker.py": "from my_pkg.speech import GREETING\n\nprint(GREETING)\n"}
+SPEECH = {
+    "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+    "my_pkg/speech.py": "GREETING = 'hello'\n",
+}
+MAIN = "\n\n\ndef main():\n    print({})\n"
+GOOD = {"my_pkg/talker.py": "from my_pkg.speech import GREETING" + MAIN.format("GREETING")}
 
 
 @rule(
@@ -18,20 +22,20 @@ GOOD = {"my_pkg/talker.py": "from my_pkg.speech import GREETING\n\nprint(GREETIN
     "unknown-import",
     over=OwnImports,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it is in a function, which may not be called"},
+    levels={Severity.WARNING: "it is in a function, which may not be called, or nothing imports the module"},
     examples=(
         Example(
-            bad={**SPEECH, "my_pkg/talker.py": "from my_pkg.«speach» import GREETING\n\nprint(GREETING)\n"},
+            bad={**SPEECH, "my_pkg/talker.py": "from my_pkg.«speach» import GREETING" + MAIN.format("GREETING")},
             good=GOOD,
             fix=Safety.UNSAFE,
         ),
         Example(
-            bad={**SPEECH, "my_pkg/talker.py": "from my_pkg.speech import «GRETING»\n\nprint(GRETING)\n"},
+            bad={**SPEECH, "my_pkg/talker.py": "from my_pkg.speech import «GRETING»" + MAIN.format("GRETING")},
             good=GOOD,
         ),
         Example(
-            bad={**SPEECH, "my_pkg/talker.py": "from . import «speach»\n\nprint(speach.GREETING)\n"},
-            good={"my_pkg/talker.py": "from . import speech\n\nprint(speech.GREETING)\n"},
+            bad={**SPEECH, "my_pkg/talker.py": "from . import «speach»" + MAIN.format("speach.GREETING")},
+            good={"my_pkg/talker.py": "from . import speech" + MAIN.format("speech.GREETING")},
         ),
     ),
 )
@@ -47,13 +51,14 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
     ## When it is quiet
     For optional imports and under `TYPE_CHECKING`, in files that nothing installs, where the module may be compiled or
     generated (also where git ignores it), where it lies in a folder that is not installed, where a module has a
-    `__getattr__` or an unknown star import, and where the package changes `sys.path`.
+    `__getattr__` or an unknown star import, and where the package changes `sys.path`. A module that no entry point and
+    no other file of the package names or imports is a warning: others may import it, or nobody.
 
     ## Fix safety
     The intended name is a guess.
     """
     for wrong in imports.wrong():
-        level = Severity.WARNING if wrong.is_local else None
+        level = Severity.WARNING if wrong.is_local or not wrong.is_reached else None
         what = f"there is no module `{wrong.package}.{wrong.name}`" if wrong.is_module else absence(imports, wrong)
         error = "ModuleNotFoundError" if wrong.is_module else "ImportError"
         advice = f"; did you mean `{wrong.near}`?" if wrong.near else ""

@@ -45,7 +45,7 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     ## Fix safety
     A file that is also started by its path needs its package installed from then on.
     """
-    doing = "the import" if imports.is_library else "`ros2 run`"
+    doing = "the import" if imports.reached.is_library else "`ros2 run`"
     for file, each, full in imports.neighbours():
         message = (
             f"`{each.module}` is a module of this package, and no top-level one: {doing} "

@@ -22,7 +22,10 @@ SET = INTERFACES_CMAKE.replace('  "msg/Status.msg"\n', "  ${msg_files}\n").repla
     "interface-not-generated",
     over=RosidlTargets,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "a comment in CMakeLists.txt names it or says that some are left out, or it is a copy"},
+    levels={
+        Severity.INFO: "a comment in CMakeLists.txt names it or says that some are left out, it is a copy, or rosidl "
+        "would refuse it"
+    },
     examples=(
         Example(
             on="interfaces",
@@ -55,14 +58,17 @@ def interface_not_generated(generated: RosidlTargets) -> Iterator[Hit]:
     ## When it is quiet
     Where a list can't be evaluated, or a file that can't be read is included. Where git ignores the file. Where a
     comment in CMakeLists.txt names it, or says above the call that some are left out (`# only the working ones`), it is
-    left out on purpose: an info, without a fix. So is a copy by its name (`Flags_backup.msg`).
+    left out on purpose: an info, without a fix. So is a copy by its name (`Flags_backup.msg`), and a file that is not
+    finished: rosidl would stop the build at its name, its text or a message that is not there.
     """
     for interface in generated.unlisted():
         aside = generated.is_commented_out(interface)
-        is_meant = aside or generated.is_left_out(interface)
+        is_refused = generated.is_refused(interface)
+        is_meant = aside or is_refused or generated.is_left_out(interface)
         edit = None if is_meant else add_interface_file(generated, interface)
         fix = only_plain_names(Fix("list it in CMakeLists.txt", (edit,)), interface.path) if edit else None
         where = "only in a comment, not" if aside else "not"
         message = f"`{interface.path}` is {where} in `rosidl_generate_interfaces`: nothing is generated of it"
         level = Severity.INFO if is_meant else None
-        yield Hit(interface.path, Span(0, 0), f"{message}; list it, or delete it", level, fix=fix)
+        todo = "rosidl would refuse it as it is: mend and list it, or delete it" if is_refused else ""
+        yield Hit(interface.path, Span(0, 0), f"{message}; {todo or 'list it, or delete it'}", level, fix=fix)

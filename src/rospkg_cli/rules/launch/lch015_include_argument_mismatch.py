@@ -9,12 +9,18 @@ from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
 
-ARM = '<launch>\n  <arg name="speed"/>\n  <let name="twice" value="$(var speed)"/>\n</launch>\n'
+ARM = """\
+<launch>
+  <arg name="speed"/>
+  <arg name="rate" default="1.0"/>
+  <let name="twice" value="$(var speed) $(var rate)"/>
+</launch>
+"""
 GIVEN = """\
 <launch>
   <include file="$(find-pkg-share my_pkg)/launch/arm.launch.xml">
     <arg name="speed" value="1.0"/>
-    <arg name="«rate»" value="2.0"/>
+    <arg name="«ratee»" value="2.0"/>
   </include>
 </launch>
 """
@@ -27,7 +33,7 @@ FILES = {
     "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"),
     "launch/arm.launch.xml": ARM,
 }
-GOOD = {"launch/robot.launch.xml": GIVEN.replace('    <arg name="«rate»" value="2.0"/>\n', "")}
+GOOD = {"launch/robot.launch.xml": GIVEN.replace("«ratee»", "rate")}
 
 
 @rule(
@@ -35,7 +41,7 @@ GOOD = {"launch/robot.launch.xml": GIVEN.replace('    <arg name="«rate»" value
     "include-argument-mismatch",
     over=IncludeContext,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "the included file includes something unknown, which may take it"},
+    levels={Severity.INFO: "an argument without effect that is no slip of one, or that a file further on may take"},
     examples=(
         Example(bad={**FILES, "launch/robot.launch.xml": GIVEN}, good=GOOD),
         Example(bad={**FILES, "launch/robot.launch.xml": LACKS}, good=GOOD),
@@ -49,16 +55,18 @@ def include_argument_mismatch(context: IncludeContext) -> Iterator[Hit]:
     includes declares or uses it, and missing if it has no default and is not given.
 
     ## Why is this bad?
-    An unknown argument has no effect, without a warning. A missing one stops the launch: "Included launch description
-    missing required argument 'speed'".
+    An unknown argument has no effect, without a warning: of a slip, the value meant never arrives. A missing one stops
+    the launch: "Included launch description missing required argument 'speed'".
 
     ## When it is quiet
-    Included files that can't be evaluated to the end, or include something unknown, may take any argument: of them a
-    name is an info that is one letter from a declared one which is not given. An include whose arguments are not all
-    known lacks none.
+    An unknown argument that is like none of the included file's is left over: an info, since nothing fails. Included
+    files that can't be evaluated to the end, or include something unknown, may take any argument: of them a name is an
+    info that is one letter from a declared one which is not given. An include whose arguments are not all known lacks
+    none.
     """
     for each in context.mismatches():
-        yield Hit(context.scope.file.path, each.span, message(each), None if each.is_sure else Severity.INFO)
+        is_fault = each.is_missing or (each.is_sure and each.suggestion)
+        yield Hit(context.scope.file.path, each.span, message(each), None if is_fault else Severity.INFO)
 
 
 def message(mismatch: ArgumentMismatch) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.unset_configurations import LaunchConfigurations
-from ...checks.launch.unused_actions import unused_actions
+from ...checks.launch.unused_actions import UnusedAction, unused_actions
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -27,7 +27,9 @@ def generate_launch_description():
     "unused-action",
     over=LaunchConfigurations,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "it declares an argument, or starts an executable that its package does not have"},
+    levels={
+        Severity.INFO: "it declares an argument, another action starts the same, or its package has no such executable"
+    },
     examples=(
         Example(
             bad={"package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"), "launch/a.launch.py": BAD},
@@ -46,11 +48,20 @@ def unused_action(configurations: LaunchConfigurations) -> Iterator[Hit]:
 
     ## When it is quiet
     A name that a comment mentions was taken out on purpose, and so was one that begins with `_`. Arguments whose use
-    LCH008 or LCH017 reports are left to these. A node whose package is here and has no such executable is a leftover:
-    an info.
+    LCH008 or LCH017 reports are left to these. A leftover is an info: a node whose package is here and has no such
+    executable, or what another action starts as well, in this file or in a launch file beside it.
     """
     for action in unused_actions(configurations):
         message = f"{action.what} is made and never added to the launch description: {action.harm}"
-        level = Severity.INFO if action.is_argument or action.is_gone else None
-        todo = "its executable is not here any more; remove it" if action.is_gone else "add it, or remove it"
-        yield Hit(configurations.file.path, action.span, f"{message}; {todo}", level)
+        is_leftover = action.is_argument or action.is_gone or action.starter
+        level = Severity.INFO if is_leftover else None
+        yield Hit(configurations.file.path, action.span, f"{message}; {advice(action, configurations)}", level)
+
+
+def advice(action: UnusedAction, configurations: LaunchConfigurations) -> str:
+    if action.is_gone:
+        return "its executable is not here any more; remove it"
+    if action.starter:
+        own = action.starter == configurations.file.path
+        return f"{'another action' if own else f'`{action.starter}`'} starts the same; remove it"
+    return "add it, or remove it"

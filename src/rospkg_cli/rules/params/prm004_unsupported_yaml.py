@@ -9,6 +9,7 @@ from ...checks.params.ros_parameters_key import ParameterFileUse
 from ...edits.fault_hits import hits
 from ...example import Example
 from ...finding import Hit, Severity
+from ...light_dataclasses import replace
 from ...rule import rule
 
 GOOD = """\
@@ -27,7 +28,9 @@ def example(bad: str, good: str) -> Example:
     "unsupported-yaml",
     over=ParameterFileUse,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "a list is empty, at which only C++ nodes stop"},
+    levels={
+        Severity.WARNING: "a list is empty, at which only C++ nodes stop, or no launch file gives the file to a node"
+    },
     examples=(
         example("    limits: [1, «2.5»]\n", "    limits: [1.0, 2.5]\n"),
         example("    names: «[]»\n", "    names: ['']\n"),
@@ -53,7 +56,9 @@ def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
     ## When it is quiet
     Files without `ros__parameters` that no launch file passes to a node may hold any YAML, and so may those that a
     launch file parses itself, to hand on values. rcl takes a list of mappings
-    with one key each (`- a: 1`), and makes parameters of it. An empty list is a warning: a Python node takes it.
+    with one key each (`- a: 1`), and makes parameters of it. An empty list is a warning: a Python node takes it. So is
+    all of a file that a package names in no launch file, program or README although it launches others, unless other
+    packages need this one.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
@@ -66,4 +71,5 @@ def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
         place = file.source.position(fault.span.start)[0], fault.message
         if place not in seen:
             seen.add(place)
-            yield from hits(file.path, [fault])
+            level = Severity.WARNING if use.is_unnamed else None
+            yield from (replace(hit, level=level or hit.level) for hit in hits(file.path, [fault]))

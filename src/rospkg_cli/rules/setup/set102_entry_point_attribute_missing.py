@@ -22,7 +22,7 @@ SCRIPT = "print('hello')\n"
     "entry-point-attribute-missing",
     over=PythonPackage,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the module starts what it does when it is imported"},
+    levels={Severity.WARNING: "the module starts what it does when it is imported, or Webots loads its class"},
     examples=(
         Example(bad=BAD, good={"my_pkg/talker.py": "def main():\n    print('hello')\n"}),
         Example(
@@ -40,7 +40,8 @@ def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
 
     ## Why is this bad?
     The build is green; starting the executable raises AttributeError, or ImportError with an older setuptools. A module
-    that imports `rospy` ends there before: ModuleNotFoundError.
+    that imports `rospy` ends there before: ModuleNotFoundError. A driver for Webots, a class with `init` and `step`, is
+    loaded by its name and seldom started so: a warning.
 
     ## When it is quiet
     Where the module is of another package, can't be read, has a star import of something unknown or a
@@ -73,4 +74,5 @@ def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
             f"`{path}` has no top-level `{entry.attribute.partition('.')[0]}`: the build is green, and {start} raises "
             f"AttributeError{hint}"
         )
-        yield Hit(entry.path, entry.attribute_span, message)
+        level = Severity.WARNING if package.is_webots_driver(entry.module) else None
+        yield Hit(entry.path, entry.attribute_span, message, level)
