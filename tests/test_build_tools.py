@@ -32,6 +32,11 @@ def told(lines: str, body: str = "") -> list[str]:
             "<test_depend>pkg-config</test_depend>",
         ),
         ("if($ENV{ROS_VERSION} EQUAL 1)\nendif()", "<build_depend>ros_environment</build_depend>"),
+        (
+            "if(DEFINED ENV{ROS_DISTRO})\n  set(NAME $ENV{ROS_DISTRO})\nelse()\n"
+            '  message(FATAL_ERROR "ROS_DISTRO is not set")\nendif()',
+            "<build_depend>ros_environment</build_depend>",
+        ),
         ('set(NAME "x_$ENV{ROS_DISTRO}")', "<build_depend>ros_environment</build_depend>"),
     ],
 )
@@ -47,6 +52,16 @@ def test_a_tool_is_asked_for_once(lines: str, wanted: str) -> None:
         ("find_package(Git REQUIRED)\nfind_package(PkgConfig REQUIRED)", ""),
         ("set(NAME $ENV{HOME})", ""),
         ("if(DEFINED ENV{ROS_DISTRO})\n  set(NAME $ENV{ROS_DISTRO})\nendif()", ""),
+        (
+            "if(DEFINED ENV{ROS_DISTRO})\n  set(NAME $ENV{ROS_DISTRO})\n"
+            '  message(SEND_ERROR "bad ROS_DISTRO: $ENV{ROS_DISTRO}")\nendif()',
+            "",
+        ),
+        (
+            "if(DEFINED ENV{ROS_DISTRO})\n  set(NAME $ENV{ROS_DISTRO})\nelse()\n"
+            '  message(STATUS "ROS_DISTRO is not set")\nendif()',
+            "",
+        ),
         (FETCH.format("GIT_REPOSITORY"), "  <build_depend>git</build_depend>\n"),
         (FETCH.format("GIT_REPOSITORY"), "  <buildtool_depend>ament_cmake_vendor_package</buildtool_depend>\n"),
         ("pkg_check_modules(X REQUIRED x)", "  <depend>rclcpp</depend>\n"),

@@ -15,6 +15,13 @@ HANDED_ON.bad["CMakeLists.txt"] = CMAKE.replace("ament_package()", "ament_packag
 
 CASES = {
     "DEP111": (HANDED_ON,),
+    "DEP115": (
+        cmake(
+            "add_executable(node src/node.cpp)\ntarget_link_libraries(node yaml-cpp)\n",
+            "  <depend>rviz_common</depend>\n",
+            src__node_DOT_cpp="int main() {return 0;}\n",
+        ),
+    ),
     "DEP203": (
         interfaces("float32 x\n", "  <build_depend>message_generation</build_depend>\n"),
         python(

@@ -18,6 +18,8 @@ CLONED_BY = {"GIT_REPOSITORY": "git", "HG_REPOSITORY": "mercurial", "SVN_REPOSIT
 FETCHES = ("externalproject_add", "fetchcontent_declare")
 ASKS_PKG_CONFIG = ("pkg_check_modules", "pkg_search_module")
 PKG_CONFIG, ENVIRONMENT = "pkg-config", "ros_environment"
+ERRORS = ("FATAL_ERROR", "SEND_ERROR", "ERROR")
+"""The kinds of message() that are meant to stop CMake; ERROR is none of its own, and common."""
 VARIABLE = regex(r"\$ENV\{(ROS_DISTRO|ROS_VERSION|ROS_PYTHON_VERSION)\}")
 """The variables that the package ros_environment sets where it is installed."""
 
@@ -67,12 +69,24 @@ class BuildToolsOfCMake:
             yield PKG_CONFIG
 
     def read_in(self, file: CMakeFile) -> Iterator[BuildTool]:
-        """Yield the first variable of ros_environment that a file reads and never asks for (`if(DEFINED ENV{…})`)."""
+        """Yield the first variable of ros_environment that a file reads and never asks for (`if(DEFINED ENV{…})`).
+
+        Where its absence is an error, it is needed all the same.
+        """
         asked: set[str] = set()
         read: list[BuildTool] = []
+        errors = " ".join(said_as_error(file))
         for command in file.syntax.commands:
             for argument in command.arguments:
                 asked.add(argument.text)
                 for variable in VARIABLE.findall(argument.text):
                     read.append(BuildTool(ENVIRONMENT, variable, "build_depend", file.path, argument.span))
-        yield from (each for each in read if f"ENV{{{each.what}}}" not in asked)
+        yield from (each for each in read if f"ENV{{{each.what}}}" not in asked or each.what in errors)
+
+
+def said_as_error(file: CMakeFile) -> Iterator[str]:
+    """Yield the messages of a file that stop CMake and print no variable of the environment."""
+    for command in file.syntax.commands:
+        texts = [argument.text for argument in command.arguments]
+        if command.name == "message" and texts and texts[0] in ERRORS and not any("$ENV{" in each for each in texts):
+            yield from texts[1:]

@@ -127,7 +127,7 @@ class Inclusions:
 def named_sources(cmake: CMake, files: Collection[str], testing: bool, *, maybe: bool = True) -> set[str]:
     """Return the files that any command names: one that is run for tests alone, or one that always is.
 
-    Without `maybe`, commands under a condition that may not hold are left out.
+    Without `maybe`, commands and words under a condition that may not hold are left out.
     """
     bases: set[str] = set()
     for target in cmake.targets:
@@ -137,7 +137,7 @@ def named_sources(cmake: CMake, files: Collection[str], testing: bool, *, maybe:
     found = {path for path in files if path.startswith(tuple(bases))} if bases else set()
     for call in cmake.calls:
         if call.testing is testing and (maybe or not call.maybe):
-            paths = (path_in_package(word.text, call.folder) for word in call.words)
+            paths = (path_in_package(word.text, call.folder) for word in call.words if maybe or not word.maybe)
             found |= {path for path in paths if path is not None and path in files}
     return found
 

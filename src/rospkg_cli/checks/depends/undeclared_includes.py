@@ -17,6 +17,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.implied_dependencies import IN_SOURCES, implied_by
+from ...ros.libraries import is_named_among, keys_of_header, stem
 from ...ros.names import NameKind
 from ...source import Source, Span
 from .brought_dependencies import Bringer, brought_by
@@ -86,7 +87,7 @@ class IncludeDependencies:
             for each in source.includes if role != "aside" else ():
                 folder, slash, _ = each.path.partition("/")
                 is_certain = not each.is_conditional or folder in always
-                if slash and is_certain and not self.is_own(each.path):
+                if (slash or keys_of_header(each.path)) and is_certain and not self.is_own(each.path):
                     names, cmake = self.providers(each.path)
                     if names and source.path not in self.guarded and self.outside.isdisjoint((folder, *names)):
                         use = IncludeUse(source.path, each.span, each.path)
@@ -134,18 +135,30 @@ class IncludeDependencies:
         around = sorted(self.declared.workspace.with_header(header))
         if around:
             return (tuple(around), around[0]) if len(around) == 1 or folder in around else ((), folder)
+        if keys := keys_of_header(header):
+            return (() if self.is_at_hand(header) else keys), stem(header)
         facts = self.declared.workspace.named(folder)
         known = self.declared.workspace.kind_of(folder) is NameKind.PACKAGE and folder not in SHARED
         if not known or (facts is not None and facts.is_metapackage):
             return (), folder
         return (folder,), folder
 
+    def is_at_hand(self, name: str) -> bool:
+        """Return whether a library of the system is declared by another of its names, or CMake gets it itself."""
+        return is_named_among(name, self.declared.names) or is_named_among(name, self.fetched)
+
+    @cached_property
+    def fetched(self) -> tuple[str, ...]:
+        """The words of commands that download, add or find what the system need not have."""
+        calls = self.cmake.named("add_subdirectory", "externalproject_add", "fetchcontent_declare", "ament_vendor")
+        return tuple(word.text for call in calls for word in call.words)
+
     def is_own(self, header: str) -> bool:
         """Return whether a header is the package's own: it exists, or may be generated in a folder that does."""
         folder = header.rpartition("/")[0]
         return (
             header.partition("/")[0] == self.declared.facts.name
-            or folder in self.path_endings
+            or (folder != "" and folder in self.path_endings)
             or header in self.path_endings
         )
 
@@ -162,6 +175,7 @@ class IncludeDependencies:
         named = {name for missing in self.find_packages.missing() for name in missing.names}
         for each in self.packages():
             is_reported = each.cmake in reported or bool(self.find_packages.matching_names(each.cmake, named))
+            is_reported = is_reported or not named.isdisjoint(each.names)
             if not self.is_declared(each) and not is_reported and not there.intersection(each.names):
                 reported.update(each.names)
                 yield each
