@@ -536,3 +536,17 @@ def test_a_copy_of_a_command_in_its_own_file(name: str, count: int) -> None:
     text = "function(ament_target_dependencies)\nendfunction()\n"
     files = {**package(f"include(cmake/{name}.cmake)"), f"cmake/{name}.cmake": text}
     assert len(said(files, "CMK116")) == count
+
+
+def test_what_one_install_breaks_is_one_finding() -> None:
+    files = package(
+        "install(PROGRAMS scripts/a.py scripts/b.py DESTINATION lib/${PROJECT_NAME})\n"
+        "install(PROGRAMS scripts/c.py DESTINATION lib/${PROJECT_NAME})"
+    )
+    scripts = {f"scripts/{name}.py": TreeEntry("file", b"#!/bin/sh\necho\n", 0o644) for name in "abc"}
+    findings = lint_files({**files, **scripts}, ["CMK105"]).findings
+    assert [[place.path for place, _ in finding.related] for finding in findings] == [["scripts/b.py"], []]
+    assert findings[0].message.startswith("`scripts/a.py` and 1 more are not executable: ")
+    assert findings[0].message.endswith("; `chmod +x` them")
+    assert findings[0].fix is not None
+    assert len(findings[0].fix.operations) == 2

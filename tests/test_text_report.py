@@ -124,6 +124,15 @@ def test_places_that_are_said_the_same_of_stand_together() -> None:
     assert "  see arm/a.py:3:1, arm/c.py:3:1: and here\n  see arm/b.py:3:1: the first\n" in text
 
 
+def test_of_many_related_places_the_first_are_shown() -> None:
+    (found,) = many(1)
+    places = [(Location(f"arm/{name}.py", Span(0, 1), 3, 1, 3, 2), "the same") for name in "abcdef"]
+    five = shown(replace(found, related=tuple(places[:5])))
+    assert "  see arm/a.py:3:1, arm/b.py:3:1, arm/c.py:3:1, arm/d.py:3:1, arm/e.py:3:1: the same\n" in five
+    six = shown(replace(found, related=tuple(places)))
+    assert "  see arm/a.py:3:1, arm/b.py:3:1, arm/c.py:3:1, arm/d.py:3:1 and 2 more: the same\n" in six
+
+
 def test_what_is_wrong_and_what_to_do_are_told_apart() -> None:
     (found,) = many(1)
     assert clauses('`a: b; c` says "x: y": then; do') == ['`a: b; c` says "x: y"', "then", "do"]

@@ -24,6 +24,8 @@ LONG = 15
 NOTES = "RPK008"
 """The rule whose findings are notes on the run, not on a package: they are listed after the counts."""
 
+PLACES = 5
+"""Related places of one kind that are shown of a finding."""
 
 MORE = "--show all shows each finding in full; `rospkg explain CODE` says why."
 
@@ -86,8 +88,7 @@ def full(report: Report, finding: Finding, indent: str = "") -> Iterator[str]:
     yield from (indent + line for line in excerpt(finding, room, report.color))
     yield from lines(report, words(without_advice(finding)), inner)
     for why, places in related(report, finding).items():
-        listed: list[Word] = [(f"{place}{':' if place == places[-1] else ','}", "") for place in places]
-        yield from lines(report, [("see", ""), *listed, *words(why)], inner, f"{inner}  ")
+        yield from lines(report, [("see", ""), *several(places), *words(why)], inner, f"{inner}  ")
     if finding.fix:
         yield from lines(report, words(repair(finding), "green"), inner)
 
@@ -117,6 +118,14 @@ def related(report: Report, finding: Finding) -> dict[str, list[str]]:
     for place, why in finding.related:
         found.setdefault(why, []).append(f"{report.path(place.path)}:{place.line}:{place.column}")
     return found
+
+
+def several(places: Sequence[str]) -> list[Word]:
+    """Return the first few of some places, and how many there are besides; JSON, SARIF and HTML list all."""
+    shown = places if len(places) <= PLACES else places[: PLACES - 1]
+    more = words(f"and {len(places) - len(shown)} more:") if len(shown) < len(places) else []
+    end = "" if more else ":"
+    return [*((f"{place},", "") for place in shown[:-1]), (f"{shown[-1]}{end}", ""), *more]
 
 
 def ending(report: Report, findings: Sequence[Finding], hidden: int, is_long: bool) -> Iterator[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 
 from ...checks.cmake.installed_scripts import BrokenScript, InstalledScripts
 from ...edits.cmake_scripts import make_executable
@@ -71,47 +72,48 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     """
     if not scripts.package.is_ament:
         return
-    for script, others in together(scripts.broken()):
+    for script, *others in together(scripts.broken()):
         mild = script.wrong == "no bit" or (script.wrong == "directory" and scripts.uses_programs)
         level = Severity.WARNING if mild else None
-        operations = make_executable(scripts, script)
-        related = tuple(Related(path, Span(0, 0), "and this one") for path in others)
-        fix = Fix(f"make `{script.copy.source}` executable", operations) if operations else None
+        related = tuple(Related(other.copy.source, Span(0, 0), "the same") for other in others)
+        operations = [make_executable(scripts, each) for each in (script, *others)]
+        name = f"{script.copy.source}`{and_more(others)}"
+        fix = Fix(f"make `{name} executable", tuple(dict.fromkeys(chain(*operations)))) if all(operations) else None
         yield Hit(script.copy.item.path, script.copy.item.span, message(scripts, script, others), level, related, fix)
 
 
-def together(broken: Iterable[BrokenScript]) -> Iterator[tuple[BrokenScript, Sequence[str]]]:
-    """Yield what is wrong, each with the further files of a folder of which one word installs none as a program."""
-    folders: dict[tuple[str, Span], list[BrokenScript]] = {}
+def together(broken: Iterable[BrokenScript]) -> Iterable[list[BrokenScript]]:
+    """Return the scripts of one install() that are broken in the same way, which is one fault."""
+    calls: dict[tuple[str, int, str], list[BrokenScript]] = {}
     for script in broken:
-        if script.wrong == "directory":
-            folders.setdefault((script.copy.item.path, script.copy.item.span), []).append(script)
-        else:
-            yield script, ()
-    for first, *others in folders.values():
-        yield first, [each.copy.source for each in others]
+        call = script.copy.rule.call
+        calls.setdefault((call.path, call.command.span.start, script.wrong), []).append(script)
+    return calls.values()
 
 
-def message(scripts: InstalledScripts, script: BrokenScript, others: Sequence[str]) -> str:
+def and_more(others: Sequence[BrokenScript]) -> str:
+    return f" and {len(others)} more" if others else ""
+
+
+def message(scripts: InstalledScripts, script: BrokenScript, others: Sequence[BrokenScript]) -> str:
     path, name = script.copy.source, script.copy.destination.rpartition("/")[2]
     run = f"`ros2 run {scripts.package.facts.name} {name}`"
+    these, are, them = f"`{path}`{and_more(others)}", "are" if others else "is", "them" if others else "it"
+    chmod = "`chmod +x` them" if others else f"`chmod +x {path}`"
     match script.wrong:
         case "files":
             return (
-                f"`{path}` is installed with FILES, which makes it not executable: {run} does not find it; use PROGRAMS"
+                f"{these} {are} installed with FILES, which makes {them} not executable: {run} does not find it; "
+                "use PROGRAMS"
             )
         case "no shebang":
-            return f'`{path}` does not begin with `#!`: {run} ends with "Exec format error"; write `{SHEBANG.strip()}`'
+            begin = "do not begin" if others else "does not begin"
+            return f'{these} {begin} with `#!`: {run} ends with "Exec format error"; write `{SHEBANG.strip()}`'
         case "directory":
-            more = f" and {len(others)} more" if others else ""
-            return (
-                f"the executable bit of `{path}`{more} is not installed: {run} does not find it; "
-                "add USE_SOURCE_PERMISSIONS"
-            )
+            return f"the executable bit of {these} is not installed: {run} does not find it; add USE_SOURCE_PERMISSIONS"
         case "directory, no bit":
-            return f"`{path}` is not executable: {run} does not find it; `chmod +x {path}`"
+            return f"{these} {are} not executable: {run} does not find it; {chmod}"
         case _:
             return (
-                f"`{path}` is not executable: after `colcon build --symlink-install` {run} does not find it; "
-                f"`chmod +x {path}`"
+                f"{these} {are} not executable: after `colcon build --symlink-install` {run} does not find it; {chmod}"
             )
