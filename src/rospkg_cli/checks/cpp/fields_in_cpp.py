@@ -14,7 +14,8 @@ from ...source import Span
 from ..depends.compiled_sources import compiled_sources, own_compiled
 from ..interfaces.known_interfaces import KnownInterfaces
 from ..interfaces.unknown_fields import similar
-from .message_variables import member_paths, message_variables, named_members
+from .message_variables import member_paths, message_variables
+from .named_members import named_members
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -25,7 +25,15 @@ MADE_POINTER = regex(
 )
 FORMS = ((BY_VALUE, "."), (MADE, "."), (BY_POINTER, "->"), (IN_POINTER, "->"), (MADE_POINTER, "->"))
 MEMBER = regex(r"\s*\.\s*([A-Za-z_]\w*)")
-NO_TYPE = r"(?<!\breturn)(?<!\belse)(?<!\bthrow)(?<!\bcase)(?<!\bdelete)(?<!\bco_return)(?<!\bco_yield)(?<!\bco_await)"
+USES = {".": MEMBER, "->": regex(r"\s*->\s*([A-Za-z_]\w*)")}
+"""What stands behind a variable whose member is named, by its access."""
+CALL = regex(r"\s*\(")
+BOUND = regex(r"\bauto\s*&{0,2}\s*\[([^\]]*)")
+WORD = regex(r"\w+")
+DECLARED = regex(r"\s*[;=({,)\[:]")
+SCOPE = regex(r"[(){};]")
+NO_START = (".", ":", ">")
+NO_TYPES = frozenset({"return", "else", "throw", "case", "delete", "co_return", "co_yield", "co_await"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,33 +65,50 @@ def message_variables(text: str) -> Iterator[MessageVariable]:
             package, kind, name, part = match.groups()[-4:] if match.re.groupindex["name"] == 1 else match.groups()[:4]
             message = f"{package}/{kind}/{name}{f'_{part}' if part else ''}"
             found.setdefault(match["name"], []).append((match.start("name"), message, access))
+    bound = {word for match in BOUND.finditer(text) for word in WORD.findall(match[1])} if found else set()
     for name, places in found.items():
-        if len({(message, access) for _, message, access in places}) == 1 and is_no_other(text, name, places):
+        is_one = name not in bound and len({(message, access) for _, message, access in places}) == 1
+        if is_one and is_no_other(text, name, {at for at, _, _ in places}):
             for at, message, access in places:
                 if (end := end_of_scope(text, at)) > at:
                     yield MessageVariable(name, message, access, at, end)
 
 
-def is_no_other(text: str, name: str, places: list[tuple[int, str, str]]) -> bool:
-    """Return whether nothing else in a text may declare a name."""
-    known = {at for at, _, _ in places}
-    declared = re.compile(rf"{NO_TYPE}(?<=[\w>&*\]])\s*(?<![\w.])\b{name}\b(?=\s*[;=({{,)\[:])")
-    bound = re.compile(rf"\bauto\s*&{{0,2}}\s*\[[^\]]*\b{name}\b")
-    others = (match for match in declared.finditer(text) if text.rfind(name, match.start(), match.end()) not in known)
-    return bound.search(text) is None and not any(is_declaration(text, match, name) for match in others)
+def is_no_other(text: str, name: str, known: Set[int]) -> bool:
+    """Return whether a text declares a name at no other places than these, but for structured bindings."""
+    at = text.find(name)
+    while at >= 0:
+        end = at + len(name)
+        if at not in known and has_type_before(text, at) and DECLARED.match(text, end):
+            return False
+        at = text.find(name, end)
+    return True
 
 
-def is_declaration(text: str, match: re.Match[str], name: str) -> bool:
-    """Return whether what stands before a name is a type, not the end of an expression."""
-    at = text.rfind(name, match.start(), match.end())
-    before = text[:at].rstrip()
-    return at != len(before) or before[-1:] in "&*"
+def has_type_before(text: str, at: int) -> bool:
+    """Return whether a name begins at an offset, and what stands before it is a type, not the end of an expression."""
+    if is_of_word(text[at - 1 : at]) or text[at - 1 : at] == ".":
+        return False
+    end = at
+    while text[end - 1 : end].isspace():
+        end -= 1
+    last = text[end - 1 : end]
+    if not is_of_word(last):
+        return last in ("&", "*") or (end < at and last in (">", "]"))
+    start = end
+    while is_of_word(text[start - 1 : start]):
+        start -= 1
+    return text[start:end] not in NO_TYPES
+
+
+def is_of_word(char: str) -> bool:
+    return char.isalnum() or char == "_"
 
 
 def end_of_scope(text: str, at: int) -> int:
     """Return where the block ends that a declaration stands in; of a parameter, that of the function's body."""
     depth, inside = 0, 0
-    for match in regex(r"[(){};]").finditer(text, at):
+    for match in SCOPE.finditer(text, at):
         sign = match[0]
         if sign == "(":
             inside += 1
@@ -102,59 +127,25 @@ def end_of_scope(text: str, at: int) -> int:
 
 def member_paths(text: str, variable: MessageVariable) -> Iterator[MemberPath]:
     """Yield what a code text names of a variable; calls are left out, as messages have methods."""
-    use = re.compile(rf"(?<![\w.:>]){variable.name}\s*{re.escape(variable.access)}\s*([A-Za-z_]\w*)")
-    for match in use.finditer(text, variable.start, variable.end):
-        names, spans, end = [match[1]], [Span(*match.span(1))], match.end()
-        while (more := MEMBER.match(text, end)) is not None:
-            names.append(more[1])
-            spans.append(Span(*more.span(1)))
-            end = more.end()
-        is_call = text[end:].lstrip()[:1] == "("
-        if len(names) > is_call:
-            keep = len(names) - is_call
-            yield MemberPath(variable, tuple(names[:keep]), tuple(spans[:keep]))
+    name, behind = variable.name, USES[variable.access]
+    at = text.find(name, variable.start, variable.end)
+    while at >= 0:
+        end = at + len(name)
+        before = text[at - 1 : at]
+        found = None if is_of_word(before) or before in NO_START else behind.match(text, end, variable.end)
+        if found is not None:
+            end = found.end()
+            yield from path_from(text, variable, found)
+        at = text.find(name, end, variable.end)
 
 
-KINDS_WITHIN = ("::msg::", "::srv::", "::action::")
-BEHIND = regex(
-    r"::(msg|srv|action)::([A-Z]\w*)(?:::(Request|Response|Goal|Result|Feedback))?(?:::\w+Ptr)?"
-    r"(?:\s+const)?(?:\s*>)?(?:\s+const)?[\s&]*([A-Za-z_]\w*)?"
-)
-BEFORE = regex(r"auto\s+(\w+)\s*=\s*(?:std::make_\w+<\s*(?:const\s+)?)?(?:::)?\Z")
-MOST_BEFORE = 120
-"""Characters before a type that are looked at."""
-CHAIN = regex(r"[A-Za-z_][\w.]*")
-
-
-def named_members(text: str) -> Iterator[tuple[str, tuple[str, ...]]]:
-    """Yield messages with the members that a text may name of them: a quick look that finds more than there is."""
-    found: dict[str, set[str]] = {}
-    for name, message in named_variables(text):
-        found.setdefault(name, set()).add(message)
-    for name, message in ((name, *messages) for name, messages in found.items() if len(messages) == 1):
-        for access in (".", "->"):
-            start = name + access
-            at = text.find(start)
-            while at >= 0:
-                chain = CHAIN.match(text, at + len(start))
-                if chain is not None and not (text[at - 1].isalnum() or text[at - 1] == "_"):
-                    names = tuple(filter(None, chain[0].split(".")))
-                    yield message, names[:-1] if text.startswith("(", chain.end()) else names
-                at = text.find(start, at + 1)
-
-
-def named_variables(text: str) -> Iterator[tuple[str, str]]:
-    """Yield what may be the name of a variable, with the message that stands beside it."""
-    for within in KINDS_WITHIN:
-        at = text.find(within)
-        while at >= 0:
-            start = at
-            while start and (text[start - 1].isalnum() or text[start - 1] == "_"):
-                start -= 1
-            found = BEHIND.match(text, at)
-            if found is not None and start < at:
-                kind, base, part, name = found.groups()
-                message = f"{text[start:at]}/{kind}/{base}{f'_{part}' if part else ''}"
-                made = BEFORE.search(text[max(0, start - MOST_BEFORE) : start])
-                yield from ((each, message) for each in (name, made[1] if made else None) if each)
-            at = text.find(within, at + 1)
+def path_from(text: str, variable: MessageVariable, found: re.Match[str]) -> Iterator[MemberPath]:
+    """Yield the members from the first one on that is found behind a variable."""
+    names, spans, end = [found[1]], [Span(*found.span(1))], found.end()
+    while (more := MEMBER.match(text, end)) is not None:
+        names.append(more[1])
+        spans.append(Span(*more.span(1)))
+        end = more.end()
+    keep = len(names) - (CALL.match(text, end) is not None)
+    if keep:
+        yield MemberPath(variable, tuple(names[:keep]), tuple(spans[:keep]))
