@@ -257,7 +257,7 @@ def run(given: argparse.Namespace, root: Path) -> Iterator[str]:
     wrong = checks = 0
     for number in range(1, edits + 1):
         session.edit(given.pause, given.together)
-        if number % max(1, edits // 10) == 0:
+        if number % max(1, edits // 20) == 0:
             yield f"  after edit {number}: {memory(editor):.0f} MiB"
         if settle and number % settle == 0:
             editor.settle()

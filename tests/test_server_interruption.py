@@ -112,8 +112,7 @@ def test_what_is_asked_while_a_rule_goes_on_is_answered_or_refused(manifest: Pat
         options = {"textDocument": {"uri": manifest.as_uri()}, "options": {"tabSize": 2, "insertSpaces": True}}
         assert "result" in await server.answer("textDocument/formatting", options)
         server.server.limit = 0.01
-        refused = await server.actions(manifest)
-        assert refused["error"]["code"] == MODIFIED
+        assert "result" in await server.actions(manifest)
         assert not held_rule.go_on.is_set()
         assert not any("XML104" in each for each in server.published(manifest))
         server.server.limit = 60
@@ -123,6 +122,61 @@ def test_what_is_asked_while_a_rule_goes_on_is_answered_or_refused(manifest: Pat
         assert "result" in await server.actions(manifest)
 
     play(manifest, scene)
+
+
+def edits_of(action: dict[str, Any]) -> list[tuple[int, str]]:
+    """Return the lines (from 0) and the texts of the edits of an action, for the version that is open."""
+    [change] = action["edit"]["documentChanges"]
+    assert change["textDocument"]["version"] == 3
+    return [(each["range"]["start"]["line"], each["newText"]) for each in change["edits"]]
+
+
+@pytest.mark.parametrize(
+    "edited, moved",
+    [
+        (TWICE.replace("Drives my robot", "TODO\n"), 1),
+        (TWICE.replace("Drives my robot", "TODO"), 0),
+        (TWICE.replace("\n  <description>Drives my robot", "<description>TODO"), -1),
+        (TWICE.replace("  <depend>rclpy</depend>\n", "  <depend>rclpy</depend>TODO\n", 1), None),
+        (TWICE.replace("  <depend>rclpy</depend>\n", "", 1).replace("Drives my robot", "TODO"), None),
+    ],
+    ids=["a line more above", "a line changed", "a line less", "a line of it changed", "a line of it gone"],
+)
+def test_actions_right_behind_a_key_are_those_that_still_hold(
+    manifest: Path, held_rule: Hold, edited: str, moved: int | None
+) -> None:
+    """They are for the text as it is, and asked for again when the run has ended."""
+
+    async def scene(server: ServerInProcess) -> None:
+        server.type(manifest, TWICE)
+        await server.settle()
+        before = len(server.published(manifest))
+        server.server.limit = 0.01
+        server.type(manifest, edited)
+        if "TODO" in edited.partition("</description>")[0]:
+            await until(held_rule.begun.is_set)
+        found = (await server.actions(manifest))["result"]
+        fixes = [each for each in found if "XML201" in each["title"] and each.get("isPreferred")]
+        line = TWICE.split("\n").index("  <depend>rclpy</depend>")
+        assert [edits_of(each) for each in fixes] == ([] if moved is None else [[(line + 1 + moved, "")]])
+        held_rule.go_on.set()
+        await server.settle()
+        assert len(server.published(manifest)) > before
+
+    play(manifest, scene)
+
+
+def test_actions_before_the_first_run_has_ended_are_refused(manifest: Path, held_rule: Hold) -> None:
+    async def go() -> None:
+        server = ServerInProcess(manifest.parents[1])
+        server.open(manifest, TODO)
+        await until(held_rule.begun.is_set)
+        server.server.limit = 0.01
+        assert (await server.actions(manifest))["error"]["code"] == MODIFIED
+        held_rule.go_on.set()
+        await server.settle()
+
+    asyncio.run(go())
 
 
 def test_what_cannot_be_looked_up_in_time_is_refused(manifest: Path, held_rule: Hold) -> None:

@@ -79,6 +79,7 @@ class LiveLint:
         `begins` is called with what the run will look at. Raises UserError for a config that is wrong, and
         RunInterrupted: what was found by then is kept, and the next order is to have these changes too.
         """
+        self.memory.look = order.look
         configs = choose_configs([self.folder])
         order.look()
         located = locate([self.folder], None, configs)
@@ -96,7 +97,7 @@ class LiveLint:
         """Return the run over what is known already and the next packages."""
         session = make_session(LintOptions(), configs, located, no_progress)
         if located.root != self.root:
-            self.root, self.memory, self.facts = located.root, LivePackages(), {}
+            self.root, self.memory, self.facts = located.root, LivePackages(look=order.look), {}
             self.failed, self.stamps = frozenset(), None
         changed = {*relative_to(order.changed, located.root), *self.changed_on_disk(order, located.scope)}
         self.memory.forget(changed, located.scope.folders)

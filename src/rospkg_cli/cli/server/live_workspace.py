@@ -22,6 +22,8 @@ class LiveWorkspace:
     """What is in the editor, by absolute path."""
     changed: set[Path] = field(default_factory=set)
     """The paths whose content is not what it was when the last run began."""
+    running: frozenset[Path] = frozenset()
+    """Those that the run which goes on has seen as new."""
     wanted: set[Path] = field(default_factory=set)
     """Packages that are linted first."""
     asked: set[Path] = field(default_factory=set)
@@ -74,6 +76,7 @@ class LiveWorkspace:
         `is_told` says that the editor tells what changes on disk.
         """
         changed, self.changed, self.look = frozenset(self.changed), set(), SafePoint(way)
+        self.running = changed
         on_disk = None if is_told else self.world.written.put
         return LintOrder(dict(self.texts), changed, frozenset(self.wanted), self.look, on_disk)
 
@@ -85,7 +88,7 @@ class LiveWorkspace:
         """Take what a run came to; return whether that is of the texts as they are now, else nothing is shown of it."""
         self.scene = linted.run.scene
         if not self.changed:
-            self.linted, self.is_finished = linted, linted.run.is_finished
+            self.linted, self.is_finished, self.running = linted, linted.run.is_finished, frozenset()
             self.is_current, self.has_failed, self.told = True, False, ""
         return self.is_current
 

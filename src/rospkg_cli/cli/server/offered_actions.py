@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+from collections.abc import Mapping, Set
 from pathlib import Path
 from typing import Any
 
@@ -9,11 +11,17 @@ from lsprotocol import types
 
 from .actions import FIX_ALL, FIX_ALL_COMMAND, actions
 from .answers import looked_up
+from .carried import carried
 from .fixing_all import FixingAll
 from .language_server import PackageServer
 from .linted import Linted
+from .live_workspace import LiveWorkspace
+from .open_text import OpenText
 from .open_workspaces import path_of
 from .refusal import UNANSWERED
+
+LISTING = 0.07
+"""Seconds that are left for making actions when a run has been waited for."""
 
 
 def offer_actions(server: PackageServer) -> None:
@@ -46,20 +54,39 @@ def offer_actions(server: PackageServer) -> None:
 
 
 async def actions_at(server: PackageServer, path: Path, asked: types.CodeActionParams) -> list[types.CodeAction]:
-    """Return what can be done at a range; what the run before found is not offered."""
+    """Return what can be done at a range, by the run over the texts as they are where that ends in time.
+
+    Where it does not, by what the run before found and still holds; the diagnostics of the file are then sent again
+    when the run has ended, at which editors ask again.
+    """
     live = server.workspaces.at(path)
     if live is None:
         return []
     live.asked.add(path)
-    linted = await server.linted_at(path)
+    linted = await soon_linted(server, live, path)
+    texts, changed = (None, frozenset()) if live.is_current else (dict(live.texts), live.changed | live.running)
     try:
-        found = await looked_up(server, listed, linted, path, asked) if linted else []
+        found = await looked_up(server, listed, linted, texts, changed, path, asked) if linted else []
     except Exception:
         server.crashed(live, path, "actions")
         found = []
-    live.asked.discard(path)
+    if live.is_current:
+        live.asked.discard(path)
     return found
 
 
-def listed(linted: Linted, path: Path, asked: types.CodeActionParams) -> list[types.CodeAction]:
-    return list(actions(linted, path, asked))
+async def soon_linted(server: PackageServer, live: LiveWorkspace, path: Path) -> Linted | None:
+    """Return the run over the texts as they are, or the one before where that takes too long."""
+    run = asyncio.ensure_future(server.linted_at(path))
+    await asyncio.wait([run], timeout=max(0.0, server.limit - LISTING))
+    if not run.done() and live.linted is not None:
+        run.cancel()
+        return live.linted
+    return await run
+
+
+def listed(
+    linted: Linted, texts: Mapping[Path, OpenText] | None, changed: Set[Path], path: Path, asked: types.CodeActionParams
+) -> list[types.CodeAction]:
+    """Return what can be done by a run; by what is left of it in other texts, where some are given."""
+    return list(actions(linted if texts is None else carried(linted, texts, changed, path), path, asked))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Callable, Iterable, Mapping, Set
 from typing import Any
 
 from ...light_dataclasses import dataclass, field
@@ -10,6 +10,10 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ..reuse.kept_packages import Observed
 from ..reuse.recorded_workspace import AnswerDigests, Question
+from .safe_point import never
+
+SOME = 50
+"""Questions that are answered between two looks."""
 
 
 @dataclass
@@ -22,6 +26,8 @@ class LivePackages:
     """The questions of each package to the workspace, with the digests of the answers."""
     above: dict[str, Set[str]] = field(default_factory=dict)
     """The paths outside of each package that it asked for."""
+    look: Callable[[], None] = never
+    """Called every so often: a run may be interrupted there."""
     given: str = ""
     """What all findings depend on besides the packages: rules, settings, what lies around."""
 
@@ -62,11 +68,16 @@ class LivePackages:
     def known_results(self, workspace: Workspace, folders: Iterable[str]) -> dict[str, Any]:
         """Return the findings of the packages to which the workspace answers as it did."""
         answers = AnswerDigests(workspace)
-        return {
-            folder: self.results[folder]
-            for folder in folders
-            if folder in self.results and all(answers.digest(each) == digest for each, digest in self.asked[folder])
-        }
+        return {folder: self.results[folder] for folder in folders if self.is_known(folder, answers)}
+
+    def is_known(self, folder: str, answers: AnswerDigests) -> bool:
+        """Return whether what is known of a package still holds."""
+        for count, (question, digest) in enumerate(self.asked.get(folder, ())):
+            if count % SOME == 0:
+                self.look()
+            if answers.digest(question) != digest:
+                return False
+        return folder in self.results
 
     def keep(
         self, workspace: Workspace, observed: Mapping[str, Observed], results: Mapping[str, Any], failed: Set[str]
