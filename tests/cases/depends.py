@@ -66,6 +66,20 @@ CASES = {
             src__node_DOT_cpp="#include <nav_msgs/msg/path.hpp>\n",
             src__e_DOT_cpp="#include <std_msgs/msg/string.hpp>\n#include <nav_msgs/msg/path.hpp>\n",
         ),
+        *(
+            python(
+                "  <test_depend>std_msgs</test_depend>\n  <build_depend>geometry_msgs</build_depend>\n"
+                f"  <exec_depend>{bringer}</exec_depend>\n",
+                my_pkg__a_DOT_py="import std_msgs.msg\nimport geometry_msgs.msg\n",
+            )
+            for bringer in ("sensor_msgs", "nobody")
+        ),
+        cmake(
+            "find_package(nav_msgs REQUIRED)\nadd_executable(node src/node.cpp)\n",
+            "  <exec_depend>std_msgs</exec_depend>\n  <test_depend>nav_msgs</test_depend>\n"
+            "  <depend>sensor_msgs</depend>\n  <depend>nav2_msgs</depend>\n",
+            src__node_DOT_cpp="#include <std_msgs/msg/string.hpp>\n",
+        ),
     ),
     "DEP104": (
         cmake("if(BUILD_TESTING)\n  ament_add_gtest(test_a test/a.cpp)\nendif()\n", "", test__a_DOT_cpp=""),

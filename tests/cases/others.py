@@ -94,7 +94,13 @@ CASES = {
         python("  <exec_depend>yaml</exec_depend>\n", my_pkg__a_DOT_py="import yaml\n"),
         python("  <exec_depend>sensor_msgs</exec_depend>\n", my_pkg__a_DOT_py="import std_msgs.msg\n"),
     ),
-    "DEP102": (python("  <exec_depend>sensor_msgs</exec_depend>\n", test__test_a_DOT_py="import std_msgs.msg\n"),),
+    "DEP102": (
+        python("  <exec_depend>sensor_msgs</exec_depend>\n", test__test_a_DOT_py="import std_msgs.msg\n"),
+        *(
+            python(f"  <test_depend>{name}</test_depend>\n", test__test_a_DOT_py="import launch\nimport launch_ros\n")
+            for name in ("ros_testing", "launch_testing", "who_knows")
+        ),
+    ),
     "DEP103": (
         python("", launch__a_DOT_launch_DOT_py=LAUNCH),
         python("", my_pkg__a_DOT_py=DESCRIBED),
@@ -104,6 +110,14 @@ CASES = {
     ),
     "DEP104": (
         cmake("find_package(std_msgs REQUIRED)\n", "  <depend>sensor_msgs</depend>\n"),
+        *(
+            cmake(
+                f"find_package({found} REQUIRED)\nadd_executable(node src/node.cpp)\n",
+                "  <depend>sensor_msgs</depend>\n",
+                src__node_DOT_cpp="#include <geometry_msgs/msg/pose.hpp>\n#include <std_msgs/msg/string.hpp>\n",
+            )
+            for found in ("std_msgs", "nav2_msgs")
+        ),
         cmake("find_package(ament_cmake_python REQUIRED)\n", ""),
     ),
     "DEP108": (

@@ -8,6 +8,7 @@ from ..checks.depends.brought_dependencies import Bringer
 from ..checks.depends.declared_dependencies import DeclaredDependencies
 from ..checks.depends.name_source import source_of
 from ..checks.depends.unavailable_on_target import enumerated
+from ..checks.depends.undeclared_includes import IncludeDependencies, IncludedPackage
 from ..finding import Fix, Hit, Related, Safety, Severity
 from ..light_dataclasses import dataclass
 from ..source import Span
@@ -32,6 +33,18 @@ class BroughtUse:
     path: str
     span: Span
     """Where it is used first."""
+
+
+def brought_includes(includes: IncludeDependencies) -> list[BroughtUse]:
+    """Return what C++ includes undeclared, and what something else brings, or may bring."""
+    return [
+        BroughtUse(each.names[0], bringer, tag_of(each), each.uses[0].path, each.uses[0].span)
+        for each, bringer in includes.brought()
+    ]
+
+
+def tag_of(each: IncludedPackage) -> str:
+    return "test_depend" if each.role == "test" else "depend"
 
 
 def related(places: Iterable[tuple[str, Span]]) -> tuple[Related, ...]:
@@ -74,13 +87,12 @@ def safety_of(declared: DeclaredDependencies, name: str) -> Safety:
 
 
 def left_to_others(declared: DeclaredDependencies, uses: Sequence[BroughtUse], used: str) -> Iterator[Hit]:
-    """Yield an info for all that declared dependencies bring, and one for all that they may bring.
+    """Yield one info for all that declared dependencies bring, or may bring; what certainly comes is named first.
 
     `used` is what is done: "imported".
     """
-    for is_certain in (True, False):
-        if alike := [use for use in uses if use.bringer.is_certain is is_certain]:
-            yield left_to_some(declared, alike, used)
+    if uses:
+        yield left_to_some(declared, sorted(uses, key=lambda use: not use.bringer.is_certain), used)
 
 
 def left_to_some(declared: DeclaredDependencies, uses: Sequence[BroughtUse], used: str) -> Hit:
@@ -88,16 +100,22 @@ def left_to_some(declared: DeclaredDependencies, uses: Sequence[BroughtUse], use
     bringers = {use.bringer.name for use in uses}
     who = quoted([*bringers]) if len(bringers) == 1 else "other dependencies"
     be, it, comes = ("is", "it", "comes") if len(uses) == 1 else ("are", "they", "come")
-    come = f"{comes} with {who} today" if uses[0].bringer.is_certain else f"may come with {who}"
+    surely = {use.bringer.is_certain for use in uses}
+    may = "may come" if surely == {False} else "come or may come"
+    come = f"{comes} with {who} today" if surely == {True} else f"{may} with {who}"
     message = f"{quoted(names)} {be} {used} and not declared: {it} {come}; declare what you use"
     safe = [use for use in uses if safety_of(declared, use.name) is Safety.SAFE]
     added = ((tag, use.name) for use in safe or uses for tag in tags(declared, use.tag))
     edits = add_dependencies(declared.manifest, added)
     first, *others = uses
-    by = {use.name: f", by way of `{use.bringer.name}`" if len(bringers) > 1 else "" for use in uses}
+    by = {use.name: by_way_of(use.bringer) if len(bringers) > 1 else "" for use in uses}
     places = tuple(Related(use.path, use.span, f"`{use.name}` here{by[use.name]}") for use in others)
     fix = Fix(f"declare {quoted([use.name for use in safe or uses])}", edits, Safety.SAFE if safe else Safety.UNSAFE)
     return Hit(first.path, first.span, message, Severity.INFO, places, fix)
+
+
+def by_way_of(bringer: Bringer) -> str:
+    return f"{',' if bringer.is_certain else ', perhaps'} by way of `{bringer.name}`"
 
 
 def comes_with(bringer: Bringer) -> str:

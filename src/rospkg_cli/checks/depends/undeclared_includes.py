@@ -15,6 +15,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role
+from ...package.interfaces.interface_file import InterfaceFile
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.implied_dependencies import IN_SOURCES, implied_by
 from ...ros.libraries import is_named_among, keys_of_header, stem
@@ -64,10 +65,20 @@ class IncludeDependencies:
     files: PackageFiles
     cmake: CMake
     sources: tuple[CppFile, ...]
+    interfaces: tuple[InterfaceFile, ...] = ()
 
     @cached_property
     def find_packages(self) -> FindPackageDependencies:
-        return FindPackageDependencies(self.declared, self.cmake)
+        return FindPackageDependencies(self.declared, self.cmake, self.interfaces)
+
+    def brought(self) -> Iterator[tuple[IncludedPackage, Bringer]]:
+        """Yield what is included and not declared, and comes or may come with something else."""
+        for each in self.undeclared():
+            if bringer := self.bringer(each):
+                yield each, bringer
+
+    def bringer(self, each: IncludedPackage) -> Bringer | None:
+        return self.declared.bringer(each.names, runs=False) or self.found_bringer(each)
 
     def packages(self) -> tuple[IncludedPackage, ...]:
         """Return the packages and libraries whose headers are included, those of tests after those of what is built."""

@@ -73,7 +73,7 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
 
     ## When it is quiet
     What `ros2 launch` needs (launch, launch_ros, rclpy, PyYAML) is there. What a declared dependency certainly installs
-    is one info, and what may come with one is another, as anything may with a package that is not here; what only an
+    or may bring, as anything may come with a package that is not here, is one info; what only an
     argument turns on (`sim:=true`) is an info that names the argument; so are packages for examples, and unknown ones
     where a `.repos` file lists repositories that are not here, or a README links to theirs. Left out are computed
     names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`), files for

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_left_out
-from ...checks.depends.undeclared_find_package import FindPackageDependencies, UndeclaredFindPackage
+from ...checks.depends.undeclared_find_package import UndeclaredFindPackage
+from ...checks.depends.undeclared_includes import IncludeDependencies
 from ...checks.depends.undeclared_test_commands import CommandsForTests, UndeclaredTestCommand
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others
+from ...edits.undeclared_hits import BroughtUse, advice, brought_includes, declaration, left_to_others
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...ros.manifest import is_buildtool
@@ -23,7 +24,7 @@ FOUND_IN_TESTS = CMAKE.replace(
 @rule(
     "DEP104",
     "undeclared-find-package",
-    over=FindPackageDependencies,
+    over=IncludeDependencies,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "for a package that is found, since it may be installed, and for commands in tests; an error "
@@ -52,7 +53,7 @@ FOUND_IN_TESTS = CMAKE.replace(
         ),
     ),
 )
-def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[Hit]:
+def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds required `find_package()` calls for packages that package.xml does not declare.
@@ -66,8 +67,8 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
     CMake stops with "Could not find a package configuration file"; in a workspace colcon may build it too early.
 
     ## When it is quiet
-    What a declared dependency certainly installs is one info, which names who brings it, and what may come with one is
-    another, as anything may with a package that is not here; so is a key of rosdep that no supported distribution has a
+    What a declared dependency certainly installs, or may, as anything may come with a package that is not here, is one
+    info, with what only C++ includes of the kind (DEP105). So is a key of rosdep that no supported distribution has a
     rule for, as vendor packages took the place of `gz-math7`. What is optional (QUIET, without use) or under a
     condition that depends on the machine is left alone, and so is what comes with the build tools.
 
@@ -77,7 +78,7 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
     ## References
     - REP-149, depend and buildtool_depend
     """
-    declared = dependencies.declared
+    dependencies, declared = includes.find_packages, includes.declared
     brought: list[BroughtUse] = []
     for missing in dependencies.missing():
         found, name = missing.found, missing.names[0]
@@ -96,7 +97,9 @@ def undeclared_find_package(dependencies: FindPackageDependencies) -> Iterator[H
         )
         level = Severity.INFO if is_left_out(declared, name) else Severity.WARNING
         yield Hit(found.word.path, found.word.span, message, level, fix=declaration(declared, kind, name))
-    yield from left_to_others(declared, brought, "required by CMake")
+    included = brought_includes(includes) if brought else []
+    how = "required by CMake or included" if included else "required by CMake"
+    yield from left_to_others(declared, [*brought, *included], how)
     for found in dependencies.unknown():
         yield Hit(found.word.path, found.word.span, unknown_package(found.name), Severity.INFO)
     for each in CommandsForTests(declared, dependencies.cmake).undeclared():

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_left_out
 from ...checks.depends.undeclared_includes import IncludeDependencies
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
+from ...edits.undeclared_hits import advice, brought_includes, declaration, left_to_others, related, tag_of
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule
@@ -47,10 +47,10 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     it is not installed, the build ends with "No such file or directory"; in a workspace colcon may build it too early.
 
     ## When it is quiet
-    What a declared dependency certainly installs, or a package that CMake requires, is one info, which names who brings
-    it. What may come with one is another, as anything may with a package that is not here; so is what only files
-    include that an option of CMake must ask for, or only headers that this package does not compile. Files that no
-    target compiles, includes under `#if`, headers that all others include under it, neighbours whose folder CMake names
+    What a declared dependency or a package that CMake requires certainly installs, or may, is one info, which names who
+    brings it, and DEP104's where CMake requires such a package, too. So is what only files include that an option of
+    CMake must ask for, or only headers that this package does not compile. Files that no target compiles, includes
+    under `#if`, headers that all others include under it, neighbours whose folder CMake names
     (`include_directories(../other/include)`), and packages that `find_package()` names as well (DEP104) are left alone.
 
     ## Fix safety
@@ -60,12 +60,9 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     - REP-149, depend
     """
     declared = includes.declared
-    brought: list[BroughtUse] = []
     for each in includes.undeclared():
-        first, name = each.uses[0], each.names[0]
-        kind = "test_depend" if each.role == "test" else "depend"
-        if bringer := declared.bringer(each.names, runs=False) or includes.found_bringer(each):
-            brought.append(BroughtUse(name, bringer, kind, first.path, first.span))
+        first, name, kind = each.uses[0], each.names[0], tag_of(each)
+        if includes.bringer(each):
             continue
         is_used = "used" if first.is_type else "included"
         message = (
@@ -76,4 +73,5 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
         is_mild = is_left_out(declared, name) or includes.are_optional(each) or includes.are_passed_on(each)
         level = Severity.INFO if is_mild else None
         yield Hit(first.path, first.span, message, level, places, declaration(declared, kind, name))
-    yield from left_to_others(declared, brought, "included")
+    if not any(missing.bringer for missing in includes.find_packages.missing()):  # else DEP104 tells of both
+        yield from left_to_others(declared, brought_includes(includes), "included")

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from ...checks.depends.dependency_kinds import DependencyKinds, WrongKind
-from ...edits.manifest import add_dependency, change_tag
-from ...edits.undeclared_hits import comes_with
+from ...edits.manifest import add_dependencies, change_tag
+from ...edits.undeclared_hits import comes_with, quoted
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -47,8 +47,8 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     ## When it is quiet
     What another dependency brings at that time or may bring, or `ros2 launch` itself to a launch file, is an info, and
     so is what only a launch file needs that is called an example or a demo, and what only files include that an option
-    of CMake must ask for. A `<build_export_depend>` is right for headers that are installed for others and not compiled
-    here.
+    of CMake must ask for. What others bring is one finding. A `<build_export_depend>` is right for headers that are
+    installed for others and not compiled here.
     Optional imports and files that nothing installs are left alone, and so is whatever is not declared at all (DEP101,
     DEP103, DEP105).
 
@@ -58,17 +58,43 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     ## References
     - REP-149, Dependencies
     """
+    brought: list[WrongKind] = []
     for each in kinds.wrong_kinds():
-        name, wanted = each.dependency.name, each.use.wanted
-        message = (
-            f"`{name}` is only a <{each.dependency.tag}>, and {usage(each)}: {consequence(each)}; "
-            f"declare it as <{wanted}>"
-        )
-        related = (Related(kinds.declared.manifest.path, each.dependency.span, "declared here"),)
-        fix = Fix(f"declare `{name}` as <{wanted}>", (repair(kinds, each),), Safety.UNSAFE)
+        if each.bringer:
+            brought.append(each)
+            continue
         is_example = each.use.need == "launch" and kinds.launch.is_example(each.use.path)
-        level = Severity.INFO if each.bringer or is_example or each.use.is_optional else None
-        yield Hit(each.use.path, each.use.span, message, level, related, fix)
+        yield hit(kinds, each, Severity.INFO if is_example or each.use.is_optional else None)
+    if len(brought) == 1:
+        yield hit(kinds, brought[0], Severity.INFO)
+    elif brought:
+        yield left_to_bringers(kinds, brought)
+
+
+def hit(kinds: DependencyKinds, each: WrongKind, level: Severity | None) -> Hit:
+    name, tag, wanted = each.dependency.name, each.dependency.tag, each.use.wanted
+    message = f"`{name}` is only a <{tag}>, and {usage(each)}: {consequence(each)}; declare it as <{wanted}>"
+    related = (Related(kinds.declared.manifest.path, each.dependency.span, "declared here"),)
+    fix = Fix(f"declare `{name}` as <{wanted}>", repairs(kinds, [each]), Safety.UNSAFE)
+    return Hit(each.use.path, each.use.span, message, level, related, fix)
+
+
+def left_to_bringers(kinds: DependencyKinds, brought: Sequence[WrongKind]) -> Hit:
+    """Return one info for several that others bring, or may bring, at the time when they are used."""
+    first, *others = brought
+    names = quoted([each.dependency.name for each in brought])
+    come = "come" if all(each.bringer and each.bringer.is_certain for each in brought) else "may come"
+    message = (
+        f"{names} are not declared for the time when they are used: they {come} with other dependencies; "
+        "declare those uses"
+    )
+    path = kinds.declared.manifest.path
+    related = [Related(path, first.dependency.span, f"only a <{first.dependency.tag}>, and {usage(first)}")]
+    for each in others:
+        what = f"`{each.dependency.name}` is only a <{each.dependency.tag}>, and {usage(each)}"
+        related.append(Related(each.use.path, each.use.span, what))
+    fix = Fix(f"declare the uses of {names}", repairs(kinds, brought), Safety.UNSAFE)
+    return Hit(first.use.path, first.use.span, message, Severity.INFO, tuple(related), fix)
 
 
 def usage(each: WrongKind) -> str:
@@ -98,9 +124,15 @@ def consequence(each: WrongKind) -> str:
             return 'on the build farm the build stops with "Could not find a package configuration file"'
 
 
-def repair(kinds: DependencyKinds, each: WrongKind) -> Edit:
-    manifest, name = kinds.declared.manifest, each.dependency.name
-    for other in manifest.dependencies:
-        if other.name == name and other.tag == "exec_depend" and each.use.wanted == "depend":
-            return change_tag(manifest, other, "depend")
-    return add_dependency(manifest, each.use.wanted, name)
+def repairs(kinds: DependencyKinds, wrong: Iterable[WrongKind]) -> tuple[Edit, ...]:
+    manifest = kinds.declared.manifest
+    changed: list[Edit] = []
+    added: list[tuple[str, str]] = []
+    for each in wrong:
+        name, wanted = each.dependency.name, each.use.wanted
+        as_run = (d for d in manifest.dependencies if d.name == name and d.tag == "exec_depend" and wanted == "depend")
+        if (other := next(as_run, None)) is not None:
+            changed.append(change_tag(manifest, other, "depend"))
+        else:
+            added.append((wanted, name))
+    return (*changed, *add_dependencies(manifest, added))
