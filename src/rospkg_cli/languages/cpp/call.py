@@ -8,7 +8,7 @@ from ...source import Source, Span
 
 PIECE = regex(
     r"""(?P<comment>//[^\n\\]*(?:\\[\s\S][^\n\\]*)*|/\*[\s\S]*?\*/)"""
-    r"""|(?P<string>R"(?P<tag>[^()\\\s"]{0,16})\([\s\S]*?\)(?P=tag)"|"(?:[^"\\\n]|\\[\s\S])*")"""
+    r"""|(?P<string>R"(?P<tag>[^()\\\s"]{0,16})\([\s\S]*?\)(?P=tag)"|"[^"\\\n]*(?:\\[\s\S][^"\\\n]*)*")"""
     r"""|(?P<char>(?<![0-9A-Za-z_])'(?:[^'\\\n]|\\.)+')"""
     r"""|(?P<open>[({\[])|(?P<close>[)}\]])|(?P<comma>,)|(?P<other>[<>])"""
 )
@@ -79,6 +79,10 @@ def arguments(source: Source, at: int) -> tuple[tuple[CppArgument, ...], int] | 
 
 def argument_between(source: Source, start: int, end: int) -> CppArgument:
     """Return the argument between two offsets, without the comments and blanks around it."""
+    raw = source.text[start:end]
+    if "//" not in raw and "/*" not in raw:
+        at = end - len(raw.lstrip())
+        return CppArgument(" ".join(raw.split()), Span(at, at + len(raw.strip())))
     comments = [m.span() for m in PIECE.finditer(source.text, start, end) if m.lastgroup == "comment"]
     borders = [start, *(offset for comment in comments for offset in comment), end]
     code = [stripped_span(source.text, *borders[i : i + 2]) for i in range(0, len(borders), 2)]

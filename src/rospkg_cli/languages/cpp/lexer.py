@@ -14,11 +14,11 @@ from ...light_dataclasses import dataclass, field
 
 Kind = Literal["directive", "string", "name"]
 
-REST = r"(?:[^\n\\/]|/(?![/*])|\\[\s\S])*"
+REST = r"[^\n\\/]*(?:(?:/(?![/*])|\\[\s\S])[^\n\\/]*)*"
 TOKEN = regex(
     r"""//[^\n\\]*(?:\\[\s\S][^\n\\]*)*|/\*[\s\S]*?(?:\*/|\Z)"""
     r"""|R"([^()\\\s"]{0,16})\([\s\S]*?\)\1\""""
-    r"""|"(?:[^"\\\n]|\\[\s\S])*\""""
+    r"""|"[^"\\\n]*(?:\\[\s\S][^"\\\n]*)*\""""
     r"""|'(?<![0-9A-Za-z_]')(?:[^'\\\n]|\\.)+'"""
     rf"""|\#[ \t]*(?:include|if|ifdef|ifndef|elif|else|endif|define)\b{REST}"""
 )
@@ -28,7 +28,7 @@ NAME = regex(
     r"(?:[A-Z][A-Z0-9]*_[A-Z0-9_]+|ClassLoader|\w*declare_parameter\w*|declare_or_get_parameter|get_parameter(?:_or)?)"
     r"(?=\s*([<(]))"
 )
-WORDS = ("REGISTER", "EXPORT", "ClassLoader", "declare_parameter", "declare_or_get_parameter", "get_parameter")
+WORDS = ("REGISTER", "EXPORT", "ClassLoader", "declare_parameter", "get_parameter")
 """Each name of interest has one of them."""
 
 DIRECTIVE = regex(r"#[ \t]*(\w+)[ \t]*")
@@ -111,25 +111,30 @@ def names(text: str, at: int) -> list[tuple[int, int, int]]:
 
 def tokens(text: str, at: int = 0) -> Iterator[CppToken]:
     """Yield the tokens from an offset on, in order."""
-    conditions, dead, waiting = ConditionalStack(), False, names(text, at)[::-1]
+    conditions, waiting = ConditionalStack(), names(text, at)[::-1]
+    dead = is_conditional = False
     for match in TOKEN.finditer(text, at):
         start, end = match.span()
         while waiting and waiting[-1][0] < start:
             begin, close, opening = waiting.pop()
             if not dead:
-                yield CppToken("name", begin, close, conditions.conditional, at=opening)
+                yield CppToken("name", begin, close, is_conditional, at=opening)
         while waiting and waiting[-1][0] < end:
             waiting.pop()
-        if text[start] == "#":
+        sign = text[start]
+        if sign == "#":
             found = DIRECTIVE.match(text, start)
             assert found is not None
             word, behind = found[1], found.end()
-            if not dead and word in ("include", "define"):
-                yield CppToken("directive", start, end, conditions.conditional, word, behind)
-            conditions.step(word, text, behind, end)
-            dead = conditions.dead
-        elif text[start] == '"' and not dead and "::" in match[0]:
-            yield CppToken("string", start, end, conditions.conditional)
+            if word not in ("include", "define"):
+                conditions.step(word, text, behind, end)
+                dead, is_conditional = conditions.dead, conditions.conditional
+                continue
+            conditions.first = False
+            if not dead:
+                yield CppToken("directive", start, end, is_conditional, word, behind)
+        elif sign == '"' and not dead and "::" in match[0]:
+            yield CppToken("string", start, end, is_conditional)
     for begin, close, opening in reversed(waiting):
         if not dead:
-            yield CppToken("name", begin, close, conditions.conditional, at=opening)
+            yield CppToken("name", begin, close, is_conditional, at=opening)
