@@ -33,7 +33,6 @@ TOKEN = regex(
     r"""|(?P<quoted>"[^"\\]*(?:\\.[^"\\]*)*")""",
     re.DOTALL,
 )
-IDENTIFIER = regex(r"[A-Za-z_][A-Za-z0-9_]*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,26 +55,28 @@ def tokens(text: str, at: int = 0) -> Iterator[CMakeToken]:
 
     A string or a bracket that is never closed is one `bad` token up to the end; so is an unexpected character.
     """
-    while at < len(text):
-        token = next_token(text, at)
+    length, match_at = len(text), TOKEN.match
+    while at < length:
+        match = match_at(text, at)
+        if match is None:
+            token = CMakeToken("bad", text[at:] if text[at] == '"' else text[at], at)
+        elif (kind := match.lastgroup) == "open":
+            token = bracket_token(text, at, match[0])
+        else:
+            token = CMakeToken(kind_of(kind, match[0]), match[0], at)
         yield token
-        at = token.end
+        at += len(token.text)
 
 
-def next_token(text: str, at: int) -> CMakeToken:
-    match = TOKEN.match(text, at)
-    if match is None:
-        return CMakeToken("bad", text[at:] if text[at] == '"' else text[at], at)
-    found = match.group()
-    match match.lastgroup:
+def kind_of(group: str | None, found: str) -> Kind:
+    """Return the kind of a token by the group of the pattern that fits."""
+    match group:
         case "newline" | "space" | "comment" | "quoted" as kind:
-            return CMakeToken(kind, found, at)
+            return kind
         case "paren":
-            return CMakeToken("(" if found == "(" else ")", found, at)
-        case "open":
-            return bracket_token(text, at, found)
+            return "(" if found == "(" else ")"
         case _:
-            return CMakeToken("identifier" if IDENTIFIER.fullmatch(found) else "unquoted", found, at)
+            return "identifier" if found.isidentifier() and found.isascii() else "unquoted"
 
 
 def bracket_token(text: str, at: int, opening: str) -> CMakeToken:

@@ -75,7 +75,6 @@ def parse(source: Source) -> CMakeSyntax:
 class CMakeParser:
     source: Source
     begin: int = 0
-    read_to: int = 0
     reread: int = 0
     """How many characters were read more than once."""
     commands: list[CommandInvocation] = field(default_factory=list)
@@ -92,14 +91,15 @@ class CMakeParser:
         self.stream, self.begin = tokens(self.source.text, at), at
         fresh = True
         for token in self.stream:
-            self.read_to = token.end
             match token.kind:
                 case "newline":
                     fresh = True
-                case "space" | "comment":
-                    self.note(token)
+                case "space":
+                    pass
+                case "comment":
+                    self.comments.append(token.span)
                 case "bracket comment":
-                    self.note(token)
+                    self.comments.append(token.span)
                     fresh = False
                 case "identifier" if fresh:
                     fresh = False
@@ -109,10 +109,6 @@ class CMakeParser:
                     return self.fault(token, *unexpected(token, fresh))
         return len(self.source.text)
 
-    def note(self, token: CMakeToken) -> None:
-        if token.kind in ("comment", "bracket comment"):
-            self.comments.append(token.span)
-
     def command(self, name: CMakeToken) -> int | None:
         """Read the arguments behind a name; return where to continue after an error, None where there is none."""
         opened = next((token for token in self.stream if token.kind != "space"), None)
@@ -121,25 +117,29 @@ class CMakeParser:
         arguments: list[CommandArgument] = []
         depth, before = 0, "space"
         for token in self.stream:
-            self.read_to = token.end
-            if token.kind == ")" and not depth:
+            kind = token.kind
+            if kind == ")" and not depth:
                 span, inner = Span(name.start, token.end), Span(opened.end, token.start)
                 self.commands.append(CommandInvocation(name.text.lower(), name.span, span, tuple(arguments), inner))
                 return None
-            if token.kind == "bad":
+            if kind == "bad":
                 return self.fault(token, *unclosed(token))
-            if lacks_blank(before, token.kind):
+            if lacks_blank(before, kind):
                 return self.fault(token, ReadProblem.CMAKE_NO_BLANK)
-            depth += {"(": 1, ")": -1}.get(token.kind, 0)
-            before = token.kind
-            self.note(token)
-            if token.kind not in BLANK:
+            before = kind
+            if kind not in BLANK:
+                depth += (kind == "(") - (kind == ")")
                 arguments.append(argument_of(token))
+            elif kind in ("comment", "bracket comment"):
+                self.comments.append(token.span)
         opening = CMakeToken("bad", name.text + "(", name.start)
-        return self.fault(opening, ReadProblem.CMAKE_OPEN_PARENTHESIS, name.text)
+        return self.fault(opening, ReadProblem.CMAKE_OPEN_PARENTHESIS, name.text, read_to=len(self.source.text))
 
-    def fault(self, token: CMakeToken, code: ReadProblem, *details: str) -> int:
-        """Record a problem; return the offset of the next line that looks like a command."""
+    def fault(self, token: CMakeToken, code: ReadProblem, *details: str, read_to: int = 0) -> int:
+        """Record a problem; return the offset of the next line that looks like a command.
+
+        The text was read up to the end of the token, or further.
+        """
         start = token.start
         if (opening := self.swallowing(start)) is not None:
             start, code, details = opening, ReadProblem.CMAKE_OPEN_QUOTE_BEFORE, ()
@@ -147,7 +147,7 @@ class CMakeParser:
         self.problems.append(SyntaxProblem(Span(start, start + max(length, 1)), code, details))
         again = COMMAND_LINE.search(self.source.text, self.source.text.find("\n", start) + 1 or len(self.source.text))
         resume = again.start() if again else len(self.source.text)
-        self.reread += max(0, self.read_to - resume)
+        self.reread += max(0, (read_to or token.end) - resume)
         return resume
 
     def swallowing(self, before: int) -> int | None:
@@ -164,20 +164,17 @@ class CMakeParser:
 
 def lacks_blank(before: str, kind: str) -> bool:
     """Return whether a blank that CMake requires is missing: on both sides of a bracket."""
-    if kind in BLANK or kind in ("(", ")") or before in ("space", "newline", "comment", "("):
+    if "bracket" not in (before, kind) and before != "bracket comment":
         return False
-    return "bracket" in (before, kind) or before == "bracket comment"
+    return kind not in (*BLANK, "(", ")") and before not in ("space", "newline", "comment", "(")
 
 
 def argument_of(token: CMakeToken) -> CommandArgument:
-    match token.kind:
-        case "quoted":
-            return CommandArgument("quoted", token.text[1:-1], token.span)
-        case "bracket":
-            width = token.text.index("[", 1) + 1
-            body = token.text[width:-width]
-            return CommandArgument("bracket", body.removeprefix("\n"), token.span)
-        case "(" | ")":
-            return CommandArgument("paren", token.text, token.span)
-        case _:
-            return CommandArgument("unquoted", token.text, token.span)
+    kind, text, start = token.kind, token.text, token.start
+    span = Span(start, start + len(text))
+    if kind == "quoted":
+        return CommandArgument("quoted", text[1:-1], span)
+    if kind == "bracket":
+        width = text.index("[", 1) + 1
+        return CommandArgument("bracket", text[width:-width].removeprefix("\n"), span)
+    return CommandArgument("paren" if kind in ("(", ")") else "unquoted", text, span)
