@@ -75,7 +75,7 @@ def test_what_comes_with_others_for_certain_and_what_perhaps_is_one_info() -> No
     (finding,) = found("DEP101", declared("sensor_msgs", "acme_driver"), my_pkg__a_DOT_py=text)
     said = "`std_msgs` and `nav_msgs` are imported and not declared: they come or may come with other dependencies;"
     assert finding.message.startswith(said)
-    assert [each.message for each in finding.related] == ["`nav_msgs` here, perhaps by way of `acme_driver`"]
+    assert [each for _, each in finding.related] == ["`nav_msgs` here, perhaps by way of `acme_driver`"]
     assert finding.severity.value == "info"
 
 
