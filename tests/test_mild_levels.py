@@ -218,6 +218,8 @@ STARTS = '<launch><node pkg="controller_manager" exec="x">{}</node></launch>\n'
     [
         ("arm", STARTS.format(""), "info"),
         ("arm", STARTS.format('<param from="$(find-pkg-share my_pkg)/config/arm.yaml"/>'), "warning"),
+        ("arm", STARTS.format("<!-- arm.yaml -->"), "info"),
+        ("arm", STARTS.format("<!-- a --><param from='arm.yaml'/><!-- b -->"), "warning"),
         ("arm_example", STARTS.format(""), "info"),
         ("arm_example", STARTS.format('<param from="$(find-pkg-share my_pkg)/config/arm_example.yaml"/>'), "warning"),
     ],

@@ -65,6 +65,8 @@ LINKS_OLD = USER["user/CMakeLists.txt"].replace(
 END = "ament_package()\n"
 EXPORTS_RCLPCP = "find_package(rclcpp REQUIRED)\nament_export_dependencies(rclpcp)\n"
 
+COMPONENT = 'rclcpp_components_register_nodes(core "my_pkg::Core")\n'
+
 CASES = {
     "CMK001": (
         called("project(other)", "my pkg"),
@@ -143,6 +145,10 @@ CASES = {
         cmake(cmk105.PROGRAMS.replace("«", "").replace("»", ""), scripts__hello_DOT_py="print('hello')\n"),
     ),
     "CMK106": (
+        *(cmake(f"find_package(rclcpp_components REQUIRED)\n{LIBRARY}{each}{EXPORTED}",
+                include__my_pkg__a_DOT_hpp="#pragma once\n", src__core_DOT_cpp="int core() {return 1;}\n",
+                src__base_DOT_cpp="int base() {return 1;}\n")
+          for each in ("", COMPONENT, f"{COMPONENT}add_library(base SHARED src/base.cpp)\n")),
         cmake("ament_export_include_directories(include)\n", include__my_pkg__a_DOT_hpp="#pragma once\n"),
     ),
     "CMK107": (

@@ -48,8 +48,12 @@ class ExportedHeaders:
 
     @property
     def are_of_plugins(self) -> bool:
-        """Whether the package is loaded as plugins, and no package of the workspace builds against it."""
-        return bool(self.headers.package.cmake.named(DESCRIPTIONS)) and not self.is_built_against
+        """Whether the package is loaded as plugins or components, and no package of the workspace builds against it."""
+        cmake = self.headers.package.cmake
+        components = {each.target.text for each in cmake.components}
+        libraries = [target.name for target in cmake.targets if target.is_library and target.is_built]
+        is_loaded = bool(cmake.named(DESCRIPTIONS)) or (bool(libraries) and components.issuperset(libraries))
+        return is_loaded and not self.is_built_against
 
     @property
     def is_built_against(self) -> bool:

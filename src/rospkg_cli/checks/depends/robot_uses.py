@@ -11,6 +11,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import LAUNCH, role_of
 from ...package.install_table import InstallTable
+from ...package.launch.uncommented import uncommented
 from ...package.package_facts import PluginUse
 from ...package.urdf.robot_file import ResourceReference, RobotFile
 from ...ros.implied_dependencies import IN_PARAMETERS, NAVIGATION, implied_by
@@ -143,7 +144,7 @@ class RobotUses:
 
         MoveIt looks for the files of its configs by their names alone.
         """
-        texts = [file.source.text for file in self.launch.launch_files]
+        texts = [uncommented(file.path, file.source.text) for file in self.launch.launch_files]
         stem = re.compile(rf"\b{re.escape(path.rpartition('/')[2].rpartition('.')[0])}\b")
         if any(stem.search(text) or "MoveItConfigsBuilder" in text for text in texts):
             return False

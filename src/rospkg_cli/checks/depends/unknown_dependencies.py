@@ -7,6 +7,7 @@ from functools import cached_property
 
 from ...languages.rep149_condition import evaluate_condition
 from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
 from ...package.manifest import Dependency
 from ...ros.aliases import last_ros1_distro, successors
 from ...ros.distros import Targets
@@ -42,6 +43,13 @@ class UnknownDependency:
 class DependencyNames:
     declared: DeclaredDependencies
     targets: Targets
+    cmake: CMake | None = None
+
+    def is_found_by_name(self, name: str) -> bool:
+        """Return whether ament_cmake_auto looks for a dependency by its name, and nothing else does."""
+        if self.cmake is None or not self.cmake.named("ament_auto_find_build_dependencies"):
+            return False
+        return not any(name in call.texts[:1] for call in self.cmake.named("find_package"))
 
     def active(self) -> Iterator[Dependency]:
         """Yield the dependencies whose condition holds for a target: the first of each name."""
@@ -85,6 +93,9 @@ class DependencyNames:
                     yield from () if self.is_of_ros1(each.name) else self.unavailable(each)
                 else:
                     what = (found.suggestion, found.reason, found.rosdep_error, found.advice)
+                    if found.suggestion and self.is_found_by_name(each.name):
+                        todo = f"write `{found.suggestion}`, and find and link `{each.name}` in CMakeLists.txt yourself"
+                        what = (None, f"{found.reason}, and ament_auto finds it by that", found.rosdep_error, todo)
                     same = [each, *self.repeated(each)]
                     yield UnknownDependency(each, *what, parts=found.parts, is_uncertain=not self.is_certain(same))
 

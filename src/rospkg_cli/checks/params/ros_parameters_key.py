@@ -10,6 +10,7 @@ from ...files import PackageFiles
 from ...languages.yaml.nodes import MappingNode, ScalarNode
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.launch.uncommented import uncommented
 from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import KEY, ParameterFile, is_key
 from ...package.workspace import Workspace
@@ -52,9 +53,13 @@ class ParameterFileUse:
         told = re.compile(rf"params[-_]file\S*[ \t]*\S*{re.escape(name)}")
         for path in self.files.paths:
             wanted = stem if STARTING.search(path) else told if DOCS.search(path) else None
-            if wanted is not None and wanted.search(self.files.readable_text(path)):
+            if wanted is not None and wanted.search(self.read(path)):
                 return False
         return not self.workspace.is_needed(self.package.name)
+
+    def read(self, path: str) -> str:
+        text = self.files.readable_text(path)
+        return uncommented(path, text) if LAUNCH.fullmatch(path.rpartition("/")[2]) else text
 
 
 def key_faults(file: ParameterFile, *, is_parsed_by_launch: bool = False) -> Iterator[Fault]:

@@ -44,7 +44,7 @@ FILES = {"src/core.cpp": "int core() {return 1;}\n", "include/my_pkg/core.hpp": 
     "headers-not-installed",
     over=ExportedHeaders,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "no library is exported, or one of plugins, and no package of the workspace builds on it"},
+    levels={Severity.INFO: "no library is exported, or one of plugins or components, and no package here builds on it"},
     examples=(
         Example(
             bad={**FILES, "CMakeLists.txt": CMAKE.replace("ament_package", LINES + "ament_package")},
@@ -67,8 +67,8 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
 
     ## When it is quiet
     Where an install rule or CMake itself can't be evaluated, in `ament_auto_package()`, for a plugin that exports only
-    targets, and as soon as one header is installed. Plugins are loaded and not linked: an info, where no package of the
-    workspace builds against this one.
+    targets, and as soon as one header is installed. Plugins and components are loaded and not linked: an info, where no
+    package of the workspace builds against this one.
     """
     headers = exported.headers
     package = headers.package

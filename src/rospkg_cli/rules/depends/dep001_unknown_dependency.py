@@ -63,7 +63,8 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
     whose condition excludes the targets, and doc_depend, are left alone.
 
     ## Fix safety
-    The name is replaced by the suggested one; where only a letter differs, another one may be right.
+    The name is replaced by the suggested one; where only a letter differs, another one may be right. There is none
+    where `ament_auto_find_build_dependencies()` finds what is meant by the name that package.xml has.
     """
     manifest = names.declared.manifest
     for each in names.unknown():
