@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from editor import PATIENCE
 from server_in_process import ServerInProcess, until
 
-from rospkg_cli.cli.server import fixing_all, language_server
+from rospkg_cli.cli.server import fixing_all, language_server, offered_actions
 from rospkg_cli.cli.server.live_lint import LintOrder, LiveLint
 from rospkg_cli.cli.server.shared_properties import get
 from rospkg_cli.engine.live.safe_point import RightOfWay, RunInterrupted, SafePoint
@@ -103,7 +104,14 @@ def at(manifest: Path, word: str) -> dict[str, Any]:
     return {"textDocument": {"uri": manifest.as_uri()}, "position": where}
 
 
-def test_what_is_asked_while_a_rule_goes_on_is_answered_or_refused(manifest: Path, held_rule: Hold) -> None:
+@pytest.fixture
+def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let actions wait for no run."""
+    monkeypatch.setattr(offered_actions, "LISTING", 2 * PATIENCE)
+
+
+@pytest.mark.usefixtures("impatient")
+def test_what_is_asked_while_a_rule_goes_on_is_answered(manifest: Path, held_rule: Hold) -> None:
     async def scene(server: ServerInProcess) -> None:
         server.type(manifest, TODO)
         await until(held_rule.begun.is_set)
@@ -111,11 +119,9 @@ def test_what_is_asked_while_a_rule_goes_on_is_answered_or_refused(manifest: Pat
             assert "result" in await server.answer(f"textDocument/{asked}", at(manifest, "my_pkg"))
         options = {"textDocument": {"uri": manifest.as_uri()}, "options": {"tabSize": 2, "insertSpaces": True}}
         assert "result" in await server.answer("textDocument/formatting", options)
-        server.server.limit = 0.01
         assert "result" in await server.actions(manifest)
         assert not held_rule.go_on.is_set()
         assert not any("XML104" in each for each in server.published(manifest))
-        server.server.limit = 60
         held_rule.go_on.set()
         await server.settle()
         assert "XML104" in server.published(manifest)[-1]
@@ -131,6 +137,7 @@ def edits_of(action: dict[str, Any]) -> list[tuple[int, str]]:
     return [(each["range"]["start"]["line"], each["newText"]) for each in change["edits"]]
 
 
+@pytest.mark.usefixtures("impatient")
 @pytest.mark.parametrize(
     "edited, moved",
     [
@@ -151,7 +158,6 @@ def test_actions_right_behind_a_key_are_those_that_still_hold(
         server.type(manifest, TWICE)
         await server.settle()
         before = len(server.published(manifest))
-        server.server.limit = 0.01
         server.type(manifest, edited)
         if "TODO" in edited.partition("</description>")[0]:
             await until(held_rule.begun.is_set)

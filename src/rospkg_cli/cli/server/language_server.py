@@ -133,7 +133,7 @@ def lint(live: LiveLint, order: LintOrder, codec: PositionCodec, begins: Callabl
     """Return what a run finds, made ready to be shown; None where it was interrupted."""
     try:
         found = Linted.of(live.run(order, begins), codec)
+        found.make_ready()
     except RunInterrupted:
         return None
-    assert found.diagnostics is not None  # made here, not in the event loop
     return found

@@ -10,11 +10,8 @@ from contextlib import suppress
 PAUSE = 0.15
 """Seconds without a change after which packages are linted."""
 
-IDLE = 0.5
-"""Seconds without a change after which garbage is collected, which stops everything for a moment."""
-
-MUCH = 10
-"""Collections of the middle generation after which garbage is worth that: 200,000 objects."""
+MUCH = 3
+"""Collections of the middle generation after which a full one is worth its time: 60,000 objects."""
 
 
 class LintLoop:
@@ -49,11 +46,11 @@ class LintLoop:
                     self.has_changed.clear()
                     await self.pause()
                 is_finished = await self.lint_all()
+                self.collect_garbage()
             if self.is_alone and not gc.get_freeze_count():
                 gc.collect()
                 gc.freeze()
             self.is_settled.set()
-            await self.rest()
 
     async def pause(self) -> None:
         """Wait for more changes, unless somebody waits for the run."""
@@ -61,13 +58,10 @@ class LintLoop:
             await asyncio.wait_for(self.is_urgent.wait(), PAUSE)
         self.is_urgent.clear()
 
-    async def rest(self) -> None:
-        """Collect garbage if nothing changes for a moment; what was known when all were judged is left alone."""
-        try:
-            await asyncio.wait_for(self.has_changed.wait(), IDLE)
-        except asyncio.TimeoutError:
-            if self.is_alone and gc.get_count()[2] >= MUCH:
-                gc.collect()
+    def collect_garbage(self) -> None:
+        """Let go of what a run has left; what was known when all were judged for the first time is not looked at."""
+        if self.is_alone and gc.get_freeze_count() and gc.get_count()[2] >= MUCH:
+            gc.collect()
 
     def tell(self) -> None:
         """Wake those that wait for a run."""

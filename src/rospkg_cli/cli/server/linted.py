@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import cached_property
 from pathlib import Path
 
 from lsprotocol import types
 from pygls.workspace import PositionCodec
 
+from ...engine.live.safe_point import never
 from ...engine.run.session import Session
 from ...finding import Finding
 from ...light_dataclasses import dataclass, field
@@ -74,4 +75,15 @@ class Linted:
     @cached_property
     def diagnostics(self) -> dict[Path, list[types.Diagnostic]]:
         """The findings as an editor shows them, by the absolute path of their file."""
-        return {path: [diagnostic(each, self, self.codec) for each in found] for path, found in self.by_file.items()}
+        return self.shown()
+
+    def make_ready(self) -> None:
+        """Make what is shown, in the thread of the run: with a look after each file, at which it may be interrupted."""
+        self.diagnostics = self.shown(self.run.order.look)
+
+    def shown(self, look: Callable[[], None] = never) -> dict[Path, list[types.Diagnostic]]:
+        found = {}
+        for path, findings in self.by_file.items():
+            found[path] = [diagnostic(each, self, self.codec) for each in findings]
+            look()
+        return found

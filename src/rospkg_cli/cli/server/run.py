@@ -14,9 +14,9 @@ from .. import UsageError
 SWITCH = 0.0005
 """Seconds after which a run makes way for what the editor asks, a tenth of Python's own: messages pass many threads."""
 
-COLLECTIONS = (2_000, 10, 50)
-"""When Python collects garbage, which a server has to do, unlike a run that ends soon: a full collection stops all for
-0.3 s (navigation2), so it is left to idle moments where these come in time."""
+COLLECTIONS = (2_000, 10, 500)
+"""When Python collects garbage, which a server has to do, unlike a program that ends soon. A full collection stops all
+for 0.5 s in the middle of a run (navigation2), so it is left to the moment behind one, when little is there."""
 
 MISSING = "rospkg server needs pygls: pip install 'rospkg-cli[server]'"
 
