@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from bench.faults.fault import PutFault
+from bench.faults.fault import PutFault, Spot
 from bench.faults.kinds import kind
 from bench.faults.source_package import SourcePackage
 
@@ -39,7 +39,9 @@ def install_of_folder_lost(package: SourcePackage) -> Iterator[PutFault]:
 @kind("cmake install")
 def install_of_one_folder_lost(package: SourcePackage) -> Iterator[PutFault]:
     pattern = rf"^install\(\s*DIRECTORY\s+({USED_FOLDERS})/?\s+DESTINATION\s+share[^()]*\)[ \t]*\n"
-    yield from (spot.drop() for spot in package.spots(CMAKE, pattern) if package.matching(rf"^{spot.word}/"))
+    for spot in package.spots(CMAKE, pattern):
+        if package.matching(rf"^{spot.word}/(?!.*\.launch$)"):  # a bare one is mostly ROS 1's
+            yield spot.drop()
 
 
 @kind("cmake install")
@@ -57,21 +59,31 @@ def install_into_share_alone(package: SourcePackage) -> Iterator[PutFault]:
         yield spot.put("", spot[1], "share")
 
 
+def executables_in(package: SourcePackage, spot: Spot) -> list[str]:
+    """Return the executables whose whole names an install rule holds."""
+    names = package.words(CMAKE, r"add_executable\(\s*([\w${}]+)")
+    whole = (name for name in sorted(names) if re.search(rf"(?<![\w}}]){re.escape(name)}(?![\w$])", spot.match[0]))
+    return [name.replace("${PROJECT_NAME}", package.name) for name in whole]
+
+
+def is_for_libraries(spot: Spot) -> bool:
+    """Return whether the last destination is one of libraries: programs go to bin/ then, before and after."""
+    return re.search(r"\b(?:ARCHIVE|LIBRARY)\b(?![\s\S]*\bRUNTIME\b)", spot.match[0]) is not None
+
+
 @kind("cmake install")
 def install_of_executable_into_bin(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(CMAKE, r"install\(\s*TARGETS[^()]*?(\w+)[^()]*DESTINATION\s+(lib/\$\{PROJECT_NAME\})", 2):
-        names = package.words(CMAKE, r"add_executable\(\s*(\w+)")
-        inside = [name for name in sorted(names) if name in spot.match[0]]
-        if inside and "RUNTIME" not in spot.match[0]:
+        inside = executables_in(package, spot)
+        if inside and not is_for_libraries(spot) and "RUNTIME" not in spot.match[0]:
             yield spot.put("bin", *inside)
 
 
 @kind("cmake install")
 def install_of_executable_into_lib(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(CMAKE, r"install\(\s*TARGETS[^()]*DESTINATION\s+lib(/\$\{PROJECT_NAME\})"):
-        names = package.words(CMAKE, r"add_executable\(\s*(\w+)")
-        inside = [name for name in sorted(names) if name in spot.match[0]]
-        if inside:
+        inside = executables_in(package, spot)
+        if inside and not is_for_libraries(spot):
             yield spot.put("", *inside)
 
 
@@ -91,7 +103,8 @@ def install_of_mistyped_program(package: SourcePackage) -> Iterator[PutFault]:
 @kind("cmake install")
 def install_of_program_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(CMAKE, r"^\s+([\w/]+\.py)[ \t]*\n(?=[^()]*DESTINATION\s+lib)"):
-        if package.holds(CMAKE, rf"install\(\s*PROGRAMS[^()]*{spot.word}"):
+        is_ros1 = package.holds(rf"(^|/){re.escape(spot.word)}$", r"^import rospy")
+        if package.holds(CMAKE, rf"install\(\s*PROGRAMS[^()]*{spot.word}") and not is_ros1:
             yield spot.drop(spot.word.rpartition("/")[2])
 
 
@@ -115,7 +128,8 @@ def script_not_executable_in_directory(package: SourcePackage) -> Iterator[PutFa
 @kind("cmake install")
 def python_package_not_installed(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(CMAKE, r"^\s*(ament_python_install_package)\([^)]*\)[ \t]*\n"):
-        yield spot.drop(package.name)
+        modules = package.matching(rf"^(src/)?{package.name}/(?!__init__).*\.py$")
+        yield spot.drop(package.name).known(bool(modules), "the Python package holds no module")
 
 
 @kind("cmake install")

@@ -4,13 +4,28 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import wraps
 
 from bench.faults.fault import PutFault, Spot
-from bench.faults.kinds import kind
+from bench.faults.kinds import Places, kind
 from bench.faults.source_package import SourcePackage
+from rospkg_cli.package.file_role import role_of
 
 FILES = r"\.(urdf|xacro)$"
+ON_PURPOSE = "a robot for tests, or in documents, may be wrong on purpose, and nothing may read it"
 LITERAL = r"[\w-]+"
+
+
+def urdf_kind(places: Places) -> Places:
+    """Register a kind of faults in robots; those in robots for tests and documents don't count."""
+
+    @wraps(places)
+    def weighed(package: SourcePackage) -> Iterator[PutFault]:
+        for fault in places(package):
+            path = fault.path.removeprefix(f"{package.folder}/")
+            yield fault.known(role_of(path) not in ("test", "aside"), ON_PURPOSE)
+
+    return kind("urdf")(weighed)
 
 
 def own(package: SourcePackage, pattern: str, group: int = 1) -> Iterator[Spot]:
@@ -19,47 +34,47 @@ def own(package: SourcePackage, pattern: str, group: int = 1) -> Iterator[Spot]:
             yield spot
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_child(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, rf"<child\s+link\s*=\s*\"({LITERAL})\""):
         if re.search(rf"<link\s+name\s*=\s*\"{spot.word}\"", spot.text):
             yield spot.typo()
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_parent(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, rf"<parent\s+link\s*=\s*\"({LITERAL})\""):
         if re.search(rf"<link\s+name\s*=\s*\"{spot.word}\"", spot.text):
             yield spot.typo()
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_link_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, rf"^\s*<link\s+name\s*=\s*\"({LITERAL})\"\s*/>[ \t]*\n"):
         if re.search(rf"link\s*=\s*\"{spot.word}\"", spot.text):
             yield spot.drop()
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_link_twice(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, rf"(<link\s+name\s*=\s*\"({LITERAL})\"\s*/>)"):
         yield spot.put(spot.word * 2, spot[2])
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_joint_type(package: SourcePackage) -> Iterator[PutFault]:
     yield from (
         spot.typo() for spot in own(package, r"<joint\b[^>]*?\btype\s*=\s*\"(fixed|continuous|revolute|prismatic)\"")
     )
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_without_joint_type(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, rf"<joint name\s*=\s*\"({LITERAL})\"(\s+type\s*=\s*\"fixed\")", 2):
         yield spot.put("", "type", spot[1])
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_without_limit(package: SourcePackage) -> Iterator[PutFault]:
     moving = r"<joint name\s*=\s*\"([^\"]+)\"\s+type\s*=\s*\"(?:revolute|prismatic)\">"
     pattern = rf"{moving}(?:(?!</joint>)[\s\S])*?(<limit[^>]*/>)"
@@ -67,7 +82,7 @@ def urdf_without_limit(package: SourcePackage) -> Iterator[PutFault]:
         yield spot.put("", "limit", spot[1])
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_mesh(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(
         package,
@@ -78,12 +93,12 @@ def urdf_mistyped_mesh(package: SourcePackage) -> Iterator[PutFault]:
             yield spot.typo()
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_mesh_package(package: SourcePackage) -> Iterator[PutFault]:
     yield from (spot.typo() for spot in own(package, r"filename\s*=\s*\"package://(\w+)/"))
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mesh_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(
         package, rf"filename\s*=\s*\"(?:package://|file://\$\(find ){package.name}\)?/([\w/-]+\.(?:stl|dae|STL|DAE))\""
@@ -92,53 +107,55 @@ def urdf_mesh_lost(package: SourcePackage) -> Iterator[PutFault]:
             yield package.removed(spot.word)
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_unclosed(package: SourcePackage) -> Iterator[PutFault]:
     yield from (spot.of_file("") for spot in own(package, r"(</(?:link|joint|visual)>)"))
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_quote_lost(package: SourcePackage) -> Iterator[PutFault]:
     yield from (spot.of_file("") for spot in own(package, r"<link\s+name\s*=\s*\"[^\"\n]+(\")"))
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_mimic(package: SourcePackage) -> Iterator[PutFault]:
     yield from (spot.typo() for spot in own(package, r"<mimic\s+joint\s*=\s*\"(?:\$\{\w+\})?(\w+)\""))
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_gazebo_reference(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, rf"<gazebo\s+reference\s*=\s*\"({LITERAL})\""):
         if re.search(rf"<link\s+name\s*=\s*\"{spot.word}\"", spot.text):
             yield spot.typo()
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_control_joint(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, rf"<ros2_control\b(?:(?!</ros2_control>)[\s\S])*?<joint name\s*=\s*\"({LITERAL})\""):
         if len(re.findall(rf"<joint\s+name\s*=\s*\"{spot.word}\"", spot.text)) > 1:
             yield spot.typo()
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_numbers_missing(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"xyz\s*=\s*\"(-?[\d.]+ -?[\d.]+( -?[\d.]+))\"", 2):
         yield spot.put("", "xyz", spot[1])
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_letter_in_number(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"(xyz|rpy)\s*=\s*\"((-?\d+[\d.]*) -?[\d.]+ -?[\d.]+)\"", 3):
         yield spot.put("O.1", spot[1])
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_comma_in_numbers(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"(xyz|rpy)\s*=\s*\"-?[\d.]+( )-?[\d.]+ -?[\d.]+\"", 2):
         yield spot.put(", ", spot[1])
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_plugin(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.typo() for spot in own(package, r"<plugin>(?:\w+/)(\w+)</plugin>"))
+    known = {*package.siblings, "gz_ros2_control", "mock_components", "fake_components"}
+    for spot in own(package, r"<plugin>(\w+)/(\w+)</plugin>", 2):
+        yield spot.typo().known(spot[1] in known, "the plugins of a package that is not here, and in no table")

@@ -5,39 +5,39 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from bench.faults.comments import without_comments
 from bench.faults.fault import PutFault
-from bench.faults.kinds import kind
 from bench.faults.source_package import SourcePackage
-from bench.faults.urdf import own
+from bench.faults.urdf import own, urdf_kind
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_child_with_prefix(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"<child\s+link\s*=\s*\"\$\{\w+\}(\w+)\""):
         if re.search(rf"<link\s+name\s*=\s*\"\$\{{\w+\}}{spot.word}\"", spot.text):
             yield spot.typo()
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_prefix_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"<child\s+link\s*=\s*\"(\$\{\w+\})(\w+)\""):
         if re.search(rf"<link\s+name\s*=\s*\"\$\{{\w+\}}{spot[2]}\"", spot.text):
             yield spot.put("", spot[2])
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_find(package: SourcePackage) -> Iterator[PutFault]:
     yield from (spot.typo() for spot in own(package, r"\$\(find (\w+)\)"))
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_include(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"<xacro:include\s+filename\s*=\s*\"[^\"]*?([\w.-]+\.xacro)\""):
         if package.matching(rf"(^|/){re.escape(spot.word)}$"):
             yield spot.typo()
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_macro(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(
         package,
@@ -47,14 +47,14 @@ def urdf_mistyped_macro(package: SourcePackage) -> Iterator[PutFault]:
         yield spot.put(f"xacro:{wrong}", wrong, spot[2])
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_property(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"\$\{([A-Za-z]\w{3,})\}"):
         if re.search(rf"<xacro:property\s+name\s*=\s*\"{spot.word}\"", spot.text):
             yield spot.typo()
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_property_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"^\s*<xacro:property\s+name\s*=\s*\"(\w{2,})\"\s+value=[^>]*/>[ \t]*\n"):
         is_only = len(re.findall(rf"xacro:property\s+name\s*=\s*\"{spot.word}\"", spot.text)) == 1
@@ -64,7 +64,7 @@ def urdf_property_lost(package: SourcePackage) -> Iterator[PutFault]:
             yield spot.drop().known(is_here, "a file that is included and not here may define it")
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_macro_parameter(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"<xacro:(\w+)\s+(\w+)\s*=\s*\"[^\"]*\"[^>]*/>", 2):
         found = re.search(rf"<xacro:macro\s+name\s*=\s*\"{spot[1]}\"\s+params\s*=\s*\"([^\"]*)\"", spot.text)
@@ -72,7 +72,7 @@ def urdf_mistyped_macro_parameter(package: SourcePackage) -> Iterator[PutFault]:
             yield spot.typo()
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_macro_argument_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"<xacro:(\w+)\s+((\w+)\s*=\s*\"[^\"]*\")[^>]*/>", 2):
         found = re.search(rf"<xacro:macro\s+name\s*=\s*\"{spot[1]}\"\s+params\s*=\s*\"([^\"]*)\"", spot.text)
@@ -80,20 +80,21 @@ def urdf_macro_argument_lost(package: SourcePackage) -> Iterator[PutFault]:
             yield spot.put("", spot[3], spot[1])
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_mistyped_argument(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"\$\(arg (\w+)\)"):
         if re.search(rf"<xacro:arg\s+name\s*=\s*\"{spot.word}\"", spot.text):
             yield spot.typo()
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_brace_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"=\s*\"\$\{([\w.*/ +-]+)(\})\"", 2):
         yield spot.put("", spot[1], spot.path.rpartition("/")[2])
 
 
-@kind("urdf")
+@urdf_kind
 def urdf_namespace_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"<robot\b[^>]*?(\s+xmlns:xacro\s*=\s*\"[^\"]+\")"):
-        yield spot.put("", "xacro", spot.path.rpartition("/")[2])
+        if "<xacro:" in without_comments(spot.path, spot.text):
+            yield spot.put("", "xacro", spot.path.rpartition("/")[2])
