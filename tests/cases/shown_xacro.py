@@ -88,6 +88,18 @@ CALLS = (
     ),
     robot(INCLUDE, call("", name="whel"), call('prefix="a_"')),
     robot(INCLUDE, call("", name="something_else")),
+    robot('<xacro:arg name="base" default="b"/>', call('parent="$(arg bsae)"', name="something_else")),
+    robot(call("", name="whel"), call("", name="wheel2")),
+    robot(
+        '<xacro:if value="$(arg x)">',
+        INCLUDE,
+        '<xacro:macro name="arm" params=""><xacro:whel/></xacro:macro>',
+        "</xacro:if>",
+        '<xacro:unless value="$(arg x)">',
+        '<xacro:macro name="arm" params=""><link name="b"/></xacro:macro>',
+        "</xacro:unless>",
+        "<xacro:arm/>",
+    ),
     robot('<xacro:if value="$(arg x)">', INCLUDE, "</xacro:if>", '<link name="b"/>', call('prefix="a_" parnt="b"')),
     robot(INCLUDE, '<xacro:if value="$(arg x)">', call("", name="whel"), call("", name="wrong_arm"), "</xacro:if>"),
     robot(INCLUDE, '<xacro:include filename="$(find other)/urdf/other.xacro"/>', call("", name="whel")),
@@ -165,6 +177,32 @@ MIMICS = tuple(
         ("${p}left_", "fixed", "${p}left"),
     )
 )
+CHILD = '<joint name="${{p}}{0}" type="fixed"><parent link="{1}"/><child link="{2}"/></joint>'
+CHILDREN = tuple(
+    robot('<xacro:macro name="grip" params="p">', *lines, "</xacro:macro>", '<xacro:grip p=""/>')
+    for lines in (
+        ('<link name="${p}base"/><link name="${p}tip"/>', CHILD.format("a", "world", "${p}base"),
+         CHILD.format("b", "${p}base", "tip")),
+        ('<link name="${p}base"/><link name="${p}tip"/>', CHILD.format("a", "world", "${p}base"),
+         CHILD.format("b", "${p}base", "${p}tip"), CHILD.format("c", "${p}tip", "tip")),
+        ('<link name="${p}base"/><link name="${p}tip"/><link name="tip"/>', CHILD.format("a", "world", "${p}base"),
+         CHILD.format("b", "${p}base", "tip")),
+    )
+)  # fmt: skip
+LOOSE = (
+    robot('<xacro:something_else><origin xyz="0 0" rpy="0 0 0"/></xacro:something_else>', name=""),
+    robot('<xacro:macro name="m" params="">', '<inertial><origin xyz="O 0 0"/><mass value="1"/></inertial>',
+          '<gazebo><xacro:if value="1"><origin xyz="0"/></xacro:if></gazebo>',
+          '<visual><material/></visual><inertia ixx="O"/><mass value="1" color="O"/>',
+          "</xacro:macro>", "<xacro:m/>", name=""),
+    robot(
+        '<link name="a"><xacro:if value="1"><visual><origin rpy="0, 0 0"/><geometry><box size="1 1 1"/></geometry>'
+        "</visual></xacro:if></link>",
+        '<link name="b"/>',
+        '<joint name="j" type="fixed"><parent link="a"/><child link="b"/>',
+        '<xacro:unless value="$(arg x)"><origin xyz="0 0 O" rpy="${pi} 0 0"/></xacro:unless></joint>',
+    ),
+)  # fmt: skip
 USED = call("prefix='a_' parent='base'") + call("prefix='a_'")
 ELSEWHERE = Example(
     on="",
@@ -180,4 +218,4 @@ ELSEWHERE = Example(
     },
     good={},
 )
-CASES = {"URD001": (RIGHT, *CALLS, *NAMES, *TREES, ELSEWHERE, *PREFIXES, *MIMICS)}
+CASES = {"URD001": (RIGHT, *CALLS, *NAMES, *TREES, ELSEWHERE, *PREFIXES, *MIMICS, *CHILDREN, *LOOSE)}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ...languages.xml.parser import Attribute, Element
 from ...lazy_regex import regex
@@ -14,7 +14,7 @@ FEWEST = 2
 
 
 def prefix_faults(root: Element) -> Iterator[Fault]:
-    """Yield the joints that a `<mimic>` in a macro names without the prefix; a call without a prefix finds them."""
+    """Yield the names in a macro that lack the prefix: mimicked joints, and links; a call without one finds them."""
     for macro in root.walk():
         if macro.tag != "xacro:macro":
             continue
@@ -24,13 +24,29 @@ def prefix_faults(root: Element) -> Iterator[Fault]:
         for mimic in (each for joint in joints if prefix for each in joint.children if each.tag == "mimic"):
             given = mimic.attributes.get("joint")
             if given is not None and prefix + given.value in names:
-                message = (
-                    f"`{given.value}` lacks the prefix of `{prefix}{given.value}`: where a call of the macro "
-                    f"`{macro.get('name')}` gives one, no joint has this name; write the prefix"
-                )
-                yield Fault(given.value_span, message, "info")
+                yield lacking(macro, given, prefix, "joint")
             elif given is not None and given.value.startswith(prefix) and not is_given_elsewhere(root, given.value):
                 yield from longer_name(given, names)
+        yield from children(macro, joints, prefix) if prefix else ()
+
+
+def lacking(macro: Element, given: Attribute, prefix: str, kind: str) -> Fault:
+    message = (
+        f"`{given.value}` lacks the prefix of `{prefix}{given.value}`: where a call of the macro "
+        f"`{macro.get('name')}` gives one, no {kind} has this name; write the prefix"
+    )
+    return Fault(given.value_span, message, "info")
+
+
+def children(macro: Element, joints: Sequence[Element], prefix: str) -> Iterator[Fault]:
+    """Yield the child links without the prefix, where the link that has it is no joint's child."""
+    links = {each.get("name") for each in macro.walk() if each.tag == "link"}
+    ends = [end for joint in joints for end in joint.children if end.tag == "child"]
+    given = [end.attributes["link"] for end in ends if "link" in end.attributes]
+    taken = {each.value for each in given}
+    for each in given:
+        if prefix + each.value in links - taken and each.value not in links:
+            yield lacking(macro, each, prefix, "link")
 
 
 def is_given_elsewhere(root: Element, name: str) -> bool:

@@ -14,6 +14,7 @@ from ...suggest import did_you_mean
 from ..fault import Fault
 from .element_checks import ElementCheck, first, name_span
 from .kinematic_tree import KinematicTree
+from .loose_parts import loose_faults
 from .substitutions import substitution_fault
 from .xacro_calls import XacroCalls
 
@@ -46,9 +47,11 @@ def unsorted_faults(robot: RobotFile, piece: bool) -> Iterator[Fault]:
         if not robot.is_xacro:
             yield Fault(root.open, f"the root of a URDF is `<robot>`, not `<{root.tag}>`: urdfdom refuses it")
         return
+    check = ElementCheck(document.source)
+    if robot.is_xacro:
+        yield from loose_faults(root, check)
     if not links and not joints:
         return  # part of a robot, for other files to include
-    check = ElementCheck(document.source)
     for link in links:
         yield from check.link(link)
     for joint in joints:

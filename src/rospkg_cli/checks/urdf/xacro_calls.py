@@ -20,6 +20,7 @@ from ...source import Span
 from ..fault import Fault, softer
 
 CALL = regex(r"<xacro:([^\s<>/\"']+)")
+MACRO = regex(r"<xacro:macro\s[^>]*?\bname\s*=\s*[\"'](?:xacro:)?([^\"']+)")
 EXPRESSION = regex(r"\$\{([^}]*)")
 WORD = regex(r"[A-Za-z_]\w*")
 INSERTED = regex(r"<xacro:insert_block\s+name=\"([^\"]*)\"")
@@ -72,6 +73,11 @@ class XacroCalls:
         word = re.escape(name)
         written = re.compile(rf"\bname\s*=\s*[\"']{word}[\"']|\bparams\s*=\s*(?:\"[^\"]*|'[^']*)\b{word}\b")
         return any(written.search(text) for text in self.texts)
+
+    @cached_property
+    def macros(self) -> frozenset[str]:
+        """The names of the macros that any file defines."""
+        return frozenset(match.group(1) for text in self.texts for match in MACRO.finditer(text))
 
     def is_called(self, macro: str) -> bool:
         return macro in self.called or macro.removeprefix("xacro:") in self.called

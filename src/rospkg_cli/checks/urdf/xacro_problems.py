@@ -35,6 +35,8 @@ def problem_fault(problem: FoundProblem, calls: XacroCalls, *, is_sure: bool) ->
         if is_sure and problem.is_closed
         else only_near(problem.name, problem.known)
     )
+    if problem.kind is XacroProblem.MACRO and not near and not (is_sure and problem.is_closed):
+        near = only_near(problem.name, calls.macros)
     named = problem.kind in BY_NAME or problem.kind is XacroProblem.ARGUMENT
     may_be_elsewhere = problem.kind is XacroProblem.ARGUMENT or (
         problem.kind in BY_NAME and not (is_sure and problem.is_closed)

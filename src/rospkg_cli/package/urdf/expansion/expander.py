@@ -24,6 +24,7 @@ DYNAMIC = frozenset({"xacro:element", "xacro:attribute", "xacro:call"})
 class Expander(ExpansionState):
     called: set[int] = field(default_factory=set)
     """The macros that were expanded, by the `id` of their elements."""
+    defined: list[Macro] = field(default_factory=list)
     nodes: int = 0
 
     def run(self, document: Document) -> Expansion:
@@ -33,14 +34,17 @@ class Expander(ExpansionState):
         return self.found
 
     def uncalled(self) -> Iterator[Expansion]:
-        """Yield what the macros of the robot that nothing called make, each with parameters of unknown values."""
-        for macro in list(self.scope.macros.values()):
-            if id(macro.element) not in self.called and macro.is_certain:
+        """Yield what the macros of the robot that nothing called make, each with parameters of unknown values.
+
+        One of several of a name, each under a condition, is among them: the last one is called.
+        """
+        for macro in list(self.defined):
+            if id(macro.element) not in self.called:
                 scope = XacroScope(self.scope)
                 for each in macro.parameters:
                     scope.names[each.name] = XacroUnknown(f"${{{each.name}}}")
                 made = replace(self.found, children=[], problems=[])
-                self.inside(macro.element, made.children, Context(macro.source, scope))
+                self.inside(macro.element, made.children, Context(macro.source, scope, macro.is_certain))
                 yield made
 
     def inside(self, element: Element, into: list[Node], context: Context) -> None:
@@ -96,7 +100,9 @@ class Expander(ExpansionState):
         name = (element.get("name") or "").removeprefix("xacro:")
         certain = context.is_certain and (name not in context.scope.macros or context.scope.macros[name].is_certain)
         parameters = parameters_of(element.get("params") or "")
-        context.scope.macros[name] = Macro(name, parameters, element, context.source, certain)
+        made = context.scope.macros[name] = Macro(name, parameters, element, context.source, certain)
+        if context.scope is self.scope:
+            self.defined.append(made)
 
     def argument(self, element: Element, _: list[Node], context: Context) -> None:
         default, name = element.attributes.get("default"), element.get("name") or ""
@@ -143,6 +149,8 @@ class Expander(ExpansionState):
             self.problem(
                 XacroProblem.MACRO, Span(start, start + len(element.tag)), name, context.scope.visible_macros()
             )
+            for attribute in element.attributes.values():
+                self.evaluate(attribute.value_span, context)
             self.found.is_open = True
             return
         self.called.add(id(macro.element))
