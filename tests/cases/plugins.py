@@ -69,7 +69,17 @@ CASES = {
             on="ament_cmake",
         ),
     ),
-    "PLG003": (asked_for("my_pkg/SomethingElse"), asked_for("my_pkg/Plannr"), asked_for("my_pgk/Planner")),
+    "PLG003": (
+        asked_for("my_pkg/SomethingElse"),
+        asked_for("my_pkg/Plannr"),
+        asked_for("my_pgk/Planner"),
+        on_cmake(
+            {
+                **plg003.FILES,
+                **{f"config/{name}.yaml": plg003.CONFIG.replace("my_pkg/", "my_pkg::") for name in ("a", "b")},
+            }
+        ),
+    ),
     "PLG004": (
         described("my_planner", STATIC),
         described("lib/libmy_planner.so", TWICE),

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...checks.depends.own_imports import MissingOwnName, OwnImports
 from ...example import Example, scripts, setup_py
-from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule
 
 SPEECH = {
@@ -57,15 +57,32 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
     ## Fix safety
     The intended name is a guess.
     """
-    for wrong in imports.wrong():
-        level = Severity.WARNING if wrong.is_local or not wrong.is_reached else None
+    for wrong, *others in same_names(imports.wrong()):
+        level = Severity.WARNING if is_uncertain(wrong) else None
         what = f"there is no module `{wrong.package}.{wrong.name}`" if wrong.is_module else absence(imports, wrong)
         error = "ModuleNotFoundError" if wrong.is_module else "ImportError"
         advice = f"; did you mean `{wrong.near}`?" if wrong.near else ""
         fix = None
-        if wrong.near and wrong.is_module and imports.files.source(wrong.path).slice(wrong.span) == wrong.name:
-            fix = Fix(f"write `{wrong.near}`", (Edit(wrong.path, wrong.span, wrong.near),), Safety.UNSAFE)
-        yield Hit(wrong.path, wrong.span, f"{what}: the import raises {error}{advice}", level, fix=fix)
+        each = (wrong, *others)
+        written = [one for one in each if imports.files.source(one.path).slice(one.span) == wrong.name]
+        if wrong.near and wrong.is_module and len(written) == len(each):
+            edits = tuple(Edit(one.path, one.span, wrong.near) for one in each)
+            fix = Fix(f"write `{wrong.near}`", edits, Safety.UNSAFE)
+        places = tuple(Related(other.path, other.span, "here too") for other in others)
+        yield Hit(wrong.path, wrong.span, f"{what}: the import raises {error}{advice}", level, places, fix)
+
+
+def is_uncertain(wrong: MissingOwnName) -> bool:
+    """Return whether an import may never run."""
+    return wrong.is_local or not wrong.is_reached
+
+
+def same_names(found: Iterable[MissingOwnName]) -> Iterable[list[MissingOwnName]]:
+    """Return the imports of each name, those first that certainly run: a module that is gone is one cause."""
+    by_name: dict[tuple[str, str], list[MissingOwnName]] = {}
+    for each in sorted(found, key=is_uncertain):
+        by_name.setdefault((each.package, each.name), []).append(each)
+    return by_name.values()
 
 
 def absence(imports: OwnImports, wrong: MissingOwnName) -> str:

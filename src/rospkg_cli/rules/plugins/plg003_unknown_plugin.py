@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...checks.plugins.unknown_plugins import PluginReferences, UnknownPlugin, WrongPlugin
 from ...edits.plain_names import only_plain_names
@@ -83,11 +83,19 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     """
     references = PluginReferences(workspace)
     yield from map(well_known, references.misspelt())
-    for unknown in references.unknown():
+    for unknown, *others in same_names(references.unknown()):
         if unknown.user.folder in workspace.selected:
-            yield at_use(unknown)
+            yield at_use(unknown, others)
         elif unknown.suggestion is not None and unknown.owner.folder in workspace.selected:
             yield at_description(unknown)
+
+
+def same_names(found: Iterable[UnknownPlugin]) -> Iterable[list[UnknownPlugin]]:
+    """Return the uses of each name in each package: one cause, often one slip in the description."""
+    by_name: dict[tuple[str, str], list[UnknownPlugin]] = {}
+    for each in found:
+        by_name.setdefault((each.user.folder, each.use.name), []).append(each)
+    return by_name.values()
 
 
 def well_known(unknown: WrongPlugin) -> Hit:
@@ -101,16 +109,19 @@ def well_known(unknown: WrongPlugin) -> Hit:
     return Hit(path, use.span, message, level, fix=only_plain_names(fix, wrong.better) if wrong.better else None)
 
 
-def at_use(unknown: UnknownPlugin) -> Hit:
+def at_use(unknown: UnknownPlugin, others: Iterable[UnknownPlugin]) -> Hit:
     use, owner, meant = unknown.use, unknown.owner, unknown.suggestion
     path = unknown.user.at(use.path)
+    again = [(unknown.user.at(other.use.path), other.use.span) for other in others]
+    places = tuple(Related(*place, "here too") for place in again)
     if meant is None:
         known = ", ".join(f"`{plugin.name}`" for plugin in owner.plugins[:5])
         message = f"`{owner.name}` describes no plugin `{use.name}`: what loads it stops; it has {known}"
-        return Hit(path, use.span, message)
+        return Hit(path, use.span, message, related=places)
     message = f"no plugin is called `{use.name}`: what loads it stops; write `{meant.name}`, as `{owner.name}` has it"
-    related = (Related(owner.at(meant.path), meant.span, "described here"),)
-    fix = Fix(f"write `{meant.name}`", (Edit(path, use.span, meant.name),), Safety.UNSAFE)
+    related = (Related(owner.at(meant.path), meant.span, "described here"), *places)
+    edits = tuple(Edit(*place, meant.name) for place in ((path, use.span), *again))
+    fix = Fix(f"write `{meant.name}`", edits, Safety.UNSAFE)
     return Hit(path, use.span, message, related=related, fix=only_plain_names(fix, meant.name))
 
 
