@@ -112,6 +112,8 @@ def test_loops_and_functions(text: str, said: list[str]) -> None:
         ("$ENV{ROS_VERSION} EQUAL 2", ["yes"]),
         ("\"$ENV{ROS_VERSION}\" STREQUAL \"1\"", ["no"]),
         ("$ENV{ROS_DISTRO} STREQUAL humble", ["? yes", "? no"]),
+        ("DEFINED ENV{AMENT_PREFIX_PATH}", ["yes"]),
+        ("DEFINED ENV{HOME}", ["? yes", "? no"]),
         ("3.10.1 VERSION_LESS 3.9", ["no"]),
         ("CMAKE_BUILD_TYPE MATCHES \"^[a-z]$\"", ["? yes", "? no"]),
         ("a MATCHES \"^[a-z]$\"", ["yes"]),

@@ -402,7 +402,7 @@ def test_a_misspelt_ament_package_is_one_finding() -> None:
         ("include_directories(PROJECTNAMES)\ninclude_directories(${PROJECTNAMES})", []),
         ("set(PROJECTNAME a)\ninclude_directories(${PROJECTNAME})", []),
         ("message(STATUS ${PROJECTNAME})", []),
-        ("if(SOMETHING_ELSE)\n  include_directories(${PROJECTNAME})\nendif()", []),
+        ("if(SOMETHING_ELSE)\n  include_directories(${PROJECTNAME})\nendif()", [Severity.WARNING]),
         ("include(${WHEREVER})\ninclude_directories(${PROJECTNAME})", []),
         ('cmake_parse_arguments(PROJECT "NAMES" "" "" ${ARGN})\ninclude_directories(${PROJECT_NAMES})', []),
         ("foreach(each a b)\n  include_directories(${PROJECTNAME})\nendforeach()", [Severity.WARNING]),

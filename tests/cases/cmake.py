@@ -225,6 +225,11 @@ CASES = {
               src__part_DOT_cpp="RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::Part)\n"),
     ),
     "CMK201": (
+        cmake("find_package(rclcpp REQUIRED)\nadd_executable(talker src/a.cpp)\n", NEEDS_RCLCPP,
+              include__my_pkg__a_DOT_hpp="#pragma once\n",
+              src__a_DOT_cpp=f"#include <ros/ros.h>\n#include <my_pkg/Words.h>\n{MAIN}"),
+        cmake("find_package(rclcpp REQUIRED)\nadd_executable(talker src/a.cpp)\n", NEEDS_RCLCPP,
+              include__my_pkg__a_DOT_hpp="#pragma once\n", src__a_DOT_cpp=f"#include <my_pkg/Words.h>\n{MAIN}"),
         cmake("add_executable(talker src/a.cpp)\ninstall(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n",
               src__a_DOT_cpp='#include "hepler.hpp"\n#include "my_pkg/not_there.hpp"\nint main() {return 0;}\n',
               src__helper_DOT_hpp="#include <my_pkg/too.hpp>\n",

@@ -15,6 +15,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import CopiedFile, copied_files
 from ...package.cmake.install_rules import InstallRule
 from ...ros.share_layout import LAUNCH
+from .left_out_nodes import is_left_out
 from .module_imports import is_only_imported
 
 SHELL = (".sh", ".bash")
@@ -189,7 +190,9 @@ class InstalledScripts:
         is_private = is_private or FOR_ROS1.search(self.package.cmake.package_files.readable_text(path)) is not None
         if is_private or not self.is_runnable(path) or not self.has_shebang(path):
             return False
-        return self.has_bit(path) or any(posixpath.basename(path) in text for text in self.texts)
+        if self.has_bit(path) or any(posixpath.basename(path) in text for text in self.texts):
+            return True
+        return is_left_out(path, self.package.cmake.package_files, self.is_installed)
 
     @cached_property
     def texts(self) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.meant_paths import meant_paths
 from ...package.install_table import InstalledFile, InstallTable
@@ -18,6 +18,7 @@ from ..share_uses import ShareUses
 
 LAUNCH = "launch"
 INSTALLERS = ("install", "ament_auto_package", "autoware_ament_auto_package")
+OF_ROS2 = regex(r"\sexec\s*=|\$\((?:find-pkg-share|var)\s")
 USED_AT_BUILD = regex(r"generate_parameter_|rosidl_|protobuf_|qt\d?_|ament_add_|add_launch_test|add_test|add_ros_test")
 
 
@@ -48,8 +49,10 @@ class RuntimeFolders:
 
         Absolute places, and those below the name that project() has by mistake, are told by their own rules.
         """
-        files = self.useful(LAUNCH) if self.is_clear and self.table.knows("other") else ()
+        files = self.useful(LAUNCH)
         rows = [row for row in self.table.rows if row.source in files]
+        if not (self.is_clear and self.table.knows("other")):
+            rows = [row for row in rows if row.destination.startswith(f"share/{LAUNCH}/")]  # nobody means this
         told = ("/", *(f"share/{name}/" for name in (self.package.facts.name, self.package.cmake.project_name)))
         is_found = any(row.destination.startswith(told) or row.maybe for row in rows)
         return rows[0] if rows and not is_found else None
@@ -57,11 +60,18 @@ class RuntimeFolders:
     def useful(self, folder: str) -> tuple[str, ...]:
         """Return the files of a folder that are used at run time, without those that the build uses."""
         paths = self.package.cmake.package_files.below(folder)
-        useful = [path for path in paths if FOLDERS[folder].fullmatch(path.rpartition("/")[2])]
+        useful = [path for path in paths if FOLDERS[folder].fullmatch(path.rpartition("/")[2]) or self.is_ros2(path)]
         ignores = self.package.cmake.package_files.absent.is_ignored
         ros1 = {file.path for file in self.launch_files if file.is_ros1}
         useful = [path for path in useful if path not in self.built_from | ros1 and "/test/" not in path]
         return tuple(path for path in useful if not ignores(path))
+
+    def is_ros2(self, path: str) -> bool:
+        """Return whether a bare `.launch` is written for ROS 2."""
+        return (
+            path.endswith(".launch")
+            and OF_ROS2.search(self.package.cmake.package_files.readable_text(path)) is not None
+        )
 
     @cached_property
     def built_from(self) -> frozenset[str]:
@@ -80,7 +90,7 @@ class RuntimeFolders:
     def named(self) -> frozenset[str]:
         """The first folder of each path that a command names which installs nothing."""
         calls = (call for call in self.package.cmake.calls if call.name not in INSTALLERS)
-        return frozenset(path.partition("/")[0] for call in calls for path in paths_of(call))
+        return frozenset(path.partition("/")[0] for call in calls for path in paths_of(without_shown_files(call)))
 
     @property
     def insertion_call(self) -> EvaluatedCommand | None:
@@ -95,6 +105,13 @@ class RuntimeFolders:
     def uses(self) -> ShareUses:
         absent = frozenset(folder for folder in FOLDERS if folder != "launch" and not self.is_installed(folder))
         return ShareUses(self.package.cmake.package_files, self.package.facts.name, self.workspace, absent)
+
+
+def without_shown_files(call: EvaluatedCommand) -> EvaluatedCommand:
+    """Return a call without the SOURCES of add_custom_target: editors show them, and nothing is done with them."""
+    if call.name != "add_custom_target" or "SOURCES" not in call.texts:
+        return call
+    return replace(call, words=call.words[: call.texts.index("SOURCES")])
 
 
 def paths_of(call: EvaluatedCommand) -> Iterator[str]:

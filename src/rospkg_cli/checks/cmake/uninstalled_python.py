@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 
+from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.python.file import Import
 from ...light_dataclasses import dataclass
 from ...package.cmake.artifacts import PYTHON_MODULES
@@ -14,6 +15,8 @@ from ...package.cmake.referenced_paths import ReferencedPaths
 from ...package.install_table import PYTHON, InstallTable
 from ...package.python_modules import PythonModules
 from ...source import Span
+
+SETS = "PYTHONPATH"
 
 
 @dataclass(frozen=True)
@@ -33,10 +36,13 @@ class PythonPackages:
     modules: PythonModules
 
     @cached_property
-    def folders(self) -> frozenset[str]:
-        """The folders right below the package that are Python packages."""
-        found = (path.split("/") for path in self.package.cmake.package_files.paths)
-        return frozenset(parts[0] for parts in found if len(parts) == 2 and parts[1] == "__init__.py")
+    def folders(self) -> Mapping[str, str]:
+        """Name → folder of the Python packages right below the package; of that called like it in src/, too."""
+        paths = self.package.cmake.package_files.paths
+        found = {path.split("/")[0] for path in paths if path.count("/") == 1 and path.endswith("/__init__.py")}
+        name = self.package.facts.name
+        in_src = {name: f"src/{name}"} if f"src/{name}/__init__.py" in paths else {}
+        return {**in_src, **{each: each for each in found}}
 
     @cached_property
     def installed(self) -> frozenset[str]:
@@ -46,11 +52,11 @@ class PythonPackages:
     def uninstalled(self) -> Iterator[UninstalledPythonPackage]:
         """Yield each Python package that an installed script or launch file imports and that is not installed."""
         cmake = self.package.cmake
-        if not self.table.knows("module") or not cmake.is_complete or cmake.named("ament_environment_hooks"):
+        if not self.table.knows("module") or not cmake.is_complete or any(map(self.may_set_path, cmake.calls)):
             return
         if self.names_no_folder:
             return
-        missing = set(self.folders - self.installed - self.found_by_scripts)
+        missing = self.folders.keys() - self.installed - self.found_by_scripts
         for row in self.table.rows:
             if row.what not in ("executable", "share") or not row.source.endswith(".py") or not missing:
                 continue
@@ -63,7 +69,7 @@ class PythonPackages:
                 is_neighbour = any(other.destination.startswith(f"{folder_there}/{name}/") for other in self.table.rows)
                 if (
                     name in missing
-                    and not (row.what == "share" and row.source.startswith(f"{name}/"))
+                    and not (row.what == "share" and row.source.startswith(f"{self.folders[name]}/"))
                     and not each.level
                     and not each.is_optional
                     and self.is_own(each)
@@ -85,8 +91,10 @@ class PythonPackages:
         cmake, name = self.package.cmake, self.package.facts.name
         found = any(each.name == "ament_cmake_python" and not each.call.maybe for each in cmake.packages)
         is_known = self.table.knows("module") and cmake.is_complete and not cmake.reads_unknown_files
-        is_used = any(row.source.startswith(f"{name}/") for row in self.table.rows)
-        files = [path for path in cmake.package_files.below(name) if path.endswith(".py")]
+        folder = self.folders.get(name, name)
+        others = (row for row in self.table.rows if row.what != "executable")
+        is_used = any(row.source.startswith(f"{folder}/") for row in others)
+        files = [path for path in cmake.package_files.below(folder) if path.endswith(".py")]
         if not found or not is_known or is_used or self.has_other_ways or name not in self.folders or not files[1:]:
             return ""
         is_told = self.names_no_folder or any(each.folder == name for each in self.uninstalled())
@@ -102,14 +110,23 @@ class PythonPackages:
     def has_other_ways(self) -> bool:
         """Whether the build may put modules where Python looks by other means."""
         cmake = self.package.cmake
-        hooks = cmake.named("ament_environment_hooks", "generate_parameter_module")
+        hooks = cmake.named("generate_parameter_module") or any(map(self.may_set_path, cmake.calls))
         bindings = any(target.call.name in PYTHON_MODULES for target in cmake.targets)
         return bool(cmake.interface_targets or hooks) or bindings or next(foreign_commands(cmake), None) is not None
+
+    def may_set_path(self, call: EvaluatedCommand) -> bool:
+        """Return whether a call is one of environment hooks that may set PYTHONPATH: those of the package are read."""
+        if call.name != "ament_environment_hooks":
+            return False
+        files, paths = self.package.cmake.package_files, [path_in_package(each, call.folder) for each in call.texts]
+        return any(path is None or not files.exists(path) or SETS in files.readable_text(path) for path in paths)
 
     def is_own(self, what: Import) -> bool:
         """Return whether an import refers to a module of the package, and not to one that rosidl generates."""
         files, path = self.package.cmake.package_files, what.module.replace(".", "/")
         if path == self.package.facts.name and not self.package.cmake.interface_targets:
             return True
-        named = ([path] if "/" in path else []) + [f"{path}/{name}" for name in what.names]
+        top, slash, below = path.partition("/")
+        path = self.folders.get(top, top) + slash + below
+        named = ([path] if slash else []) + [f"{path}/{name}" for name in what.names]
         return any(files.exists(f"{each}.py") or files.exists(f"{each}/__init__.py") for each in named)

@@ -64,7 +64,7 @@ class UnsetVariables:
         seen: set[tuple[str, int]] = set()
         for call in self.cmake.calls:
             place = (call.path, call.command.span.start)
-            if place not in seen and not call.maybe and call.name != "message":
+            if place not in seen and call.name != "message":
                 seen.add(place)
                 for argument in call.command.arguments:
                     yield from self.within(call, argument)
@@ -74,7 +74,7 @@ class UnsetVariables:
         if argument.kind == "bracket" or "${" not in argument.text:
             return
         for found in REFERENCE.finditer(argument.text):
-            if near := self.nearest(found[1]):
+            if near := self.of_cmake(found[1]) if call.maybe else self.nearest(found[1]):
                 start = argument.inner.start
                 span = Span(start + found.start(), start + found.end())
                 after = argument.text.replace(found[0], "")
@@ -92,8 +92,14 @@ class UnsetVariables:
         """Return the variable that is intended by one that nothing sets."""
         if name in SET_BY_CMAKE or self.variables.may_be_set(name):
             return None
+        return self.of_cmake(name) or self.of_package(name) or self.near_own(name)
+
+    def of_cmake(self, name: str) -> str | None:
+        """Return the variable of CMake that is intended."""
+        if name in SET_BY_CMAKE or self.variables.may_be_set(name):
+            return None
         alike = (each for each in SET_BY_CMAKE if digits(each) == digits(name))
-        return next(iter(near_names(name, alike)), None) or self.of_package(name) or self.near_own(name)
+        return next(iter(near_names(name, alike)), None)
 
     def of_package(self, name: str) -> str | None:
         """Return what a package that is found sets, where only the case or the ending differs."""

@@ -41,9 +41,9 @@ class MissingHeaders:
     workspace: Workspace
 
     def all(self) -> Iterator[MissingHeader]:
-        """Yield each include of a missing header in what is compiled or installed."""
+        """Yield each include of a missing header in what is compiled or installed, for ROS 2."""
         for source, role in compiled_sources(self.package.cmake, self.sources):
-            if role == "aside" or "__has_include" in source.source.text:
+            if role == "aside" or "__has_include" in source.source.text or is_for_ros1(source):
                 continue
             for each in source.includes:
                 if not each.is_conditional and self.is_header(each.path) and (found := self.missing(source, each)):
@@ -150,3 +150,8 @@ def with_digits_of(name: str, names: Iterable[str]) -> list[str]:
     """Return the names with the same digits: `v1.hpp` and `v2.hpp` are no misspellings of each other."""
     wanted = list(filter(str.isdecimal, name))
     return [each for each in names if list(filter(str.isdecimal, each)) == wanted]
+
+
+def is_for_ros1(source: CppFile) -> bool:
+    """Return whether a file includes ROS 1 itself: one for both versions leaves the choice to the preprocessor."""
+    return any(each.path == "ros/ros.h" and not each.is_conditional for each in source.includes)

@@ -18,6 +18,10 @@ MAX_COST = 1_000_000
 """So many words (and sixteens of characters) are looked at and built in all: a hundred MiB at most."""
 
 ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
+IS_SET = frozenset({*ENVIRONMENT, "AMENT_PREFIX_PATH"})
+"""What every environment of ROS 2 sets."""
+FOUND = {"catkin": "0", "ament_cmake": "1"}
+"""Whether what packages for both versions of ROS look for, to know theirs, is found."""
 OFF = ("WIN32", "MSVC", "APPLE", "ANDROID", "CYGWIN", "MINGW", "IOS", "BORLAND", "CMAKE_CROSSCOMPILING")
 INSTALL_DIRS = {
     "BINDIR": "bin", "SBINDIR": "sbin", "LIBEXECDIR": "libexec", "SYSCONFDIR": "etc", "LIBDIR": "lib",

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 
 from ...lazy_regex import regex
 from ...light_dataclasses import replace
-from .call_stack import PYTHON, LeaveError
+from .call_stack import FOUND, PYTHON, LeaveError
 from .evaluated_command import EvaluatedCommand
 from .file import ROOT
 from .file_command import run_file
@@ -52,6 +52,8 @@ def run_find_package(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     for name in call.texts[:1]:
         if "REQUIRED" in call.texts and not call.maybe:
             interpreter.set_text(f"{name}_FOUND", "1")
+        elif name in FOUND and not call.maybe:
+            interpreter.set_text(f"{name}_FOUND", FOUND[name])
         interpreter.possibly_assigned.update({f"{name}_FOUND", f"{name.upper()}_FOUND"})
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from .call_stack import ENVIRONMENT
+from .call_stack import IS_SET
 from .condition import Truth
 from .interpreter import Interpreter
 from .values import BINARY, PREFIX, UNKNOWN, Value
@@ -75,7 +75,7 @@ class InterpreterContext:
 
     def defined(self, name: str) -> Truth:
         if name.startswith(("ENV{", "CACHE{")):
-            return True if name[4:-1] in ENVIRONMENT else None
+            return True if name[4:-1] in IS_SET else None
         value = self.variable(name)
         if value is None:
             return False

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...lazy_regex import regex
+from ...ros.read_table import words
 from .cmake_project import CMake
 
 FAMILIAR = regex(
@@ -22,7 +23,7 @@ def foreign_commands(cmake: CMake) -> Iterator[EvaluatedCommand]:
     """Yield the first call of each macro of another package that is given something; those for tests are left out."""
     from ...languages.cmake.commands import COMMANDS  # two dozen modules that other packages need not import
 
-    seen = {*COMMANDS, *cmake.functions}
+    seen = {*COMMANDS, *words("cmake_commands.txt"), *cmake.functions}
     for call in cmake.calls:
         if call.name not in seen and call.words and not call.testing and not FAMILIAR.fullmatch(call.name):
             seen.add(call.name)

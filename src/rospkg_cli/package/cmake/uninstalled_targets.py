@@ -14,14 +14,16 @@ from .cmake_project import CMake
 from .install_rules import InstallRule
 from .installed_headers import HEADERS
 from .set_variables import SetVariables
+from .target_folders import ASIDE, EXAMPLES, folders_of, is_aside, parts_of
 from .target_links import TargetLinks
 
 MADE_BY = ("add_executable", "add_library", "ament_auto_add_executable", "ament_auto_add_library", "cuda_add_library",
            "cuda_add_executable", "generate_parameter_library")  # fmt: skip
-ASIDE = frozenset({"test", "tests", "benchmark", "benchmarks", "example", "examples", "third_party", "thirdparty"})
 SETTERS = ("target_", "set_target_properties", "ament_target_dependencies", "rosidl_target_interfaces",
            "ament_export_", "install", "add_dependencies", "set_property", "ament_auto_add_")  # fmt: skip
 """Commands that name a target without using its file."""
+OF_PACKAGES = ("project", "find_package")
+"""Commands whose names are those of packages, one of which a target may share."""
 
 RPATHS = frozenset({"CMAKE_INSTALL_RPATH", "INSTALL_RPATH"})
 MAX_PARTS = 5
@@ -86,10 +88,19 @@ class UninstalledTargets:
                 yield target
 
     def is_used(self, target: Target) -> bool:
-        """Return whether an executable is used by the build or a test, or is an example."""
-        if is_aside(target):
+        """Return whether an executable is used by the build or a test, or is an example of which none is installed."""
+        if is_aside(target) and not (parts_of(target) & ASIDE <= EXAMPLES and folders_of(target) & self.installed_from):
             return True
-        return any(call is not target.call for call in self.users.get(target.name, ()))
+        # A function of the package is followed by what it does; what one makes may be for it alone
+        own = () if target.call.function else self.cmake.functions
+        users = self.users.get(target.name, ())
+        return any(call is not target.call and call.name not in own for call in users)
+
+    @cached_property
+    def installed_from(self) -> frozenset[str]:
+        """The folders of the sources of the executables that are installed."""
+        made = (each for each in self.cmake.targets if each.is_executable and each.name in self.links.installed)
+        return frozenset(folder for target in made for folder in folders_of(target))
 
     @cached_property
     def users(self) -> dict[str, list[EvaluatedCommand]]:
@@ -175,16 +186,10 @@ def is_refused(target: Target) -> bool:
     return target.call.name in MADE_BY and not target.call.maybe and not target.options & {"IMPORTED", "ALIAS"}
 
 
-def is_aside(target: Target) -> bool:
-    folders = {*target.call.folder.split("/")}
-    folders |= {part for word in target.sources for part in word.text.split("/")[:-1]}
-    return bool(folders & ASIDE)
-
-
 def used_by(call: EvaluatedCommand) -> Iterator[str]:
     """Yield the names of targets of which a call uses what is built, if they are targets."""
     setter = call.name.startswith(SETTERS)
-    if setter and call.name != "install":
+    if (setter and call.name != "install") or call.name in OF_PACKAGES:
         return
     for text in call.texts:
         if not setter:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.cmake.modules_beside_scripts import LeftModule, modules_left_behind
 from ...checks.cmake.uninstalled_python import PythonPackages
 from ...edits.cmake_install import install_script
-from ...edits.cmake_python import install_python_package
+from ...edits.cmake_python import install_python_package, python_install
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -90,20 +90,25 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
         start = (
             f"the Python package `{each.folder}` is not installed: `{each.path}`, which imports `{each.module}`, ends"
         )
-        message = f"{start} with ModuleNotFoundError; call `ament_python_install_package({each.folder})`"
-        edits = install_python_package(cmake, each.folder)
-        fix = only_plain_names(Fix(f"install the Python package {each.folder}", edits), each.folder)
+        message = f"{start} with ModuleNotFoundError; call `{call_for(packages, each.folder)}`"
         related = Related(each.path, each.span, "it is imported here")
-        yield Hit(place.path, place.command.span, message, related=(related,), fix=fix)
-    if folder := packages.forgotten():
-        start = f"the Python package `{folder}` is not installed, though CMake looks for ament_cmake_python"
-        message = f"{start}: no one can import it; call `ament_python_install_package({folder})`"
-        fix = only_plain_names(
-            Fix(f"install the Python package {folder}", install_python_package(cmake, folder)), folder
-        )
+        yield Hit(place.path, place.command.span, message, related=(related,), fix=installing(packages, each.folder))
+    if name := packages.forgotten():
+        start = f"the Python package `{name}` is not installed, though CMake looks for ament_cmake_python"
+        message = f"{start}: no one can import it; call `{call_for(packages, name)}`"
+        fix = installing(packages, name)
         yield Hit(ends[-1].path, ends[-1].command.span, message, Severity.WARNING, fix=fix)
     for left in modules_left_behind(packages):
         yield beside(packages, left)
+
+
+def call_for(packages: PythonPackages, name: str) -> str:
+    return python_install(name, packages.folders[name])
+
+
+def installing(packages: PythonPackages, name: str) -> Fix | None:
+    edits = install_python_package(packages.package.cmake, name, packages.folders[name])
+    return only_plain_names(Fix(f"install the Python package {name}", edits), name)
 
 
 def beside(packages: PythonPackages, left: LeftModule) -> Hit:

@@ -20,6 +20,8 @@ OUTSIDE = regex(r"/|~|\$ENV\{HOME\}")
 SYSTEM = regex(r"/(?:etc|lib/udev|(?:usr/)?lib/systemd|usr/lib/udev)(?:/|$)")
 STANDARD = regex(r"(?:.*/install(?:/[^/]+)?)?/((?:share|lib|include|bin)/.*)")
 """A folder below the prefix, with a slash or the path of a workspace before it."""
+SLASH_TOO_MANY = regex(r"/(?:share|lib)/\$\{PROJECT_NAME\}(?:/|$)")
+"""What is meant nowhere, whatever the condition around it."""
 
 
 @rule(
@@ -27,7 +29,7 @@ STANDARD = regex(r"(?:.*/install(?:/[^/]+)?)?/((?:share|lib|include|bin)/.*)")
     "absolute-destination",
     over=CMakePackage,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the folder is for settings of the system"},
+    levels={Severity.WARNING: "the folder is for settings of the system, or a condition is around it"},
     examples=(
         Example(
             bad={"CMakeLists.txt": SLASH, "urdf/robot.urdf": URDF},
@@ -54,15 +56,18 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     For what begins with a variable (`${CMAKE_INSTALL_PREFIX}/share`), also behind a slash where the variable holds the
-    prefix or is unknown, and under a condition that can't be evaluated.
+    prefix or is unknown. Under a condition that can't be evaluated only `/share/${PROJECT_NAME}` and
+    `/lib/${PROJECT_NAME}` are told, as warnings.
     Rules of udev and units of systemd may belong in the system's folders: a warning.
     """
     seen = set()
     for install in package.cmake.installs:
         word = install.destination_word
-        if word is None or install.call.maybe or (word.path, word.span) in seen:
+        if word is None or (word.path, word.span) in seen:
             continue
         raw = package.cmake.source_text(word).strip('"')
+        if install.call.maybe and not SLASH_TOO_MANY.match(raw):
+            continue
         if OUTSIDE.match(raw) and not may_be_prefix(word.text) and install.call.name != "ament_python_install_package":
             seen.add((word.path, word.span))
             if SYSTEM.match(raw):
@@ -76,7 +81,8 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
                 f"`DESTINATION {raw}` is absolute: the files don't go to the install prefix, where ROS looks; write "
                 f"`{wanted(raw, install)}`"
             )
-            yield Hit(word.path, word.span, message, fix=fix(package, word, raw))
+            level = Severity.WARNING if install.call.maybe else None
+            yield Hit(word.path, word.span, message, level, fix=fix(package, word, raw))
 
 
 def may_be_prefix(text: str) -> bool:

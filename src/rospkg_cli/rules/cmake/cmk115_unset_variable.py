@@ -59,11 +59,12 @@ def unset_variable(package: CMakePackage) -> Iterator[Hit]:
     ## When it is quiet
     Where the name stands anywhere outside of `${…}`, since a command may set it, and where it begins like what
     `cmake_parse_arguments()` sets; those like the package's own where they begin like a package that is found, or where
-    a macro of another one is called. Where a file is included that can't be read. In `message()`, and under a condition
-    that can't be evaluated.
+    a macro of another one is called. Where a file is included that can't be read. In `message()`. Under an unknown
+    condition only names near to those of CMake are told, as warnings.
     """
     for each in UnsetVariables(package.cmake).all():
-        level = Severity.INFO if not each.near else Severity.ERROR if each.call.name == "install" else None
+        is_sure = each.call.name == "install" and not each.call.maybe
+        level = Severity.INFO if not each.near else Severity.ERROR if is_sure else None
         yield Hit(each.call.path, each.span, message(each), level)
     for lost in UnreadLists(package.cmake).all():
         text = f"nothing reads `{lost.name}` (did you mean `{lost.near}`?): what is appended is lost; correct the name"

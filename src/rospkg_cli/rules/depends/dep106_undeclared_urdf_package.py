@@ -80,7 +80,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     for tests, tag in ((False, "exec_depend"), (True, "test_depend")):
         brought: list[BroughtUse] = []
         for name, uses in (robots.missing_in_tests() if tests else robots.missing()).items():
-            if bringer := declared.bringers([name], runs=not tests).get(name):
+            bringer = None if robots.launch.meant(name) else declared.bringers([name], runs=not tests).get(name)
+            if bringer:
                 brought.append(BroughtUse(name, bringer, tag, uses[0].path, uses[0].span))
             else:
                 yield undeclared(robots, tag, name, uses)

@@ -1,0 +1,108 @@
+"""What is installed, and what looks as if it were: folders, programs, modules and places that CMake names."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest, scripts, setup_py
+
+MAIN = "int main() {return 0;}\n"
+LAUNCH = {"launch/talker.launch.xml": "<launch/>\n"}
+HOME = "DESTINATION lib/${PROJECT_NAME}"
+FINDER = "find_package(ament_cmake_python REQUIRED)\n"
+IMPORTS = "#!/usr/bin/env python3\nfrom my_pkg.words import WORD\n\nprint(WORD)\n"
+IN_SRC = {"src/my_pkg/__init__.py": "", "src/my_pkg/words.py": "WORD = 'a'\n"}
+SCRIPT = f"install(PROGRAMS scripts/hello.py {HOME})\n"
+
+
+def package(lines: str, files: dict[str, str] | None = None) -> Example:
+    text = CMAKE.replace("ament_package", lines + "ament_package")
+    bad = {"CMakeLists.txt": text, "src/a.cpp": MAIN, **(files or {})}
+    return Example(bad=bad, good={}, on="ament_cmake")
+
+
+def examples(more: str) -> Example:
+    """Two programs of a folder for examples."""
+    made = "".join(f"add_executable({name} src/examples/{name}.cpp)\n" for name in ("talker", "listener"))
+    return package(made + more, {f"src/examples/{name}.cpp": MAIN for name in ("talker", "listener")})
+
+
+CASES = {
+    "CMK101": (
+        package("add_custom_target(all_files SOURCES launch/talker.launch.xml)\n", LAUNCH),
+        package("add_custom_target(made DEPENDS launch/talker.launch.xml)\n", LAUNCH),
+        package("add_link_options(-Wl,-z,defs)\n", LAUNCH),
+        package("make_launch_files(all)\n", LAUNCH),
+        package("make_launch_files(all)\ninstall(DIRECTORY launch DESTINATION share)\n", LAUNCH),
+        package("make_launch_files(all)\ninstall(DIRECTORY launch DESTINATION launch)\n", LAUNCH),
+        package("", {"launch/talker.launch": '<launch>\n  <node pkg="my_pkg" exec="talker"/>\n</launch>\n'}),
+        package("", {"launch/talker.launch": '<launch>\n  <node pkg="my_pkg" type="talker" name="a"/>\n</launch>\n'}),
+        package("find_package(catkin QUIET)\nif(catkin_FOUND)\n  add_message_files(FILES A.msg)\nendif()\n", LAUNCH),
+        package("find_package(other QUIET)\nif(other_FOUND)\n  add_message_files(FILES A.msg)\nendif()\n", LAUNCH),
+    ),
+    "CMK103": (
+        Example(
+            bad={
+                "CMakeLists.txt": CMAKE.replace("ament_package", "add_executable(my_pkg src/a.cpp)\nament_package"),
+                "src/a.cpp": MAIN,
+            },
+            good={},
+            on="ament_cmake",
+        ),
+        examples(f"install(TARGETS talker {HOME})\n"),
+        examples(""),
+        package("function(strict name)\n  target_compile_options(${name} PRIVATE -Wall)\nendfunction()\n"
+                "add_executable(talker src/a.cpp)\nstrict(talker)\n"),
+        package("add_executable(talker src/a.cpp)\nmake_strict(talker)\n"),
+        package("function(make name)\n  add_executable(${name} src/a.cpp)\nendfunction()\nmake(talker)\n"),
+        package("if(DEFINED ENV{AMENT_PREFIX_PATH})\n  add_executable(talker src/a.cpp)\nendif()\n"),
+        package("if(DEFINED ENV{SOMETHING})\n  add_executable(talker src/a.cpp)\nendif()\n"),
+    ),
+    "CMK109": (
+        package(SCRIPT, {"scripts/hello.py": IMPORTS, **IN_SRC}),
+        package(SCRIPT + FINDER + "ament_python_install_package(my_pkg PACKAGE_DIR src/my_pkg)\n",
+                {"scripts/hello.py": IMPORTS, **IN_SRC}),
+        package(FINDER, IN_SRC),
+        package(f"{FINDER}install(PROGRAMS my_pkg/hello {HOME})\n",
+                {"my_pkg/__init__.py": "", "my_pkg/words.py": "WORD = 'a'\n", "my_pkg/hello": "#!/bin/sh\n"}),
+        *(package(SCRIPT + "ament_environment_hooks(env/path.dsv.in)\n",
+                  {"scripts/hello.py": IMPORTS, **IN_SRC, **more})
+          for more in ({"env/path.dsv.in": "prepend-non-duplicate;GZ_SIM_RESOURCE_PATH;share\n"},
+                       {"env/path.dsv.in": "prepend-non-duplicate;PYTHONPATH;lib\n"})),
+    ),
+    "CMK111": (
+        *(package(f"if(WITH_MORE)\n  install(FILES LICENSE DESTINATION {place})\nendif()\n", {"LICENSE": "MIT\n"})
+          for place in ("/share/${PROJECT_NAME}", "/lib/${PROJECT_NAME}/more", "/opt/${PROJECT_NAME}",
+                        "/share/${PROJECT_NAME}s")),
+    ),
+    "CMK115": (
+        *(package(f"if(WITH_MORE)\n  {lines}\nendif()\n") for lines in (
+            "install(FILES a.txt DESTINATION share/${PROJECTNAME})",
+            "set(WORDS a)\n  install(FILES a.txt DESTINATION share/${WROSD})",
+            "message(${PROJECTNAME})",
+        )),
+    ),
+    "DEP109": (
+        Example(
+            bad={
+                "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+                "my_pkg/speech.py": "GREETING = 'hello'\n",
+                "my_pkg/listener.py": "def main():\n    from my_pkg.speach import GREETING\n\n    print(GREETING)\n",
+                "my_pkg/talker.py": "from my_pkg.speach import GREETING\n\n\ndef main():\n    print(GREETING)\n",
+                "my_pkg/teller.py": "from my_pkg.speach import GREETING\nfrom my_pkg.speech import NAME, GRETING\n",
+            },
+            good={},
+        ),
+    ),
+    "DEP106": (
+        *(
+            Example(
+                bad={
+                    "urdf/robot.urdf.xacro": '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">\n'
+                    f'  <xacro:include filename="$(find {name})/urdf/arm.xacro"/>\n</robot>\n',
+                    "package.xml": manifest("  <exec_depend>arm_bringup</exec_depend>\n"),
+                },
+                good={},
+            )
+            for name in ("my_pgk", "arm_description")
+        ),
+    ),
+}  # fmt: skip
