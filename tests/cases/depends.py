@@ -80,6 +80,12 @@ CASES = {
             "  <depend>sensor_msgs</depend>\n  <depend>nav2_msgs</depend>\n",
             src__node_DOT_cpp="#include <std_msgs/msg/string.hpp>\n",
         ),
+        cmake(
+            "find_package(yaml-cpp REQUIRED)\nadd_executable(node src/node.cpp)\ntarget_link_libraries(node yaml-cpp)\n"
+            "install(TARGETS node DESTINATION lib/${PROJECT_NAME})\n",
+            "  <build_depend>yaml-cpp</build_depend>\n",
+            src__node_DOT_cpp="",
+        ),
     ),
     "DEP104": (
         cmake("if(BUILD_TESTING)\n  ament_add_gtest(test_a test/a.cpp)\nendif()\n", "", test__a_DOT_cpp=""),

@@ -13,11 +13,12 @@ from ...source import Span
 from ..cmake.unguarded_tests import TEST_PACKAGES
 from .brought_dependencies import Bringer
 from .declared_dependencies import DeclaredDependencies
+from .linked_at_run_time import is_served_at_run_time, loaded_libraries
 from .undeclared_imports import ImportDependencies
 from .undeclared_includes import IncludeDependencies
 from .undeclared_launch_packages import STARTER, LaunchDependencies, there_to_launch
 
-Need = Literal["import", "launch", "include", "find"]
+Need = Literal["import", "launch", "include", "find", "link"]
 
 
 RUNTIME_OF_INTERFACES = "rosidl_default_runtime"
@@ -33,7 +34,7 @@ class KindUse:
     path: str
     span: Span
     what: str
-    """The module, the header or the package that CMake finds; "" in a launch file."""
+    """The module, the header, the package that CMake finds, or the target that is linked; "" in a launch file."""
     is_optional: bool = False
     """Whether only files use it that are compiled on demand."""
     is_passed_on: bool = False
@@ -69,7 +70,7 @@ class DependencyKinds:
         if not self.declared.is_checked:
             return
         seen: set[tuple[str, bool]] = set()
-        for use in (*self.run_uses(), *self.build_uses()):
+        for use in (*self.run_uses(), *self.build_uses(), *self.loaded_uses()):
             runs = use.wanted == "exec_depend"
             tags = RUNS if runs else BUILDS | EXPORTED if use.is_passed_on else BUILDS
             every = [d for d in self.declared.manifest.dependencies if d.name in use.names]
@@ -91,6 +92,17 @@ class DependencyKinds:
         for use in sorted(self.launch.uses(tests=False), key=lambda use: self.launch.is_example(use.path)):
             if use.name not in there:
                 yield KindUse((use.name,), "launch", use.path, use.span, "")
+
+    def loaded_uses(self) -> Iterator[KindUse]:
+        """Yield what installed programs and libraries load, but for what comes with other dependencies for running."""
+        if self.includes is None:
+            return
+        there = frozenset(d.name for d in self.declared.manifest.dependencies if d.tag in RUNS)
+        brought = self.declared.brought_with(RUNS)
+        for each in loaded_libraries(self.includes):
+            found = self.declared.bringer_among(each.names, brought)
+            if found is None and not is_served_at_run_time(each.names, there):
+                yield KindUse(each.names, "link", each.path, each.span, each.target)
 
     def build_uses(self) -> Iterator[KindUse]:
         """Yield what is included, then what CMake requires, but for what comes with other dependencies for it."""

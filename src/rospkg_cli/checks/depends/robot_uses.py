@@ -137,7 +137,8 @@ class RobotUses:
     @cached_property
     def started(self) -> frozenset[str]:
         """The packages whose nodes or files the launch files use."""
-        return frozenset(use.name for file in self.launch.launch_files for use in every_reference(file))
+        uses = (use for file in self.launch.launch_files for use in every_reference(file))
+        return frozenset(use.name for use in uses if use.fails != "controller")
 
     def is_unnamed(self, path: str) -> bool:
         """Return whether no launch file names a file, and no other package may: it is there to be copied, or left over.

@@ -130,11 +130,17 @@ class LaunchDependencies:
             there |= self.missing(tests=False).keys()  # an exec_depend covers the tests
         found: dict[str, list[PackageReference]] = {}
         for use in self.uses(tests=tests):
-            if self.declared.has([use.name]) or use.name in there:
+            is_told = use.fails == "controller" and use.name in self.configured
+            if self.declared.has([use.name]) or use.name in there or is_told:
                 continue
             if use.name not in LAUNCH or not self.is_brought(use.name, tests=tests):
                 found.setdefault(use.name, []).append(use)
         return found
+
+    @cached_property
+    def configured(self) -> frozenset[str]:
+        """What parameters and robots name plugins of, which DEP106 tells."""
+        return frozenset(use.name.partition("/")[0] for use in self.declared.facts.plugin_uses)
 
     def is_brought(self, name: str, *, tests: bool) -> bool:
         """Return whether a declared dependency certainly brings a package."""

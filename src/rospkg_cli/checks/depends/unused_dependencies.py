@@ -110,13 +110,16 @@ class UnusedDependencies:
         return NamedUses(self.words, self.declared.workspace).is_unused(name)
 
     def for_the_build(self, dependency: Dependency) -> Iterator[UnusedDependency]:
-        """Yield a dependency that is declared for the build, where nothing that is built uses it."""
+        """Yield a dependency that is declared for the build, where nothing that is built uses it.
+
+        One for the build alone that is imported is told by DEP201.
+        """
         name = dependency.name
         if self.is_built_with(name):
             return
         is_tested = self.words.has(name, "test")
         runs = self.words.has(name, "run") or (self.is_imported(name) and not is_tested)
-        if runs and not self.runs_already(name):
+        if runs and not self.runs_already(name) and not (dependency.tag == "build_depend" and self.is_imported(name)):
             yield UnusedDependency(dependency, is_run_only=True)
         elif not runs and not is_tested:
             is_meant = self.words.has(name, "docs") or not self.has_code

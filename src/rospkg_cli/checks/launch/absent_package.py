@@ -18,6 +18,8 @@ def ends_with(use: PackageReference, name: str) -> str:
             ends = "the launch stops: the program is not found"
         case "component":
             ends = "the container logs an error and runs without it"
+        case "controller":
+            ends = "the controller manager can't load it"
         case "process":
             ends = "the process does not start"
     return f"on a clean machine {ends}"

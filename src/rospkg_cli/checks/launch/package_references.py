@@ -12,13 +12,14 @@ from ...package.launch.text import LaunchText, Substitution
 from ...package.launch.text import Literal as LiteralText
 from ...source import Span
 from .program_prefixes import program_prefixes
+from .spawned_controllers import spawned_controllers
 
 NAME = regex(r"[A-Za-z][A-Za-z0-9_-]*")
 
-Failure = Literal["launch", "import", "component", "program", "process"]
+Failure = Literal["launch", "import", "component", "controller", "program", "process"]
 """A node, or a search for files, stops the launch, and so do an import and a program that is run for its output. The
-launch goes on without a component or another process, and an error is logged (launch_ros/actions/load_composable_nodes
-and launch/actions/execute_local)."""
+launch goes on without a component, a controller or another process, and an error is logged
+(launch_ros/actions/load_composable_nodes and launch/actions/execute_local)."""
 
 PROGRAMS = {"xacro": "xacro", "rviz2": "rviz2", "rqt": "rqt_gui"}
 """Programs on the PATH that come with a package of ROS."""
@@ -65,6 +66,8 @@ def every_reference(file: LaunchFile) -> Iterator[PackageReference]:
         yield from (replace(use, fails="process") for use in run_by(file, list(command.words)))
     for program, span in program_prefixes(file):
         yield PackageReference(program, file.path, span, "starts a node with", fails="process")
+    for controller, span in spawned_controllers(file):
+        yield PackageReference(controller, file.path, span, "loads the controller of", fails="controller")
 
 
 def package_named(file: LaunchFile, text: LaunchText | None, does: str) -> Iterator[PackageReference]:

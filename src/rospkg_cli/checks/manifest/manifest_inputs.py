@@ -85,6 +85,12 @@ class ManifestAndCMake:
         return frozenset(each.name for each in self.cmake.packages) if self.cmake else frozenset()
 
     @property
+    def found_to_build(self) -> frozenset[str]:
+        """The names that `find_package` is called with, but for tests alone."""
+        packages = self.cmake.packages if self.cmake else ()
+        return frozenset(each.name for each in packages if not each.call.testing)
+
+    @property
     def ends_a_package(self) -> bool:
         """Whether CMake calls `ament_package`, by whatever name."""
         return self.cmake is not None and self.cmake.ends_a_package

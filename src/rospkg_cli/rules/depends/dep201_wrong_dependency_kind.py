@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from ...checks.depends.dependency_kind_sentences import ending, usage
 from ...checks.depends.dependency_kinds import DependencyKinds, WrongKind
 from ...edits.manifest import add_dependencies, change_tag
 from ...edits.undeclared_hits import comes_with, quoted
@@ -22,7 +23,7 @@ GOOD = manifest("  <build_depend>rclpy</build_depend>\n  <exec_depend>rclpy</exe
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where another dependency, or `ros2 launch`, brings or may bring it, for examples, and "
-        "for what an option of CMake asks for"
+        "for what an option of CMake asks for; and for libraries, which Debian packages bring by themselves"
     },
     examples=(
         Example(
@@ -36,9 +37,9 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     """
     ## What it does
     Finds dependencies that are declared, but not for the time when they are used.
-    A package that is used at run time (imported by what is installed, needed by launch files) is declared for building
-    or testing alone; or a package whose headers are included, or that CMake requires, is declared for running or
-    testing alone.
+    A package that is used at run time (imported by what is installed, needed by launch files, or a library that an
+    installed program is linked with) is declared for building or testing alone; or a package whose headers are
+    included, or that CMake requires, is declared for running or testing alone.
 
     ## Why is this bad?
     A released package is installed without its test_depends and build_depends; what is declared for running or testing
@@ -49,6 +50,8 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     so is what only a launch file needs that is called an example or a demo, and what only files include that an option
     of CMake must ask for. What others bring is one finding. A `<build_export_depend>` is right for headers that are
     installed for others and not compiled here.
+    A library that comes with another dependency for running, or a part of which is one (`libmodbus5` beside
+    `libmodbus-dev`), is there.
     Optional imports and files that nothing installs are left alone, and so is whatever is not declared at all (DEP101,
     DEP103, DEP105).
 
@@ -64,7 +67,8 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
             brought.append(each)
             continue
         is_example = each.use.need == "launch" and kinds.launch.is_example(each.use.path)
-        yield hit(kinds, each, Severity.INFO if is_example or each.use.is_optional else None)
+        is_mild = is_example or each.use.is_optional or each.use.need == "link"
+        yield hit(kinds, each, Severity.INFO if is_mild else None)
     if len(brought) == 1:
         yield hit(kinds, brought[0], Severity.INFO)
     elif brought:
@@ -97,31 +101,8 @@ def left_to_bringers(kinds: DependencyKinds, brought: Sequence[WrongKind]) -> Hi
     return Hit(first.use.path, first.use.span, message, Severity.INFO, tuple(related), fix)
 
 
-def usage(each: WrongKind) -> str:
-    match each.use.need:
-        case "import":
-            return f"installed code imports `{each.use.what}`"
-        case "launch":
-            return "this launch file needs it"
-        case "include":
-            return f"`{each.use.what}` is included"
-        case "find":
-            return f"CMake requires `{each.use.what}`"
-
-
 def consequence(each: WrongKind) -> str:
-    if each.bringer:
-        return comes_with(each.bringer)
-    match each.use.need:
-        case "import":
-            return "where only a release is installed, ModuleNotFoundError is raised"
-        case "launch":
-            ends = f"\"package '{each.dependency.name}' not found\""
-            return f"where only a release is installed, the launch stops with {ends}"
-        case "include":
-            return 'on the build farm the build ends with "No such file or directory"'
-        case "find":
-            return 'on the build farm the build stops with "Could not find a package configuration file"'
+    return comes_with(each.bringer) if each.bringer else ending(each)
 
 
 def repairs(kinds: DependencyKinds, wrong: Iterable[WrongKind]) -> tuple[Edit, ...]:

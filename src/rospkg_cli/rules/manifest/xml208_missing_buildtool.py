@@ -57,7 +57,7 @@ def missing_buildtool(tools: BuildTools) -> Iterator[Hit]:
     package, manifest = tools.package, tools.package.manifest
     if any(FAMILY.fullmatch(each.name) and each.tag not in NOT_FOR_BUILDING for each in manifest.dependencies):
         return
-    asked = sorted(name for name in package.found if name.startswith("ament_cmake"))
+    asked = sorted(name for name in package.found_to_build if name.startswith("ament_cmake"))
     if not asked and not package.ends_a_package:
         return
     name = "ament_cmake" if "ament_cmake" in asked or not asked else asked[0]

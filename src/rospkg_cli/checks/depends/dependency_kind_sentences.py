@@ -1,0 +1,36 @@
+"""What DEP201 says of a use, and of what happens without it."""
+
+from __future__ import annotations
+
+from .dependency_kinds import WrongKind
+
+
+def usage(each: WrongKind) -> str:
+    """Return what uses a dependency, as a clause."""
+    match each.use.need:
+        case "import":
+            return f"installed code imports `{each.use.what}`"
+        case "launch":
+            return "this launch file needs it"
+        case "include":
+            return f"`{each.use.what}` is included"
+        case "find":
+            return f"CMake requires `{each.use.what}`"
+        case "link":
+            return f"`{each.use.what}`, which is installed, is linked with it"
+
+
+def ending(each: WrongKind) -> str:
+    """Return what happens where a dependency is not there at the time of its use, as a clause."""
+    match each.use.need:
+        case "import":
+            return "where only a release is installed, ModuleNotFoundError is raised"
+        case "launch":
+            ends = f"\"package '{each.dependency.name}' not found\""
+            return f"where only a release is installed, the launch stops with {ends}"
+        case "include":
+            return 'on the build farm the build ends with "No such file or directory"'
+        case "find":
+            return 'on the build farm the build stops with "Could not find a package configuration file"'
+        case "link":
+            return 'where only what runs is installed, it ends with "cannot open shared object file"'

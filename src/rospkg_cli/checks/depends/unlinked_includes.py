@@ -1,0 +1,165 @@
+"""Headers of packages that CMake finds and that the target which includes them is not linked with (CMK121)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from functools import cached_property
+
+from ...languages.cmake.evaluated_command import path_in_package
+from ...languages.cmake.targets import Target
+from ...languages.cmake.values import UNKNOWN
+from ...languages.cpp.file import CppFile
+from ...light_dataclasses import dataclass
+from ...package.cmake.target_links import TargetLink, TargetLinks
+from ...ros.aliases import keys_for_cmake
+from ...ros.manifest import EXPORTED
+from ...ros.names import NameKind
+from ...ros.read_table import rows
+from ...source import Span
+from ..cmake.missing_export_dependencies import BY_MACRO, TABLES
+from .compiled_sources import Inclusions
+from .linked_at_run_time import VARIABLE
+from .undeclared_includes import IncludeDependencies
+
+PLAIN = frozenset({"add_executable", "add_library"})
+"""Commands that make targets which are linked with nothing but what other commands name."""
+FOR_ALL = ("include_directories", "link_libraries")
+PASSED_ON = EXPORTED | {"build_depend"}
+
+
+@dataclass(frozen=True, slots=True)
+class UnlinkedInclude:
+    target: Target
+    package: str
+    header: str
+    path: str
+    span: Span
+    is_own_folder: bool
+    """Whether the package certainly installs its headers into a folder that nobody else looks into."""
+
+
+@dataclass(frozen=True)
+class UnlinkedIncludes:
+    includes: IncludeDependencies
+
+    def all(self) -> Iterator[UnlinkedInclude]:
+        """Yield each package once that a target includes, also by its own headers, and certainly does not get."""
+        cmake = self.includes.cmake
+        if not self.includes.declared.is_checked or not cmake.is_complete or cmake.reads_unknown_files:
+            return
+        if cmake.named(*FOR_ALL):
+            return
+        seen: set[str] = set()
+        for target in cmake.targets:
+            if target.call.name in PLAIN and target.is_built and not target.call.maybe and not target.call.testing:
+                for each in self.of(target):
+                    if each.package not in seen:
+                        seen.add(each.package)
+                        yield each
+
+    def of(self, target: Target) -> Iterator[UnlinkedInclude]:
+        included = {name: use for name, use in self.included(target) if name in self.found}
+        names = self.linked(target.name) if included else None
+        if names is None:
+            return
+        there = self.closure(names)
+        for name, (file, header, span) in included.items() if there is not None else ():
+            if there is not None and name not in there and not self.has_folder_of(target.name, name):
+                yield UnlinkedInclude(target, name, header, file, span, self.has_own_folder(name))
+
+    def included(self, target: Target) -> Iterator[tuple[str, tuple[str, str, Span]]]:
+        """Yield the packages whose headers a target's sources include in any case, each with the places."""
+        words = (word for word in target.sources if word.is_known and not word.maybe)
+        paths = {path_in_package(word.text, target.call.folder) for word in words}
+        for path in sorted(self.inclusions.reached(path for path in paths if path in self.files)):
+            for each in self.files[path].includes:
+                slash = "/" in each.path
+                if slash and not each.is_conditional and not self.includes.is_own(each.path):
+                    names, cmake = self.includes.providers(each.path)
+                    if names[:1] == (cmake,) and path not in self.includes.guarded:
+                        yield cmake, (path, each.path, each.span)
+
+    @cached_property
+    def files(self) -> dict[str, CppFile]:
+        return {source.path: source for source in self.includes.sources}
+
+    @cached_property
+    def inclusions(self) -> Inclusions:
+        return Inclusions(self.files)
+
+    @cached_property
+    def links(self) -> TargetLinks:
+        return TargetLinks(self.includes.cmake)
+
+    @cached_property
+    def found(self) -> frozenset[str]:
+        """The packages that CMake certainly finds, and of which ROS knows that they are packages."""
+        kind_of = self.includes.declared.workspace.kind_of
+        packages = (each for each in self.includes.cmake.packages if not each.call.maybe)
+        return frozenset(each.name for each in packages if kind_of(each.name) is NameKind.PACKAGE)
+
+    def linked(self, name: str) -> set[str] | None:
+        """Return the packages that a target is linked with, by way of own ones too; None where they are not known."""
+        found: set[str] = set()
+        waiting, seen = [(name, True)], set[str]()
+        while waiting:
+            target, is_first = waiting.pop()
+            if target in seen:
+                continue
+            seen.add(target)
+            made = self.includes.cmake.target(target)
+            found |= BY_MACRO.get(made.call.name, frozenset()) if made else frozenset()
+            for link in self.links.of(target):
+                if is_first or link.is_public:
+                    own = self.links.own(link.word.text) if not link.package else None
+                    packages = self.packages_of(link) if own is None else []
+                    if packages is None:
+                        return None
+                    found.update(packages)
+                    waiting += [(own.name, False)] if own is not None else []
+        return found
+
+    def packages_of(self, link: TargetLink) -> list[str] | None:
+        """Return the ROS packages that an argument of a link stands for; None where that is not known."""
+        text, cmake = link.word.text, self.includes.cmake
+        if named := VARIABLE.fullmatch(cmake.source_text(link.word).strip('"')):
+            return [] if keys_for_cmake(named[1]) else [named[1]]
+        if UNKNOWN in text or "$<" in text or not link.word.is_known:
+            return None
+        name = text.partition("::")[0]
+        if self.includes.declared.workspace.kind_of(name) is NameKind.PACKAGE:
+            return [name]
+        is_known = not link.package and "::" not in text
+        return [] if is_known or keys_for_cmake(name) else None
+
+    def closure(self, names: Iterable[str]) -> frozenset[str] | None:
+        """Return some packages, and all that may come with them; None where that is not known of one."""
+        found: set[str] = set()
+        waiting, tables = [*names], [*(rows(f"{name}.txt") for name in TABLES), rows("cmake_exports.txt")]
+        workspace = self.includes.declared.workspace
+        while waiting:
+            name = waiting.pop()
+            if name in found:
+                continue
+            found.add(name)
+            if (facts := workspace.named(name)) is not None:
+                waiting += [need.name for need in facts.dependencies if need.tag in PASSED_ON]
+            elif any(name in table for table in tables):
+                waiting += [need.lstrip("?") for table in tables for need in table.get(name, ())]
+            elif workspace.kind_of(name) is not NameKind.KEY and not keys_for_cmake(name):
+                return None
+        return frozenset(found)
+
+    def has_folder_of(self, target: str, package: str) -> bool:
+        """Return whether a command names the include folder of a package for a target, or anything unknown."""
+        for call in self.includes.cmake.named("target_include_directories", "target_sources", "set_target_properties"):
+            if call.texts[:1] == (target,):
+                written = " ".join(argument.text for argument in call.command.arguments)
+                if package in written or any(UNKNOWN in word.text for word in call.words):
+                    return True
+        return False
+
+    def has_own_folder(self, package: str) -> bool:
+        """Return whether a package has interfaces, whose headers lie in a folder of their own from Humble on."""
+        facts = self.includes.declared.workspace.named(package)
+        return bool(facts.interfaces) if facts is not None else package.endswith(("_msgs", "_srvs", "_interfaces"))
