@@ -183,3 +183,23 @@ def dig(folder: Path, depth: int) -> None:
         os.close(here)
         here = inner
     os.close(here)
+
+
+@pytest.mark.parametrize(
+    ("glob", "target", "count"),
+    [
+        ("glob('config/*.yaml')", "nowhere", 1),
+        ("glob('config/*.yaml')", "a.yaml", 0),
+        ("glob('config/*.yml')", "nowhere", 0),
+        ("glob('*.yaml')", "nowhere", 0),
+        ("[each for each in glob('config/*.yaml') if os.path.isfile(each)]", "nowhere", 0),
+    ],
+)
+def test_a_glob_matches_a_link_to_nothing(tmp_path: Path, write, clean, glob: str, target: str, count: int) -> None:
+    imports = "import os\nfrom glob import glob\n"
+    entry = "('share/' + package_name, ['package.xml']),"
+    more = f"{entry}\n        ('share/' + package_name + '/config', {glob}),"
+    write(tmp_path, {**clean, "setup.py": imports + clean["setup.py"].replace(entry, more), "config/a.yaml": "a: 1\n"})
+    (tmp_path / "config/b.yaml").symlink_to(target)
+    done = rospkg("lint", "--select", "SET205", cwd=tmp_path)
+    assert done.stdout.count("a link to nothing here: the build stops") == count

@@ -202,6 +202,27 @@ def test_an_element_goes_with_its_line_or_alone() -> None:
     assert apply(text, remove_element(read(text), second)) == text.replace("<depend>b</depend>", "")
 
 
+@pytest.mark.parametrize(
+    ("above", "behind", "goes"),
+    [
+        ("<!-- to build -->", "\n", True),
+        ("<!-- to build -->", "", True),
+        ("<!-- to build -->", "  <depend>b</depend>\n", False),
+        ("<!-- <depend>c</depend> -->", "\n", False),
+        ("<!-- of\n  two -->", "\n", False),
+        ("<!-- apart -->\n", "\n", False),
+        ("<name>a</name> <!-- of another -->", "\n", False),
+    ],
+)
+def test_the_comment_of_an_element_alone_goes_with_it(above: str, behind: str, goes: bool) -> None:
+    text = f"<package>\n  <version>1</version>\n  {above}\n  <depend>a</depend>\n{behind}</package>\n"
+    found = read(text)
+    element = next(each for each in found.root.children if each.tag == "depend")
+    done = apply(text, remove_element(found, element))
+    assert "<depend>a" not in done
+    assert ("<!--" not in done) is goes
+
+
 def test_one_blank_line_is_left_where_an_element_was_alone_between_two() -> None:
     text = "<package>\n  <name>a</name>\n\n  <depend>a</depend>\n  \n  <export/>\n</package>\n"
     assert apply(text, remove_element(read(text), read(text).root.children[1])) == text.replace(

@@ -182,7 +182,10 @@ CASES = {
             ("", "    py_modules=[json.loads('[]'), json.loads('[]')],\n"),
         )
     ),
-    "SET403": (python({"package.xml": manifest().replace("<license>Apache-2.0", "<license>Ask us first")}),),
+    "SET403": (
+        python({"package.xml": manifest().replace("<license>Apache-2.0", "<license>Ask us first")}),
+        python({"package.xml": manifest().replace("<license>Apache-2.0", "<license>MIT")}),
+    ),
     "SET401": (
         python({"setup.py": SETUP_PY.replace("name=package_name", "name='your_pkg'")}),
         python({"setup.py": OTHER_NAME}),

@@ -191,8 +191,9 @@ CASES = {
         built(TALKER, files={"src/a.cpp": INCLUDES, "include/my_pkg/a.hpp": ""}),
         built(TALKER, files={"src/a.cpp": INCLUDES, "src/b.cpp": INCLUDES}, body=declared("sensor_msgs", "who_knows")),
         built(TALKER, files={"src/a.cpp": GUARDED, "src/unused.cpp": INCLUDES}),
-        *(built(TALKER, files={"src/a.cpp": text, "include/my_pkg/a.hpp": INCLUDES})
-          for text in ("int main() {}\n", '#include "my_pkg/a.hpp"\n')),
+        *(built(TALKER, each, files={"src/a.cpp": text, "include/my_pkg/a.hpp": INCLUDES})
+          for text in ("int main() {}\n", '#include "my_pkg/a.hpp"\n')
+          for each in ("", "install(DIRECTORY include/ DESTINATION include)")),
         built("if(BUILD_TESTING)\n  add_executable(t test/a.cpp)\nendif()", files={"test/a.cpp": INCLUDES}),
         built("find_package(yaml_cpp_vendor REQUIRED)", TALKER, files={"src/a.cpp": "#include <yaml-cpp/yaml.h>\n"}),
         *(built(*lines, TALKER, files={"src/a.cpp": "#include <diagnostic_msgs/msg/key_value.hpp>\n"}) for lines in (

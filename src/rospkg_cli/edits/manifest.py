@@ -11,12 +11,13 @@ from ..package.manifest import Dependency, Manifest
 from ..ros.manifest import ONLY_ROS_2
 from ..source import Span
 from .dependency_lines import in_order
-from .manifest_place import gap_before, gap_behind, neighbour, start_with_heading
+from .manifest_place import comment_above, gap_before, gap_behind, neighbour, start_with_heading
 from .manifest_tags import quoted
 
 FOR_ROS_2 = regex(r"""\$ROS_VERSION\s*==\s*["']?2["']?""")
 BLANK_ABOVE = regex(r"\n[ \t]*\n\Z")
 BLANK_LINE = regex(r"[ \t]*\n")
+END = regex(r"[ \t]*</package>")
 
 
 def add_dependency(manifest: Manifest, tag: str, name: str) -> Edit:
@@ -93,7 +94,10 @@ def end_of_line(manifest: Manifest, element: Element) -> int:
 
 
 def remove_element(manifest: Manifest, element: Element) -> Edit:
-    """Remove an element, with its line where that holds nothing else, and with one of two blank lines around it."""
+    """Remove an element, with its line where that holds nothing else, and with one of two blank lines around it.
+
+    A comment right above it goes too, where a blank line or the end behind the element shows that it was for it alone.
+    """
     source = manifest.source
     start = source.line_span(source.position(element.span.start)[0]).start
     end = source.line_span(source.position(element.span.end)[0]).end
@@ -101,8 +105,19 @@ def remove_element(manifest: Manifest, element: Element) -> Edit:
     if not alone:
         return Edit(manifest.path, element.span, "")
     end = min(end + 1, len(source.text))
+    if BLANK_LINE.match(source.text, end) or END.match(source.text, end):
+        start = start_with_own_comment(manifest, element, start)
     blank = BLANK_LINE.match(source.text, end) if BLANK_ABOVE.search(source.text[:start]) else None
     return Edit(manifest.path, Span(start, blank.end() if blank else end), "")
+
+
+def start_with_own_comment(manifest: Manifest, element: Element, start: int) -> int:
+    """Return where the line of a comment right above an element begins, or `start`; one with markup is kept."""
+    is_child = any(each is element for each in manifest.root.nodes)
+    above = comment_above(manifest, element) if is_child else None
+    if above is None or "<" in above.text or "\n" in above.text:
+        return start
+    return manifest.source.line_span(manifest.source.position(above.span.start)[0]).start
 
 
 def rename_dependency(manifest: Manifest, dependency: Dependency, name: str) -> Edit:

@@ -15,6 +15,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role
+from ...package.install_table import InstallTable
 from ...package.interfaces.interface_file import InterfaceFile
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.implied_dependencies import IN_SOURCES, implied_by
@@ -66,6 +67,7 @@ class IncludeDependencies:
     cmake: CMake
     sources: tuple[CppFile, ...]
     interfaces: tuple[InterfaceFile, ...] = ()
+    table: InstallTable = InstallTable()
 
     @cached_property
     def find_packages(self) -> FindPackageDependencies:
@@ -123,6 +125,11 @@ class IncludeDependencies:
         """Return whether only headers for others include it: the package itself compiles none of them."""
         known = self.compiled if each.role != "test" else None
         return known is not None and known.isdisjoint(use.path for use in each.uses)
+
+    def are_idle(self, each: IncludedPackage) -> bool:
+        """Return whether no file that includes it is compiled here or, as far as is known, installed for others."""
+        installed = {row.source for row in self.table.of("header")}
+        return self.are_passed_on(each) and installed.isdisjoint(use.path for use in each.uses)
 
     @cached_property
     def compiled(self) -> set[str] | None:

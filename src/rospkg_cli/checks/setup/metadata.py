@@ -54,8 +54,8 @@ class Metadata:
             return
         known = {spdx(text) for text in texts}
         if spdx(argument.text) not in known and not {spdx(part) for part in SEVERAL.split(argument.text)} <= known:
-            is_worse = spdx_id(argument.text) is not None and spdx_id(texts[0]) is None
-            yield "license", argument, texts[0] if len(texts) == 1 and not is_worse else "", elements[0]
+            is_known = spdx_id(argument.text) is not None  # which of two licenses holds is for its owner to say
+            yield "license", argument, texts[0] if len(texts) == 1 and not is_known else "", elements[0]
 
     def maintainer(self) -> Iterator[Difference]:
         argument, elements = self.setup.setup_text("maintainer"), self.manifest.all("maintainer")

@@ -23,8 +23,8 @@ NODE = CMAKE.replace(
     over=IncludeDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a dependency brings it, or may bring it, package.xml has it in a comment, or the package "
-        "itself compiles no file that includes it"
+        Severity.INFO: "where a dependency brings it, or may bring it, package.xml has it in a comment, or no file "
+        "that includes it is compiled or installed"
     },
     examples=(
         Example(
@@ -49,7 +49,7 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     ## When it is quiet
     What a declared dependency or a package that CMake requires certainly installs, or may, is one info, which names who
     brings it, and DEP104's where CMake requires such a package, too. So is what only files include that an option of
-    CMake must ask for, or only headers that this package does not compile. Files that no target compiles, includes
+    CMake must ask for, or only headers that it neither compiles nor installs. Files that no target compiles, includes
     under `#if`, headers that all others include under it, neighbours whose folder CMake names
     (`include_directories(../other/include)`), and packages that `find_package()` names as well (DEP104) are left alone.
 
@@ -70,7 +70,7 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
             f'"No such file or directory" where nothing else brings it; {advice(declared, kind, name)}'
         )
         places = related((use.path, use.span) for use in each.uses)
-        is_mild = is_left_out(declared, name) or includes.are_optional(each) or includes.are_passed_on(each)
+        is_mild = is_left_out(declared, name) or includes.are_optional(each) or includes.are_idle(each)
         level = Severity.INFO if is_mild else None
         yield Hit(first.path, first.span, message, level, places, declaration(declared, kind, name))
     if not any(missing.bringer for missing in includes.find_packages.missing()):  # else DEP104 tells of both

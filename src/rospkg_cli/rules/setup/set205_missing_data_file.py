@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.dead_links import dead_links
 from ...checks.setup.share_files import ShareFiles
 from ...example import Example, setup_py
 from ...finding import Hit, Severity
@@ -35,6 +36,7 @@ SHAPES = {
     "missing-data-file",
     over=ShareFiles,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "a glob matches a link to nothing: elsewhere there may be what it points to"},
     examples=(
         Example(
             bad={**YAML, "setup.py": config("('share/' + package_name + '/config', ['«config/nva.yaml»'])")},
@@ -70,8 +72,8 @@ def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
     """
     ## What it does
     Finds entries of `data_files` that can't be installed.
-    It is a file that does not exist, a folder, an absolute path, or an entry that is no tuple of a destination and a
-    list.
+    It is a file that does not exist, a link to nothing that a glob matches, a folder, an absolute path, or an entry
+    that is no tuple of a destination and a list.
 
     ## Why is this bad?
     The build stops: "can't copy 'config': doesn't exist or not a regular file", "'data_files' must be relative", or a
@@ -88,6 +90,12 @@ def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
             why = fault(shared, entry, file)
             if why:
                 yield Hit(file.setup_text.path, file.setup_text.shown, why)
+    for glob, link in dead_links(shared.package):
+        message = (
+            f"`{glob.pattern}` matches `{link}`, a link to nothing here: the build stops with \"can't copy '{link}'\"; "
+            "mend or remove the link"
+        )
+        yield Hit(shared.package.setup.path, glob.span, message, Severity.WARNING)
 
 
 def fault(shared: ShareFiles, entry: DataEntry, file: DataFile) -> str:

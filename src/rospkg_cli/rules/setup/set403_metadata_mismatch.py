@@ -25,7 +25,7 @@ def example(right: str, wrong: str) -> Example:
     severity=Severity.INFO,
     examples=(
         example("Drives my robot", "TODO: Package description"),
-        example("Apache-2.0", "MIT"),
+        example("Apache-2.0", "TODO: License declaration"),
         example("Ada", "Charles"),
         example("ada@example.org", "charles@example.org"),
     ),
@@ -47,7 +47,7 @@ def metadata_mismatch(metadata: Metadata) -> Iterator[Hit]:
     fits.
 
     ## Fix safety
-    There is no fix where only setup.py names a license that has an SPDX id.
+    There is no fix where setup.py names a license that has an SPDX id: which of two holds is for its owner to say.
     """
     for name, said, wanted, element in metadata.differing:
         edits = replace_text(said, wanted) if wanted else ()
