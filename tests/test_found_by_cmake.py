@@ -245,7 +245,7 @@ LINK = "add_executable(main src/main.cpp)\ntarget_link_libraries(main part)\n"
         ("add_library(part STATIC src/part.cpp)\ninstall(TARGETS part DESTINATION lib)", []),
         ("add_library(part OBJECT src/part.cpp)\ninstall(TARGETS part DESTINATION lib)", []),
         ("add_library(part SHARED src/part.cpp)", []),
-        (f"add_library(part SHARED src/part.cpp)\ninstall(TARGETS part DESTINATION lib)\n{LINK}", []),
+        (f"add_library(part SHARED src/part.cpp)\ninstall(TARGETS part DESTINATION lib)\n{LINK}", [INFO]),
         ("add_executable(part src/part.cpp)\ninstall(TARGETS part DESTINATION lib/${PROJECT_NAME})", []),
         (
             "if(SOMETHING_ELSE)\n  add_library(part SHARED src/part.cpp)\nendif()\n"

@@ -86,6 +86,13 @@ CASES = {
             "  <build_depend>yaml-cpp</build_depend>\n",
             src__node_DOT_cpp="",
         ),
+        cmake(
+            "find_package(yaml-cpp REQUIRED)\nfind_package(rclcpp REQUIRED)\nadd_executable(node src/node.cpp)\n"
+            "target_link_libraries(node yaml-cpp rclcpp::rclcpp)\n"
+            "install(TARGETS node DESTINATION lib/${PROJECT_NAME})\n",
+            "  <build_depend>rclcpp</build_depend>\n  <build_depend>yaml-cpp</build_depend>\n",
+            src__node_DOT_cpp="",
+        ),
     ),
     "DEP104": (
         cmake("if(BUILD_TESTING)\n  ament_add_gtest(test_a test/a.cpp)\nendif()\n", "", test__a_DOT_cpp=""),

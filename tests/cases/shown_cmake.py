@@ -226,6 +226,7 @@ CASES = {
     "CMK108": (
         components(register("talker", "my_pkg::Talker")),
         components(register("talker", "my_pkg::Talkr")),
+        components("add_executable(main src/main.cpp)", "target_link_libraries(main talker)", main="int main() {}\n"),
         components(register("talker", "other::Thing")),
         components(register("talker", "other::Thing"),
                    target="add_library(talker SHARED src/talker.cpp src/listener.cpp)"),

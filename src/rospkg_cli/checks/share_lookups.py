@@ -12,6 +12,7 @@ from ..languages.python.file import PythonFile
 from ..languages.python.guarded_nodes import guarded_nodes
 from ..languages.python.joined_paths import PathJoiner
 from ..languages.python.nodes import nodes_of
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..package.launch.file_references import is_file
@@ -23,6 +24,7 @@ from ..ros.names import NameKind
 from ..source import Span
 from ..suggest import near_names, nearest
 from .closest_path import closest_path
+from .cpp.share_file_paths import share_file_paths
 from .cpp.share_names import share_names
 from .run_imports import RunImports
 
@@ -30,7 +32,11 @@ LOOKUPS = SHARE | {"get_package_prefix"}
 CATCHES = frozenset({"PackageNotFoundError", "KeyError", "LookupError", "Exception", "BaseException"})
 """PackageNotFoundError is a KeyError."""
 
-LOOKS_FIRST = frozenset({"exists", "isfile", "is_file", "isdir", "is_dir", "FileNotFoundError"})
+LOOKS_FIRST = frozenset(
+    {"exists", "isfile", "is_file", "isdir", "is_dir", "FileNotFoundError", "makedirs", "mkdir", "create_director"}
+)
+WRITERS = regex(r"\b(?:to_csv|savetxt|savez?|dump|imwrite|writer?|ofstream)\b")
+"""What writes a file of data: then one that is called like an output is no input."""
 SHORTEST = len("nav2")
 """Of a package's name that is compared with all known ones."""
 
@@ -108,22 +114,39 @@ class ShareLookups:
                 continue
             for found in PathJoiner(file, share_of).paths():
                 path = posixpath.normpath(found.text.lstrip("/"))
-                facts = self.facts if found.base == self.facts.name else self.workspace.named(found.base)
-                if facts is not None and found.text.startswith("/") and is_file(path) and path.isprintable():
-                    missing = self.missing(file, file.span(found.node), facts, path)
+                if found.text.startswith("/") and (facts := self.facts_of(found.base)) is not None:
+                    missing = self.missing(file.path, file.span(found.node), facts, path)
                     yield from [missing] if missing is not None else []
+        for source in self.sources:
+            if role_of(source.path) == "run" and not looks_first(source):
+                for named in share_file_paths(source):
+                    if (facts := self.facts_of(named.package)) is not None:
+                        path = posixpath.normpath(named.file.lstrip("/"))
+                        missing = self.missing(source.path, named.span, facts, path)
+                        yield from [missing] if missing is not None else []
 
-    def missing(self, file: PythonFile, span: Span, facts: PackageFacts, path: str) -> MissingShareFile | None:
-        """Return a file that is not installed; None where it may be written, or where a rule of its folder tells it."""
+    def facts_of(self, name: str) -> PackageFacts | None:
+        return self.facts if name == self.facts.name else self.workspace.named(name)
+
+    def missing(self, where: str, span: Span, facts: PackageFacts, path: str) -> MissingShareFile | None:
+        """Return a file that is not installed; None where it may be written, or where a rule of its folder tells it.
+
+        A folder of the package counts as well, and so does a file that is called like one that is written and is here.
+        """
+        is_own = facts is self.facts
+        is_here = is_own and (self.files.is_there(path) or path in self.files.folders)
+        is_read = is_here and not WRITERS.search(self.files.readable_text(where))
+        if not (is_read or is_file(path)) or not path.isprintable() or path.startswith(".."):
+            return None
         if not facts.knows("share_files") or path in facts.share_files or facts.may_write(path):
             return None
-        if path in facts.uninstalled or path in facts.run_time_files:
+        below = (*facts.share_files, *facts.uninstalled, *facts.run_time_files) if is_here else ()
+        if path in facts.uninstalled or path in facts.run_time_files or any(e.startswith(f"{path}/") for e in below):
             return None
-        is_here = facts is self.facts and self.files.is_there(path)
         near = None if is_here else closest_path(path, facts.share_files)
         if not is_here and (not near or (facts is self.facts and self.files.absent.is_expected(path))):
             return None
-        return MissingShareFile(file.path, span, facts.name, path, near, is_here)
+        return MissingShareFile(where, span, facts.name, path, near, is_here)
 
 
 def literal_of(call: ast.Call) -> ast.Constant | None:
@@ -133,6 +156,6 @@ def literal_of(call: ast.Call) -> ast.Constant | None:
     return given if plain and isinstance(given, ast.Constant) else None
 
 
-def looks_first(file: PythonFile) -> bool:
-    """Return whether a module asks whether a file is there, or catches that it is not."""
+def looks_first(file: PythonFile | CppFile) -> bool:
+    """Return whether code asks whether a file is there, makes its folder, or catches that it is not."""
     return any(name in file.source.text for name in LOOKS_FIRST)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
+from typing import Literal
 
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.targets import Target
@@ -102,13 +103,15 @@ class ComponentRegistration:
         registered = [each.name for each in self.in_sources]
         misspelt = {nearest(component.plugin.text, registered) for component in self.without_source()}
         for each in self.in_sources:
-            if each.name not in names | misspelt and each.path in self.in_libraries:
+            if each.name not in names | misspelt and each.path in self.in_libraries | self.in_linked_libraries:
                 yield each
 
-    def is_loaded(self, found: RegisteredClass) -> bool:
-        """Return whether a launch file of the package loads a class."""
+    def harm(self, found: RegisteredClass) -> Literal["error", "warning", "info"]:
+        """Return how bad it is that CMake does not register a class: a launch file of the package may load it."""
         facts = self.package.facts
-        return (facts.name, found.name) in facts.loaded_components
+        if (facts.name, found.name) in facts.loaded_components:
+            return "error"
+        return "info" if found.path in self.in_linked_libraries else "warning"
 
     @cached_property
     def in_libraries(self) -> frozenset[str]:
@@ -116,17 +119,28 @@ class ComponentRegistration:
         cmake = self.package.cmake
         names = {component.target.text for component in cmake.components}
         targets = [target for name in names if (target := cmake.target(name)) is not None]
-        targets += [target for target in cmake.targets if self.is_only_loaded(target)]
-        return frozenset(p for t in targets for w in t.sources if (p := path_in_package(w.text, t.call.folder)))
+        links = TargetLinks(cmake)
+        return sources_of([*targets, *(each for each in self.installed_libraries if not links.with_word(each.name))])
 
-    def is_only_loaded(self, target: Target) -> bool:
-        """Return whether a shared library is installed and nothing of the package links it: programs may make nodes of
-        its classes themselves."""
-        links = TargetLinks(self.package.cmake)
-        is_sure = not target.call.maybe and not target.call.testing and target.is_built
-        if not is_sure or not target.is_library or target.options & {"STATIC"}:
-            return False
-        return target.name in links.installed and not links.with_word(target.name)
+    @cached_property
+    def in_linked_libraries(self) -> frozenset[str]:
+        """The sources of libraries that something of the package links: a program may make nodes of their classes."""
+        return sources_of(self.installed_libraries) - self.in_libraries
+
+    @cached_property
+    def installed_libraries(self) -> tuple[Target, ...]:
+        """The libraries that are certainly installed and not static."""
+        installed = TargetLinks(self.package.cmake).installed
+        return tuple(
+            each
+            for each in self.package.cmake.targets
+            if each.is_library and each.is_built and each.name in installed
+            if not (each.call.maybe or each.call.testing or each.options & {"STATIC"})
+        )
+
+
+def sources_of(targets: Iterable[Target]) -> frozenset[str]:
+    return frozenset(p for t in targets for w in t.sources if (p := path_in_package(w.text, t.call.folder)))
 
 
 def name_of(argument: CppArgument) -> str:

@@ -162,4 +162,5 @@ class UnlinkedIncludes:
     def has_own_folder(self, package: str) -> bool:
         """Return whether a package has interfaces, whose headers lie in a folder of their own from Humble on."""
         facts = self.includes.declared.workspace.named(package)
-        return bool(facts.interfaces) if facts is not None else package.endswith(("_msgs", "_srvs", "_interfaces"))
+        is_named_so = package.endswith(("_msgs", "_srvs", "_interfaces")) and not package.startswith("tf2_")
+        return bool(facts.interfaces) if facts is not None else is_named_so

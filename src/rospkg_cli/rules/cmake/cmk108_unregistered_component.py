@@ -52,7 +52,8 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a source registers a class, no call of CMake does, and no launch file here loads it; or "
-        "the keywords of one node are taken for classes"
+        "the keywords of one node are taken for classes",
+        Severity.INFO: "a source registers a class, and the package links its library itself",
     },
     examples=(
         Example(
@@ -120,7 +121,7 @@ def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
     for source in components.without_cmake():
         start = f"`{source.name}` is registered here and by no `rclcpp_components_register_node(…)`"
         message = f"{start}: it can't be loaded by its name; register it in CMakeLists.txt too"
-        yield Hit(source.path, source.span, message, None if components.is_loaded(source) else Severity.WARNING)
+        yield Hit(source.path, source.span, message, Severity(components.harm(source)))
 
 
 def unknown(components: ComponentRegistration, component: Component) -> str:

@@ -38,14 +38,14 @@ PEOPLE = {**NEEDS, "names/people.txt": "Ada\n", "my_pkg/talker.py": MODULE.forma
 def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
     """
     ## What it does
-    Finds files in a share directory that Python modules name and that no rule installs there.
-    It follows `get_package_share_directory` and its like, joined with literal parts.
+    Finds files in a share directory that Python modules and C++ name and that no rule installs there.
+    It follows `get_package_share_directory` and its like, joined with literal parts, and folders of the package too.
 
     ## Why is this bad?
-    The build is green, and opening the file raises FileNotFoundError.
+    The build is green, and opening the file raises FileNotFoundError, or fails in C++.
 
     ## When it is quiet
-    Where neither the package has the file nor installs one of a near name: the module may write it. Where the file
+    Where neither the package has the file nor installs one of a near name: the code may write it. Where the file
     asks whether something exists; where the installed files are not all known; for folders that CMK101, SET206 and
     SET207 tell about; in files that nothing installs.
     """

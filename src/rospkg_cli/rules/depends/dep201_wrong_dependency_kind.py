@@ -62,17 +62,16 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     - REP-149, Dependencies
     """
     brought: list[WrongKind] = []
+    loaded: list[WrongKind] = []
     for each in kinds.wrong_kinds():
-        if each.bringer:
-            brought.append(each)
+        if each.bringer or each.use.need == "link":
+            (brought if each.bringer else loaded).append(each)
             continue
         is_example = each.use.need == "launch" and kinds.launch.is_example(each.use.path)
-        is_mild = is_example or each.use.is_optional or each.use.need == "link"
-        yield hit(kinds, each, Severity.INFO if is_mild else None)
-    if len(brought) == 1:
-        yield hit(kinds, brought[0], Severity.INFO)
-    elif brought:
-        yield left_to_bringers(kinds, brought)
+        yield hit(kinds, each, Severity.INFO if is_example or each.use.is_optional else None)
+    for group in (brought, loaded):
+        if group:
+            yield hit(kinds, group[0], Severity.INFO) if len(group) == 1 else in_one(kinds, group)
 
 
 def hit(kinds: DependencyKinds, each: WrongKind, level: Severity | None) -> Hit:
@@ -83,21 +82,19 @@ def hit(kinds: DependencyKinds, each: WrongKind, level: Severity | None) -> Hit:
     return Hit(each.use.path, each.use.span, message, level, related, fix)
 
 
-def left_to_bringers(kinds: DependencyKinds, brought: Sequence[WrongKind]) -> Hit:
-    """Return one info for several that others bring, or may bring, at the time when they are used."""
-    first, *others = brought
-    names = quoted([each.dependency.name for each in brought])
-    come = "come" if all(each.bringer and each.bringer.is_certain for each in brought) else "may come"
-    message = (
-        f"{names} are not declared for the time when they are used: they {come} with other dependencies; "
-        "declare those uses"
-    )
+def in_one(kinds: DependencyKinds, wrong: Sequence[WrongKind]) -> Hit:
+    """Return one info for several that others bring, or may bring, when they are used, or that nothing brings."""
+    first, *others = wrong
+    names = quoted([each.dependency.name for each in wrong])
+    come = "come" if all(each.bringer and each.bringer.is_certain for each in wrong) else "may come"
+    so = f"they {come} with other dependencies" if first.bringer else ending(first)
+    message = f"{names} are not declared for the time when they are used: {so}; declare those uses"
     path = kinds.declared.manifest.path
     related = [Related(path, first.dependency.span, f"only a <{first.dependency.tag}>, and {usage(first)}")]
     for each in others:
         what = f"`{each.dependency.name}` is only a <{each.dependency.tag}>, and {usage(each)}"
         related.append(Related(each.use.path, each.use.span, what))
-    fix = Fix(f"declare the uses of {names}", repairs(kinds, brought), Safety.UNSAFE)
+    fix = Fix(f"declare the uses of {names}", repairs(kinds, wrong), Safety.UNSAFE)
     return Hit(first.use.path, first.use.span, message, Severity.INFO, tuple(related), fix)
 
 
