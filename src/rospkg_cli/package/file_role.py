@@ -32,7 +32,7 @@ def role_of(path: str) -> Role:
         return "test"
     if (folders or [name])[0] in ASIDE or path in NOT_INSTALLED or not ASIDE_ANYWHERE.isdisjoint(folders):
         return "aside"
-    return "launch" if LAUNCH.search(path) else "run"
+    return "launch" if "launch" in path and LAUNCH.search(path) else "run"
 
 
 def is_set_aside(path: str) -> bool:

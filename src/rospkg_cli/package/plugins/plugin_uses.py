@@ -22,9 +22,9 @@ YAML = regex(rf"""^[ ]*(?:-[ ]+)?{KEY}[ ]*:[ ]+(["']?){NAME}\2[ ]*(?:\#.*)?$""",
 RVIZ = regex(r"""^[ ]*(?:-[ ]+)?Class:[ ]+(["']?)(?P<name>[A-Za-z_]\w*(?:/|::)\w[\w ]*?)\1[ ]*$""", re.MULTILINE)
 """The names of RViz displays and tools may have blanks."""
 XML = regex(rf"""<plugin>\s*{NAME}\s*</plugin>|<param\s+name="\w*plugin">\s*{NAME.replace("name", "value")}\s*</""")
-TEMPLATE = regex(r"\.(?:j2|jinja2?|in|em|tmpl)$")
+TEMPLATES = frozenset({"j2", "jinja", "jinja2", "in", "em", "tmpl"})
 """Endings of templates: what is literal in one stays in what is made of it."""
-PATTERNS = {".yaml": YAML, ".yml": YAML, ".rviz": RVIZ, ".urdf": XML, ".xacro": XML}
+PATTERNS = {"yaml": YAML, "yml": YAML, "rviz": RVIZ, "urdf": XML, "xacro": XML}
 
 
 def plugin_uses(reading: ReaderInput) -> tuple[PluginUse, ...]:
@@ -32,8 +32,8 @@ def plugin_uses(reading: ReaderInput) -> tuple[PluginUse, ...]:
 
 
 def uses_in(files: PackageFiles, path: str) -> Iterator[PluginUse]:
-    plain = TEMPLATE.sub("", path)
-    pattern = PATTERNS.get(plain[plain.rfind(".") :])
+    plain, _, ending = path.rpartition(".")
+    pattern = PATTERNS.get(plain.rpartition(".")[2] if ending in TEMPLATES else ending)
     roles = ("run", "launch", "test") if pattern is YAML else ("run", "launch")
     if pattern is None or role_of(path) not in roles:
         return
