@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
+from functools import lru_cache
 
 from .lazy_regex import regex
 from .light_dataclasses import dataclass
@@ -63,6 +64,7 @@ def fits(pattern: Sequence[str], parts: Sequence[str]) -> bool:
     return is_match(parts[0], pattern[0]) and fits(pattern[1:], parts[1:])
 
 
+@lru_cache(maxsize=4096)
 def is_match(part: str, pattern: str) -> bool:
     return fnmatchcase(part, pattern) if SPECIAL.search(pattern) else part == pattern
 

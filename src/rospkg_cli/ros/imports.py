@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
+from functools import lru_cache
 
 from ..light_dataclasses import dataclass
 from .names import BUILT_IN, Names
@@ -61,7 +62,13 @@ def keys_called_like(module: str) -> tuple[str, str]:
 
 def may_serve(dependency: str, module: str) -> bool:
     """Return whether a declared name may be another dependency that installs a module, so that none is missing."""
+    return served_module(dependency) == module.partition(".")[0].lower()
+
+
+@lru_cache(maxsize=4096)
+def served_module(dependency: str) -> str | None:
+    """Return the module that a dependency may install by its name, in lower case; None where it installs none."""
     if dependency in NO_MODULES:
-        return False
+        return None
     bare = dependency.lower().removeprefix("python3-").removeprefix("python-").removesuffix("-pip")
-    return bare.replace("-", "_").replace(".", "_") == module.partition(".")[0].lower()
+    return bare.replace("-", "_").replace(".", "_")

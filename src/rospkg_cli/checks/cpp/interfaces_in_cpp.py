@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Set
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from ...files import PackageFiles
 from ...languages.cpp.code_text import code_text
@@ -151,6 +151,7 @@ def types_named(text: str) -> set[tuple[str, str, str]]:
     return found
 
 
+@lru_cache(maxsize=4096)
 def lower(name: str) -> str:
     """Return the name of the header that rosidl generates for an interface: `set_mode` for `SetMode`."""
     return WORD_END.sub(r"\1_\2", WORD_START.sub(r"\1_\2", name)).lower()

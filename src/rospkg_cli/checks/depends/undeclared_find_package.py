@@ -143,6 +143,9 @@ class FindPackageDependencies:
         A library may be a ROS package and a rosdep key as well: `octomap` and `liboctomap-dev`.
         """
         patterns = [each for each in keys_for_cmake(name) if "*" in each]
-        debian = name.lower().replace("_", "-")
-        alike = {f"{name.lower().replace('-', '_')}_vendor", f"lib{debian}-dev", f"{debian}-dev", f"lib{debian}"}
-        return tuple(n for n in names if n.lower() in alike or (patterns and any(fnmatchcase(n, p) for p in patterns)))
+        lower = name.lower()
+        debian, own = lower.replace("_", "-"), lower.replace("-", "_")
+        alike = {f"{own}_vendor", f"lib{debian}-dev", f"{debian}-dev", f"lib{debian}"}
+        if not patterns:
+            return tuple([n for n in names if n.lower() in alike])
+        return tuple(n for n in names if n.lower() in alike or any(fnmatchcase(n, p) for p in patterns))

@@ -33,7 +33,8 @@ def late_names(file: PythonFile) -> Iterator[LateName]:
         if isinstance(function, ast.FunctionDef):
             assigned = straight_assignments(function)
             seen: set[str] = set()
-            for at, statement in enumerate(function.body):
+            last = max((at for at, _ in assigned.values()), default=0)
+            for at, statement in enumerate(function.body[:last]):
                 for node in own_nodes(statement) if isinstance(statement, SIMPLE) else ():
                     where = assigned.get(node.id, (0, 0)) if isinstance(node, ast.Name) else (0, 0)
                     if isinstance(node, ast.Name) and where[0] > at and node.id not in seen:

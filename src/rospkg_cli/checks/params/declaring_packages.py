@@ -37,7 +37,15 @@ class ParameterGroup:
     """The packages that declare most of them; none where that is unknown."""
 
     def fitting(self, name: str) -> list[DeclaredParameter]:
-        return [each for facts in self.owners for each in facts.parameters if each.fits(name)]
+        return [each for each in self._by_last.get(name.rpartition(".")[2], ()) if each.fits(name)]
+
+    @cached_property
+    def _by_last(self) -> dict[str, list[DeclaredParameter]]:
+        """What the owners declare, by the last piece of its name, which is that of all names that it fits."""
+        found: dict[str, list[DeclaredParameter]] = {}
+        for each in (each for facts in self.owners for each in facts.parameters):
+            found.setdefault(each.name.rpartition(".")[2], []).append(each)
+        return found
 
     def unknown(self) -> Iterator[tuple[Parameter, str]]:
         """Yield the parameters that no owner declares, where one that is declared and not set has a similar name."""
@@ -54,7 +62,7 @@ class ParameterGroup:
     @cached_property
     def last_names(self) -> frozenset[str]:
         """The last pieces of the names that the owners declare."""
-        return frozenset(each.name.rpartition(".")[2] for facts in self.owners for each in facts.parameters)
+        return frozenset(self._by_last)
 
     def type_of(self, name: str) -> str:
         """Return the type that every owner declares a name with; "" where they differ."""

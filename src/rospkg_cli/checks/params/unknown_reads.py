@@ -14,12 +14,12 @@ from ...package.params.python_parameters import has_computed_names
 from ...package.params.python_parameters import read_in as read_in_python
 from ...package.python_modules import PythonModules
 from ...package.workspace import Workspace
-from ...source import Span
+from ...source import Source, Span
 from ...suggest import near_names, nearest
 from .declaring_packages import ParameterContext, is_its_own
 from .launched_names import LaunchedNames
 
-ALLOWED = regex(r"allow_undeclared_parameters|automatically_declare_parameters_from_overrides")
+ALLOWED = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
 """Options of a node that has parameters which no code declares."""
 MILD = regex(r"\bcatch\b|\bhas_parameter\b|\bexcept\s*(?::|.*\b(?:Base)?Exception\b|.*\bParameter)")
 """What may catch the exception, or ask before."""
@@ -48,7 +48,7 @@ class ParameterReads:
     def in_cpp(self) -> Iterator[UnknownRead]:
         """Yield what a C++ file gets and nothing declares; its name is similar, or there is only one of each."""
         reads = [read for file in self.cpp for read, _ in read_in(file)]
-        for file in self.cpp if not any(ALLOWED.search(each.source.text) for each in self.cpp) else ():
+        for file in self.cpp if reads and not any(allows_any(each.source) for each in self.cpp) else ():
             unread = self.unread(file.path, reads)
             unmatched = [
                 (read, call)
@@ -69,7 +69,7 @@ class ParameterReads:
         paths = sorted({each.path for each in self.package.parameters if each.path.endswith(".py")})
         files = [file for path in paths if (file := self.modules.at(path))]
         reads = [read for file in files for read, _, _ in read_in_python(file)]
-        if any(ALLOWED.search(file.source.text) or has_computed_names(file) for file in files):
+        if any(allows_any(file.source) or has_computed_names(file) for file in files):
             return
         for file in files:
             unread = self.unread(file.source.path, reads)
@@ -98,6 +98,11 @@ class UnknownParameters:
     given: ParameterContext
     reads: ParameterReads
     launched: LaunchedNames
+
+
+def allows_any(source: Source) -> bool:
+    """Return whether a node of a file may have parameters that no code declares."""
+    return any(word in source.text for word in ALLOWED)
 
 
 def same(declared: DeclaredParameter, read: DeclaredParameter) -> bool:

@@ -72,6 +72,9 @@ def escape_element(text: str) -> str:
 
 def split_list(text: str) -> Iterator[str]:
     """Yield the elements of a list: separated by `;`, unless it is escaped or inside square brackets."""
+    if ";" not in text:
+        yield text
+        return
     depth, start, at = 0, 0, 0
     while at < len(text):
         char = text[at]

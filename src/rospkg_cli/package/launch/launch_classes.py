@@ -10,6 +10,7 @@ from ...source import Span
 
 HOMES = frozenset({"launch", "launch_ros", "ament_index_python"})
 SOURCES = frozenset({"launch_xml", "launch_yaml"})
+MODULES = HOMES | SOURCES
 
 
 def class_of(call: Call) -> str:
@@ -17,7 +18,7 @@ def class_of(call: Call) -> str:
     if call.receiver is not None:
         return ""
     home, _, name = call.callee.partition(".")
-    return name.rpartition(".")[2] if home in HOMES | SOURCES else ""
+    return name.rpartition(".")[2] if home in MODULES else ""
 
 
 def named_arguments(call: Call, signature: Signature) -> Iterator[tuple[str, Argument]]:

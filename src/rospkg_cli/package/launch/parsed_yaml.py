@@ -10,6 +10,8 @@ from .launch_file import LaunchFile
 from .text import LaunchText, Literal
 
 LOADS = regex(r"\b(?:yaml\.load|safe_load|full_load|unsafe_load)\s*\(")
+WORDS = ("yaml.load", "safe_load", "full_load")
+"""One of them stands in each of these."""
 QUOTED = regex(r"[\"'](?:[^\"'\n]*/)?([\w.-]+\.ya?ml)[\"']")
 
 
@@ -20,8 +22,12 @@ def parsed_yaml(reading: ReaderInput) -> frozenset[str]:
     """
     files = [file for file in reading.parts(LaunchFile).good if not file.is_ros1]
     texts = (file.source.text for file in files if file.frontend == "python")
-    named = {name for text in texts if LOADS.search(text) for name in QUOTED.findall(text)}
+    named = {name for text in texts if loads_yaml(text) for name in QUOTED.findall(text)}
     return frozenset(named - {name for file in files for name in given(file)})
+
+
+def loads_yaml(text: str) -> bool:
+    return any(word in text for word in WORDS) and LOADS.search(text) is not None
 
 
 def given(file: LaunchFile) -> Iterator[str]:

@@ -27,7 +27,9 @@ def read_python_launch(file: PythonFile, folder: SandboxFilesystem) -> LaunchFil
     evaluator = LaunchEvaluator(file, folder)
     evaluator.run_all()
     calls = list(once(evaluator.calls))
-    of = {name: [call for call in calls if class_of(call) == name] for name in {class_of(call) for call in calls}}
+    of: dict[str, list[Call]] = {}
+    for call in calls:
+        of.setdefault(class_of(call), []).append(call)
     arguments = tuple(map(argument_of, of.get("DeclareLaunchArgument", ())))
     assigned = tuple(argument_text(call, "name") for call in of.get("SetLaunchConfiguration", ()))
     bare, defaults = tuple(guarded_in(file, ABSENT)), literal_defaults(arguments, assigned)

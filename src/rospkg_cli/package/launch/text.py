@@ -42,9 +42,8 @@ class LaunchText:
     @property
     def literal(self) -> str | None:
         """The whole text; None where it holds a substitution."""
-        if any(isinstance(part, Substitution) for part in self.parts):
-            return None
-        return "".join(part.text for part in self.parts if isinstance(part, Literal))
+        texts = [part.text for part in self.parts if isinstance(part, Literal)]
+        return "".join(texts) if len(texts) == len(self.parts) else None
 
     @property
     def unknown(self) -> bool:

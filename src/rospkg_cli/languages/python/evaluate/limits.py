@@ -55,8 +55,9 @@ def spend(cost: int) -> None:
     """
     meter = RUNNING.get()
     if meter is not None:
-        meter.cost = min(meter.cost + cost, MAX_COST + 1)
+        meter.cost += cost
         if meter.cost > MAX_COST:
+            meter.cost = MAX_COST + 1
             raise LimitError(f"it takes more than {MAX_STEPS:,} steps or {MAX_COST:,} characters")
 
 

@@ -137,10 +137,14 @@ class Call:
         return found.value if found else None
 
     def argument(self, name: str, position: int | None = None) -> Argument | None:
-        positional = [argument for argument in self.arguments if not argument.name]
-        if position is not None and position < len(positional):
-            return positional[position]
-        return next((argument for argument in self.arguments if argument.name == name), None)
+        if position is not None:
+            positional = [argument for argument in self.arguments if not argument.name]
+            if position < len(positional):
+                return positional[position]
+        for argument in self.arguments:
+            if argument.name == name:
+                return argument
+        return None
 
     @property
     def positional(self) -> tuple[Value, ...]:
