@@ -410,3 +410,28 @@ def test_a_file_that_setup_py_leaves_out_is_put_beside_its_like() -> None:
     assert found.code == "LCH004"
     assert found.fix is not None
     assert [each.text for each in found.fix.operations if isinstance(each, Edit)] == ["', 'config/robot.yaml'"]
+
+
+@pytest.mark.parametrize(
+    "started, told",
+    [
+        ("'run.py'", "install `lib/my_pkg/tools/run.py` into `lib/my_pkg` itself"),
+        ("'tools/run.py'", "install `lib/my_pkg/tools/run.py` into `lib/my_pkg` itself"),
+        ("'rum.py'", "it installs `talker`"),
+        ("'/opt/run.py'", ""),
+        ("os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(__file__))), 'tools', 'run.py')", ""),
+    ],
+)
+def test_launch_looks_into_no_folder_of_the_executables(started: str, told: str) -> None:
+    launch = python(f"return LaunchDescription([Node(package='my_pkg', executable={started})])")
+    rules = (
+        "install(PROGRAMS tools/run.py DESTINATION lib/my_pkg/tools)\ninstall(PROGRAMS talker DESTINATION lib/my_pkg)\n"
+    )
+    files = {
+        **BASE,
+        "CMakeLists.txt": INSTALL.replace("ament_package", f"{rules}ament_package"),
+        **dict.fromkeys(("tools/run.py", "talker"), "#!/usr/bin/env python3\nprint()\n"),
+        "launch/a.launch.py": f"import os\n{launch}",
+    }
+    found = lint_files(files, ["LCH002"]).findings
+    assert [told in each.message for each in found] == ([True] if told else [])

@@ -51,7 +51,7 @@ def installed_facts(reading: ReaderInput, name: str) -> InstalledFacts:
     return InstalledFacts(
         frozenset(path for path, _ in table.below(f"lib/{name}")),
         frozenset(PurePosixPath(row.destination).name for row in table.of("executable"))
-        - {path for path, _ in table.below(f"lib/{name}")}
+        - {PurePosixPath(path).name for path, _ in table.below(f"lib/{name}")}
         | uninstalled_executables(reading),
         frozenset(path for path, _ in table.below(f"share/{name}")),
         frozenset(filter(None, (module_name(path) for path, _ in table.below(PYTHON)))),

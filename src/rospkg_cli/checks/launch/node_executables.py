@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass, replace
@@ -40,13 +41,24 @@ class ExecutableUse:
         """The one of its module, else the only near one, or one of other words, as a rename leaves it."""
         if self.entry:
             return self.entry
-        if near := nearest(self.executable, self.facts.executables):
+        names = self.startable
+        if near := nearest(self.executable, names):
             return near
         words = set(self.executable.split("_"))
-        renamed = [
-            name for name in self.facts.executables if words <= (other := set(name.split("_"))) or other <= words
-        ]
+        renamed = [name for name in names if words <= (other := set(name.split("_"))) or other <= words]
         return renamed[0] if len(renamed) == 1 else None
+
+    @property
+    def startable(self) -> frozenset[str]:
+        """The executables of the package, but for those in folders of lib/<package>, where launch doesn't look."""
+        return frozenset(name for name in self.facts.executables if "/" not in name)
+
+    @property
+    def in_folder(self) -> str:
+        """The executable of this name in a folder of lib/<package>; "" for none."""
+        name = posixpath.basename(self.executable)
+        paths = sorted(each for each in self.facts.executables - self.startable if posixpath.basename(each) == name)
+        return paths[0] if paths else ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,16 +90,15 @@ class NodeExecutables:
     def unknown_executables(self) -> Iterator[ExecutableUse]:
         """Yield the nodes whose package installs no such executable anywhere; none where its executables are unknown.
 
-        Launch files of tests that CMake does not run are left alone.
+        A path is not looked for in lib/<package>: `which()` of osrf_pycommon 2.0, which launch_ros asks, takes it from
+        the current folder, and an absolute one as it is. Launch files of tests that CMake does not run are left alone.
         """
         if self.scope.is_unused_test:
             return
         for node in self.nodes():
-            facts = node.facts
-            known = node.executable in facts.executables | facts.misplaced_executables or facts.may_write(
-                node.executable
-            )
-            if facts.knows("executables") and not known:
+            facts, name = node.facts, node.executable
+            known = name in node.startable | facts.misplaced_executables or facts.may_write(name)
+            if facts.knows("executables") and not known and not posixpath.isabs(name):
                 yield replace(node, sister=self.sister(node), entry=self.entry(node))
 
     def renamed(self) -> Iterator[WellKnownUse]:

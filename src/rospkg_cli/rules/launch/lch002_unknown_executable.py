@@ -63,8 +63,9 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
 
     ## When it is quiet
     Packages whose executables are not all known, or whose build may write the file, are left alone, and so are launch
-    files of tests that CMake does not run. A node whose condition is false by default is a warning, one that is built
-    and never added to the launch description an info.
+    files of tests that CMake does not run, and paths that begin at the root or where the launch file is: launch starts
+    them as they are. A node whose condition is false by default is a warning, one that is built and never added to the
+    launch description an info.
 
     ## Fix safety
     The name is replaced by the only similar one; another program may be right.
@@ -115,9 +116,12 @@ def without_package(use: PathUse) -> str:
 def hint(node: ExecutableUse, own: PackageFacts) -> str:
     if node.suggestion:
         return f"did you mean `{node.suggestion}`?"
+    if node.in_folder:
+        folder = f"lib/{node.facts.name}"
+        return f"launch does not look into folders: install `{folder}/{node.in_folder}` into `{folder}` itself"
     if node.sister:
         return f"`{node.sister}` has one"
-    there = ", ".join(f"`{name}`" for name in sorted(node.facts.executables)[:8])
+    there = ", ".join(f"`{name}`" for name in sorted(node.startable)[:8])
     offered = node_command(node.facts, node.executable, own)
     return f"it installs {there or 'no executable at all'}" + (f"; `{offered}` writes one" if offered else "")
 
