@@ -196,3 +196,57 @@ def test_a_misspelt_name_in_a_launch_file(clean) -> None:
     assert found("import Node", "import Nodde") == ["LCH013"]
     assert found("[node]", "[noed]") == ["LCH013"]
     assert found("[node]", "[something]") == ["LCH013", "LCH018"]
+
+
+def test_fields_of_another_message(clean) -> None:
+    text = "from std_msgs.msg import String\n\nmsg = String()\nmsg.{} = 1\nmsg.{} = 2\nmsg.{} = 3\n"
+    interface = {
+        "a/package.xml": manifest("  <exec_depend>b</exec_depend>\n").replace("my_pkg", "a"),
+        "b/package.xml": manifest("", "ament_cmake").replace("my_pkg", "b"),
+        "b/CMakeLists.txt": INTERFACES_CMAKE.replace("my_pkg", "b"),
+        "b/msg/Status.msg": "float32 r\nfloat32 battery\n",
+    }
+    own = {f"a/{path}".replace("my_pkg", "a"): text.replace("my_pkg", "a") for path, text in clean.items()}
+    files = {**own, **interface}
+
+    def found(*names: str) -> list[tuple[str, int]]:
+        code = text.replace("std_msgs.msg", "b.msg").replace("String", "Status").format(*names)
+        said = lint_files({**files, "a/a/talker.py": code}, ["IDL010"]).findings
+        return [(each.message.partition(":")[0], len(each.related)) for each in said]
+
+    none = "`b/msg/Status` has no field"
+    assert found("r", "battery", "r") == []
+    assert found("rx", "ry", "rx") == [(f"{none}s `rx` and `ry`", 2)]
+    assert found("rx", "batery", "ry") == [(f"{none}s `rx` and `ry`", 1), (f"{none} `batery`", 0)]
+
+
+def test_blocks_without_their_key() -> None:
+    def found(text: str) -> list[tuple[str, int]]:
+        launch = "<launch><node pkg='a' exec='b'><param from='$(find-pkg-share my_pkg)/a.yaml'/></node></launch>\n"
+        files = {**cmake(f"install(FILES a.yaml DESTINATION {ALL})\n"), "launch/a.launch.xml": launch, "a.yaml": text}
+        said = lint_files(files, ["PRM001"]).findings
+        return [(each.message.partition(" no ")[0], len(each.related)) for each in said]
+
+    assert found("a:\n  b:\n    x: 1\nc:\n  y: 1\n") == [("the blocks of `a` and `c` have", 1)]
+    assert found("c:\n  y: 1\n") == [("the block of `c` has", 0)]
+
+
+def test_arguments_of_an_older_launch_ros(clean) -> None:
+    text = (
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
+        "def generate_launch_description():\n    return LaunchDescription([{}])\n"
+    )
+
+    def found(*nodes: str) -> list[tuple[str, str, int]]:
+        files = {**clean, "launch/a.launch.py": text.format(", ".join(f"Node(package='joy', {n})" for n in nodes))}
+        said = lint_files(files, ["LCH005"]).findings
+        assert all(each.fix for each in said)
+        return [(each.message, each.fix.title, len(each.related)) for each in said if each.fix]
+
+    stops = "launch no longer takes {} and stops there; write {}"
+    one = stops.format("`node_name` of a node", "`name`")
+    assert found("executable='a', node_name='b'") == [(one, "call it `name`", 0)]
+    same = stops.format("`node_executable` of nodes", "`executable`")
+    assert found("node_executable='a'", "node_executable='b'") == [(same, "write `executable`", 1)]
+    both = stops.format("`node_executable` and `node_name` of nodes", "`executable` and `name`")
+    assert found("node_executable='a', node_name='b'") == [(both, "write `executable` and `name`", 1)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
 from ..light_dataclasses import dataclass, replace
@@ -40,3 +41,13 @@ def replacement(span: Span, text: str, *, is_certain: bool = True) -> TextRepair
 def softer(fault: Fault, level: Level, when: str) -> Fault:
     """Return a fault that is one only under a condition."""
     return replace(fault, level=level, message=f"{fault.message}, {when}")
+
+
+def joined(faults: Sequence[Fault], message: str, title: str) -> Fault:
+    """Return faults of one file that have one cause as one, at the first; it is repaired where all of them are."""
+    first, *others = faults
+    repairs = [each.repair for each in faults if each.repair]
+    edits = tuple(edit for repair in repairs for edit in repair.edits)
+    certain = all(repair.is_certain for repair in repairs)
+    repair = TextRepair(title, edits, certain) if len(repairs) == len(faults) else None
+    return Fault(first.span, message, first.level, repair, tuple((each.span, "and here") for each in others))

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from ..checks.depends.brought_dependencies import Bringer
 from ..checks.depends.declared_dependencies import DeclaredDependencies
 from ..checks.depends.name_source import source_of
-from ..checks.depends.unavailable_on_target import enumerated
 from ..checks.depends.undeclared_includes import IncludeDependencies, IncludedPackage
+from ..checks.enumeration import in_ticks
 from ..finding import Fix, Hit, Related, Safety, Severity
 from ..light_dataclasses import dataclass
 from ..source import Span
@@ -98,19 +98,19 @@ def left_to_others(declared: DeclaredDependencies, uses: Sequence[BroughtUse], u
 def left_to_some(declared: DeclaredDependencies, uses: Sequence[BroughtUse], used: str) -> Hit:
     names = [use.name for use in uses]
     bringers = {use.bringer.name for use in uses}
-    who = quoted([*bringers]) if len(bringers) == 1 else "other dependencies"
+    who = in_ticks([*bringers]) if len(bringers) == 1 else "other dependencies"
     be, it, comes = ("is", "it", "comes") if len(uses) == 1 else ("are", "they", "come")
     surely = {use.bringer.is_certain for use in uses}
     may = "may come" if surely == {False} else "come or may come"
     come = f"{comes} with {who} today" if surely == {True} else f"{may} with {who}"
-    message = f"{quoted(names)} {be} {used} and not declared: {it} {come}; declare what you use"
+    message = f"{in_ticks(names)} {be} {used} and not declared: {it} {come}; declare what you use"
     safe = [use for use in uses if safety_of(declared, use.name) is Safety.SAFE]
     added = ((tag, use.name) for use in safe or uses for tag in tags(declared, use.tag))
     edits = add_dependencies(declared.manifest, added)
     first, *others = uses
     by = {use.name: by_way_of(use.bringer) if len(bringers) > 1 else "" for use in uses}
     places = tuple(Related(use.path, use.span, f"`{use.name}` here{by[use.name]}") for use in others)
-    fix = Fix(f"declare {quoted([use.name for use in safe or uses])}", edits, Safety.SAFE if safe else Safety.UNSAFE)
+    fix = Fix(f"declare {in_ticks([use.name for use in safe or uses])}", edits, Safety.SAFE if safe else Safety.UNSAFE)
     return Hit(first.path, first.span, message, Severity.INFO, places, fix)
 
 
@@ -121,7 +121,3 @@ def by_way_of(bringer: Bringer) -> str:
 def comes_with(bringer: Bringer) -> str:
     """Return who brings a dependency, as a clause."""
     return f"it comes with `{bringer.name}` today" if bringer.is_certain else f"it may come with `{bringer.name}`"
-
-
-def quoted(names: Sequence[str]) -> str:
-    return enumerated(f"`{name}`" for name in names)

@@ -14,6 +14,7 @@ from ...ros.distros import DISTROS, Distro, Targets
 from ...ros.name_suggestions import suggested_name
 from ...ros.names import Names
 from ...ros.rosdep import CODENAMES
+from ..enumeration import enumerated
 from .similar_names import SimilarNames
 
 NO_PACKAGE = regex(r"python3?-.*|lib.*-dev|.*[^\w-].*")
@@ -109,8 +110,3 @@ def is_needed_on(distro: Distro, same: Iterable[Dependency]) -> bool:
     """Return whether one of some dependencies holds for a distribution, or does where somebody sets a variable."""
     environments = Targets((distro.name,)).environments()
     return any(may_hold(each.condition, environments) for each in same)
-
-
-def enumerated(names: Iterable[str]) -> str:
-    *others, last = dict.fromkeys(names)
-    return f"{', '.join(others)} and {last}" if others else last

@@ -97,9 +97,11 @@ def imports_interfaces(each: Import) -> bool:
 
 
 def similar(name: str, fields: Mapping[str, str], *, is_certain: bool) -> str | None:
-    """Return the one field that is near to a name; of messages that may have got others meanwhile only a clear one."""
+    """Return the one field that is near to a name; of messages that may have got others meanwhile only a clear one.
+
+    Of names as short as `rx` it is the same in other letters, or none.
+    """
     alike = [each for each in fields if each.lower() == name.lower()]
-    if not alike and not is_certain:
-        alike = near_names(name, fields, 1) if len(name) > len("xy") else []
-        return alike[0] if len(alike) == 1 else None
-    return alike[0] if len(alike) == 1 else nearest(name, fields)
+    if not alike and len(name) > len("xy"):
+        alike = near_names(name, fields, 1) if not is_certain else [near] if (near := nearest(name, fields)) else []
+    return alike[0] if len(alike) == 1 else None

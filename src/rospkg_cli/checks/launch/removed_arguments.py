@@ -8,7 +8,8 @@ from ...package.launch.evaluated_launch import EvaluatedLaunch
 from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile
 from ...source import Source, Span
-from ..fault import Fault, TextRepair
+from ..enumeration import in_ticks
+from ..fault import Fault, TextRepair, joined
 
 RENAMED = {
     "node_executable": "executable",
@@ -30,9 +31,7 @@ NODES = frozenset({
 def removed_arguments(file: LaunchFile) -> Iterator[Fault]:
     """Yield the removed arguments of Python and XML nodes; `type=` of XML nodes is `exec=` in ROS 2."""
     if file.evaluated is not None:
-        found = dict(python_arguments(file.evaluated, file.source))
-        now = {**RENAMED, **ROS1}
-        yield from (removed(span, name, now[name], both) for span, (name, both) in found.items())
+        yield from together(dict(python_arguments(file.evaluated, file.source)))
     for entity in file.root.walk() if file.root is not None and not file.is_ros1 else ():
         if entity.name == "node" and "type" in entity.attributes:
             yield removed(entity.attribute_spans["type"], "type", "exec", "exec" in entity.attributes)
@@ -67,3 +66,17 @@ def removed(span: Span, name: str, now: str, has_both: bool) -> Fault:
     better = f", and `{now}` is given as well: remove it" if has_both else f"; write `{now}`"
     repair = None if has_both else TextRepair(f"call it `{now}`", ((span, now),))
     return Fault(span, start + better, repair=repair)
+
+
+def together(found: Mapping[Span, tuple[str, bool]]) -> Iterator[Fault]:
+    """Yield what a file for an older launch_ros has as one fault: it stops at the first."""
+    old = {span: name for span, (name, has_both) in found.items() if name in RENAMED and not has_both}
+    if len(old) > 1:
+        faults = [removed(span, name, RENAMED[name], False) for span, name in old.items()]
+        now = in_ticks(RENAMED[name] for name in old.values())
+        start = f"launch no longer takes {in_ticks(old.values())} of nodes and stops there"
+        yield joined(faults, f"{start}; write {now}", f"write {now}")
+    else:
+        yield from (removed(span, name, RENAMED[name], False) for span, name in old.items())
+    rest = {span: each for span, each in found.items() if span not in old}
+    yield from (removed(span, name, {**RENAMED, **ROS1}[name], has_both) for span, (name, has_both) in rest.items())

@@ -16,7 +16,8 @@ from ...package.params.parameter_file import KEY, ParameterFile, is_key
 from ...package.workspace import Workspace
 from ...ros.share_layout import LAUNCH
 from ...source import Source, Span
-from ..fault import Fault, TextRepair
+from ..enumeration import in_ticks
+from ..fault import Fault, TextRepair, joined
 from .rcl_validation import REFUSES
 
 STARTING = regex(r"\.(?:py|xml|launch|launch\.ya?ml|sh|bash|[ch]pp|cc|service)$")
@@ -63,6 +64,8 @@ class ParameterFileUse:
 
 
 def key_faults(file: ParameterFile, *, is_parsed_by_launch: bool = False) -> Iterator[Fault]:
+    """Yield each misspelt key, and the blocks without one as one fault: rcl refuses the file at the first."""
+    lacking: list[tuple[str, Fault]] = []
     for entry in file.entries:
         key, value = entry.key, entry.value
         if not isinstance(key, ScalarNode):
@@ -71,8 +74,11 @@ def key_faults(file: ParameterFile, *, is_parsed_by_launch: bool = False) -> Ite
             repair = TextRepair(TITLE, ((key.span, KEY),))
             yield Fault(key.span, f"`{key.text}` is written `{KEY}`, with two `_`; {REFUSES}", repair=repair)
         elif entry.kind == "no block" and isinstance(value, MappingNode) and not is_parsed_by_launch:
-            message = f"the block of `{key.text}` has no `{KEY}:` above its values; {REFUSES}"
-            yield Fault(key.span, message, repair=added_key(file.source, key, value))
+            lacking.append((key.text, Fault(key.span, "", repair=added_key(file.source, key, value))))
+    if lacking:
+        blocks = in_ticks(name for name, _ in lacking)
+        start = f"the block of {blocks} has" if len(lacking) == 1 else f"the blocks of {blocks} have"
+        yield joined([fault for _, fault in lacking], f"{start} no `{KEY}:` above the values; {REFUSES}", TITLE)
 
 
 def added_key(source: Source, key: ScalarNode, value: MappingNode) -> TextRepair | None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_left_out
-from ...checks.depends.unavailable_on_target import enumerated
 from ...checks.depends.undeclared_launch_packages import LaunchDependencies
+from ...checks.enumeration import enumerated
 from ...checks.launch.absent_package import ends_with
 from ...checks.launch.package_references import PackageReference
 from ...edits.manifest import add_dependency

@@ -6,8 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ...checks.depends.dependency_kind_sentences import ending, usage
 from ...checks.depends.dependency_kinds import DependencyKinds, WrongKind
+from ...checks.enumeration import in_ticks
 from ...edits.manifest import add_dependencies, change_tag
-from ...edits.undeclared_hits import comes_with, quoted
+from ...edits.undeclared_hits import comes_with
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -85,7 +86,7 @@ def hit(kinds: DependencyKinds, each: WrongKind, level: Severity | None) -> Hit:
 def in_one(kinds: DependencyKinds, wrong: Sequence[WrongKind]) -> Hit:
     """Return one info for several that others bring, or may bring, when they are used, or that nothing brings."""
     first, *others = wrong
-    names = quoted([each.dependency.name for each in wrong])
+    names = in_ticks([each.dependency.name for each in wrong])
     come = "come" if all(each.bringer and each.bringer.is_certain for each in wrong) else "may come"
     so = f"they {come} with other dependencies" if first.bringer else ending(first)
     message = f"{names} are not declared for the time when they are used: {so}; declare those uses"

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
+from ...checks.enumeration import in_ticks
 from ...checks.interfaces.unknown_fields import FieldUses, UnknownField
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -67,20 +68,35 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     ## Fix safety
     The intended field is a guess.
     """
-    groups: dict[tuple[str, str, str], list[UnknownField]] = {}
-    for found in uses.unknown():
-        groups.setdefault((found.path, found.message, found.name), []).append(found)
-    for first, *others in groups.values():
+    for fields in together(uses.unknown()):
+        first, *others = (use for field in fields for use in field)
         fix = None
         if first.near:
             edits = tuple(Edit(each.path, each.span, first.near) for each in (first, *others))
             fix = Fix(f"write `{first.near}`", edits, Safety.UNSAFE)
         related = tuple(Related(each.path, each.span, "and here") for each in others)
-        yield Hit(first.path, first.span, message(first), related=related, fix=fix)
+        names = [field[0].name for field in fields]
+        yield Hit(first.path, first.span, message(first, names), related=related, fix=fix)
 
 
-def message(found: UnknownField) -> str:
-    start = f"`{found.message}` has no field `{found.name}`"
+def together(uses: Iterable[UnknownField]) -> Iterable[Sequence[Sequence[UnknownField]]]:
+    """Return the uses by field, and the fields that are one fault: a message that the file takes for another.
+
+    A field that has a near name is a fault of its own.
+    """
+    fields: dict[tuple[str, str, str], list[UnknownField]] = {}
+    for use in uses:
+        fields.setdefault((use.path, use.message, use.name), []).append(use)
+    faults: dict[object, list[list[UnknownField]]] = {}
+    for field in fields.values():
+        first = field[0]
+        how = (first.near, first.is_keyword, first.is_ros1)
+        faults.setdefault((first.path, first.message, *how), []).append(field)
+    return faults.values()
+
+
+def message(found: UnknownField, names: Sequence[str]) -> str:
+    start = f"`{found.message}` has no field{'s' if len(names) > 1 else ''} {in_ticks(names)}"
     end = f"; did you mean `{found.near}`?" if found.near else ""
     if found.is_keyword:
         return f"{start}: Humble raises AssertionError, and later distributions pass over it{end}"
