@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import os
+import subprocess
+import sys
 from collections.abc import Iterator
 from threading import Thread
 from typing import Any
@@ -133,3 +135,28 @@ def test_the_first_deadline_is_that_of_the_first_request() -> None:
 )
 def test_an_editor_may_say_how_long_it_waits(options: object, limit: float) -> None:
     assert limit_in(options) == limit
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the server is alone there")
+@pytest.mark.parametrize("serve, status", [("lambda: 3", 3), ("lambda: os.kill(os.getpid(), 9)", 137)])
+def test_the_status_is_that_of_the_server(serve: str, status: int) -> None:
+    code = f"import os, sys; from rospkg_cli.cli.server.processes import behind_front; sys.exit(behind_front({serve}))"
+    done = subprocess.run([sys.executable, "-c", code], input=b"", capture_output=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (status, b"", b"")
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the server is alone there")
+def test_the_server_hears_all_that_the_editor_says_and_ends_with_it() -> None:
+    code = """
+import sys
+from rospkg_cli.cli.server.framing import bodies, framed
+from rospkg_cli.cli.server.processes import behind_front
+def echo():
+    for body in bodies(sys.stdin.buffer):
+        sys.stdout.buffer.write(framed(body))
+    return 0
+sys.exit(behind_front(echo))
+"""
+    said = b"".join(framed(b'{"method": "%d"}' % number) for number in range(3))
+    done = subprocess.run([sys.executable, "-c", code], input=said + b"Content-Length: 9\r\n\r\n{", capture_output=True)
+    assert (done.returncode, done.stdout, done.stderr) == (0, said, b"")

@@ -20,7 +20,7 @@ from .open_text import OpenText
 from .open_workspaces import path_of
 from .refusal import UNANSWERED
 
-LISTING = 0.07
+LISTING = 0.1
 """Seconds that are left for making actions when a run has been waited for."""
 
 
