@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.launch.idle_actions import NEVER_ADDED, OFF
+from rospkg_cli.checks.launch.idle_actions import IN_BRANCH, NEVER_ADDED, OFF
 from rospkg_cli.example import manifest
 from rospkg_cli.testing import lint_files
 
@@ -107,11 +107,26 @@ def test_what_is_never_added_is_an_info() -> None:
 
 @pytest.mark.parametrize(
     "more",
-    ["print(node)", "locals()", "other = [node]", "def later(): return [node]"],
+    ["print(node)", "locals()", "other = [node]\n    print(other)", "def later(): return [node]"],
 )
 def test_a_node_that_anything_reads_may_be_added(more: str) -> None:
     text = PYTHON.format(condition="", default="true", added="").replace("    return", f"    {more}\n    return")
     assert [level for level, _ in levels(text)] == ["error"]
+
+
+@pytest.mark.parametrize("more", ["other = [node]", "other = [node]\n    more = [other]"])
+def test_what_only_unread_values_read_is_not_read(more: str) -> None:
+    text = PYTHON.format(condition="", default="true", added="").replace("    return", f"    {more}\n    return")
+    assert [level for level, _ in levels(text)] == ["info"]
+
+
+def test_a_node_in_a_branch_of_python_is_a_warning() -> None:
+    text = PYTHON.format(condition="", default="true", added="node,").replace(
+        "    node =", "    node = None\n    if unknown():\n        node ="
+    )
+    ((level, message),) = levels(text)
+    assert (level, IN_BRANCH in message) == ("warning", True)
+    assert [level for level, _ in levels(text.replace("unknown()", "True"))] == ["error"]
 
 
 def test_a_node_of_the_module_may_be_added_by_who_imports_it() -> None:

@@ -113,6 +113,10 @@ CASES = {
         python({"setup.py": setup_py(scripts("talker = my_pkg.talker:main")), "my_pkg/talker.py": text})
         for text in (*RUNNING, DRIVER, DRIVER.replace("step", "steps"))
     ),
+    "SET105": tuple(
+        python({"setup.py": setup_py(scripts(f"talker = my_pkg{each}:main")), "my_pkg/__init__.py": MAIN})
+        for each in ("", ".__init__")
+    ),
     "SET103": tuple(
         python({"setup.py": setup_py(scripts("talker = my_pkg.talker")), "my_pkg/talker.py": text}) for text in RUNNING
     ),

@@ -23,6 +23,7 @@ from .python_expressions import filled, parsed
 NEVER_ADDED = "but nothing adds the action"
 UNUSED = "but nothing uses the value"
 OFF = "but only if its condition holds (not by default)"
+IN_BRANCH = "but only in a branch that is not always taken"
 TRUTHS = {"true": True, "1": True, "false": False, "0": False}
 """What IfCondition takes, in lower case. (launch/conditions/evaluate_condition_expression_impl.py)"""
 
@@ -38,6 +39,8 @@ def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
         return "info", NEVER_ADDED if maker in ACTIONS else UNUSED
     if any(contains(each, span) for each in switched_off(file)):
         return "warning", OFF
+    if any(contains(each, span) for each in in_branches(file)):
+        return "warning", IN_BRANCH
     return None, ""
 
 
@@ -56,11 +59,36 @@ def never_added(file: PythonFile) -> tuple[Span, ...]:
 def unread_values(file: PythonFile) -> Iterator[Span]:
     loads = [node for node in nodes_of_kind(file.tree, ast.Name) if not is_stored(node)]
     again = {id(node) for node in loads_for_itself(file)}
-    read = {node.id for node in loads if id(node) not in again}
-    for function in nodes_of_kind(file.tree, ast.FunctionDef) if "locals" not in read else ():
+    loads = [node for node in loads if id(node) not in again]
+    if any(node.id == "locals" for node in loads):
+        return
+    waiting = list(local_values(file))
+    while True:  # what only such a value reads is not read either
+        read = {node.id for node in loads}
+        lost = [value for names, value in waiting if read.isdisjoint(names)]
+        if not lost:
+            return
+        yield from map(file.span, lost)
+        inside = {id(node) for value in lost for node in nodes_below(value)} | {id(value) for value in lost}
+        loads = [node for node in loads if id(node) not in inside]
+        waiting = [(names, value) for names, value in waiting if value not in lost]
+
+
+def local_values(file: PythonFile) -> Iterator[tuple[list[str], ast.expr]]:
+    """Yield what functions bind to plain names, with these."""
+    for function in nodes_of_kind(file.tree, ast.FunctionDef):
         for node in nodes_below(function):
-            if isinstance(node, ast.Assign) and all(isinstance(t, ast.Name) and t.id not in read for t in node.targets):
-                yield file.span(node.value)
+            if isinstance(node, ast.Assign):
+                names = [target.id for target in node.targets if isinstance(target, ast.Name)]
+                if len(names) == len(node.targets):
+                    yield names, node.value
+
+
+def in_branches(file: LaunchFile) -> Iterator[Span]:
+    """Yield the actions that Python makes only under an `if` of its own that can't be evaluated."""
+    for call in file.evaluated.calls if file.evaluated and file.python else ():
+        if not call.is_certain and call.get("condition") is None and class_of(call) in ACTIONS:
+            yield call.span
 
 
 def loads_for_itself(file: PythonFile) -> Iterator[ast.Name]:

@@ -56,10 +56,11 @@ class ModuleTree:
         """Return the entry points whose module lies in a package that is not listed, each with its file, by package."""
         found: dict[str, list[tuple[EntryPoint, str]]] = {}
         for entry in self.setup.entry_points:
-            path = self.setup.file_of(entry.module) if entry.module and not entry.fault else None
-            if path is None or entry.module in self.setup.modules or posixpath.dirname(path) in self.missing_inits:
+            module = entry.module.removesuffix(".__init__")
+            path = self.setup.file_of(module) if module and not entry.fault else None
+            if path is None or module in self.setup.modules or posixpath.dirname(path) in self.missing_inits:
                 continue
-            inner = entry.module if path.endswith("/__init__.py") else entry.module.rpartition(".")[0]
+            inner = module if path.endswith("/__init__.py") else module.rpartition(".")[0]
             found.setdefault(inner, []).append((entry, path))
         return found
 

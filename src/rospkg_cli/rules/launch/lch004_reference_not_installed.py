@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from ...checks.launch.idle_actions import level_at
 from ...checks.launch.missing_references import MissingReference
 from ...checks.launch.reference_install import InstalledReferences, ReferenceInstall
+from ...checks.launch.relative_parameter_files import is_for_nodes
 from ...edits.install_file import install_for_cmake, install_for_setup
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -30,7 +31,7 @@ BOTH = ONE.replace("robot.launch.xml", "robot.launch.xml launch/wheels.launch.xm
     over=InstalledReferences,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the path is the default of an argument, or holds one; it is for RViz, or its action is off",
+        Severity.WARNING: "the path is or holds the default of an argument; for RViz or parameters; the action is off",
         Severity.INFO: "it is the default of an argument that nothing uses, or nothing adds its action",
     },
     examples=(
@@ -61,8 +62,8 @@ def reference_not_installed(package: InstalledReferences) -> Iterator[Hit]:
     ## When it is quiet
     Where nothing of the folder is installed, or setup.py leaves it out, SET206, SET207 or CMK101 reports it alone.
     Paths that are checked first, that the build writes, and packages whose install rules are not all known, are left
-    alone. RViz starts with its default view where its config is missing: a warning, as in an action that is switched
-    off.
+    alone. RViz starts with its default view where its config is missing, and a node with its defaults: a warning, as in
+    an action that is switched off.
     """
     for (files, missing), *others in package.missing():
         edits = repair(files, missing) if missing.state == "not installed" else ()
@@ -79,7 +80,8 @@ def level_of(files: ReferenceInstall, missing: MissingReference) -> Severity:
     if softer := level_at(files.scope.file, missing.span)[0]:
         return Severity(softer)
     if missing.use != "default":
-        return Severity.WARNING if missing.is_for_rviz else Severity.ERROR
+        is_mild = missing.is_for_rviz or is_for_nodes(files.scope, missing)
+        return Severity.WARNING if is_mild else Severity.ERROR
     return Severity.INFO if files.scope.is_unread(missing) else Severity.WARNING
 
 
