@@ -44,8 +44,9 @@ def told(action: str, depends: str = "", **files: str) -> list[tuple[str, str]]:
     ],
 )
 def test_a_controller_of_a_well_known_name_needs_its_package(action: str) -> None:
-    assert told(action) == [("info", "joint_state_broadcaster")]
-    assert told(action, "  <exec_depend>ros2_controllers</exec_depend>\n") == []
+    assert ("info", "joint_state_broadcaster") in told(action)
+    declared = "  <exec_depend>ros2_controllers</exec_depend>\n  <exec_depend>ros2controlcli</exec_depend>\n"
+    assert told(action, declared) == []
 
 
 @pytest.mark.parametrize(
@@ -68,3 +69,11 @@ def test_a_controller_of_the_parameters_is_told_there_alone() -> None:
     )
     action = SPAWNER.format("spawner", "joint_state_broadcaster")
     assert told(action, **{"config/a.yaml": parameters}) == [("info", "joint_state_broadcaster")]
+
+
+@pytest.mark.parametrize("command", ["'ros2', 'bag', 'record', '-a'", "'ros2 bag record -a'"])
+def test_a_command_of_ros2_needs_its_package(command: str) -> None:
+    action = f"ExecuteProcess(cmd=[{command}])"
+    assert told(action) == [("info", "ros2bag")]
+    assert told(action, "  <exec_depend>ros2bag</exec_depend>\n") == []
+    assert told(action.replace("bag", "nothing")) == []

@@ -15,6 +15,12 @@ HANDED_ON.bad["CMakeLists.txt"] = CMAKE.replace("ament_package()", "ament_packag
 
 CASES = {
     "DEP111": (HANDED_ON,),
+    "DEP116": (
+        python(
+            "  <exec_depend>ament_index_python</exec_depend>\n  <exec_depend>rviz2</exec_depend>\n",
+            my_pkg__a_DOT_py="from ament_index_python import get_package_prefix\n\nget_package_prefix('rviz_common')\n",
+        ),
+    ),
     "DEP115": (
         cmake(
             "add_executable(node src/node.cpp)\ntarget_link_libraries(node yaml-cpp)\n",

@@ -20,6 +20,8 @@ def ends_with(use: PackageReference, name: str) -> str:
             ends = "the container logs an error and runs without it"
         case "controller":
             ends = "the controller manager can't load it"
+        case "command":
+            ends = "`ros2` does not know the command"
         case "process":
             ends = "the process does not start"
     return f"on a clean machine {ends}"

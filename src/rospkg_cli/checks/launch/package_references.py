@@ -16,13 +16,19 @@ from .spawned_controllers import spawned_controllers
 
 NAME = regex(r"[A-Za-z][A-Za-z0-9_-]*")
 
-Failure = Literal["launch", "import", "component", "controller", "program", "process"]
+Failure = Literal["launch", "import", "component", "controller", "command", "program", "process"]
 """A node, or a search for files, stops the launch, and so do an import and a program that is run for its output. The
 launch goes on without a component, a controller or another process, and an error is logged
 (launch_ros/actions/load_composable_nodes and launch/actions/execute_local)."""
 
 PROGRAMS = {"xacro": "xacro", "rviz2": "rviz2", "rqt": "rqt_gui"}
 """Programs on the PATH that come with a package of ROS."""
+
+VERBS = {
+    **{verb: f"ros2{verb}" for verb in ("action", "bag", "component", "lifecycle", "param", "service", "topic")},
+    "control": "ros2controlcli",
+}
+"""Commands of `ros2` and their packages, but for those that come with whatever starts a launch file."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +46,11 @@ class PackageReference:
     """What ends where the package is not there."""
     only_with: str = ""
     """The argument without which the file does not come to it: `sim:=true`; "" for what it does by default."""
+
+    @property
+    def is_usual(self) -> bool:
+        """Whether any usual installation has it, or its name may be the user's own: it is said mildly."""
+        return self.fails in ("command", "controller")
 
 
 def package_references(file: LaunchFile) -> Iterator[PackageReference]:
@@ -63,7 +74,8 @@ def every_reference(file: LaunchFile) -> Iterator[PackageReference]:
         is_late = not file.source.slice(each.span).partition("(")[0].rpartition(".")[2].startswith("get_package_")
         yield from (replace(use, is_late=is_late) for use in found_by(file, each))
     for command in file.commands:
-        yield from (replace(use, fails="process") for use in run_by(file, list(command.words)))
+        for use in run_by(file, list(command.words)):
+            yield use if use.fails == "command" else replace(use, fails="process")
     for program, span in program_prefixes(file):
         yield PackageReference(program, file.path, span, "starts a node with", fails="process")
     for controller, span in spawned_controllers(file):
@@ -104,6 +116,11 @@ def run_by(file: LaunchFile, words: list[LaunchText]) -> Iterator[PackageReferen
     literals = [word.literal for word in words]
     if literals[:1] == ["ros2"] and literals[1:2] in (["run"], ["launch"]):
         yield from package_named(file, words[2] if len(words) > 2 else None, "runs a program of")
+    command = (words[0].literal or "").split() if words else []
+    verb = (literals[1] if len(literals) > 1 else None) if literals[:1] == ["ros2"] else "".join(command[1:2])
+    if command[:1] == ["ros2"] and verb in VERBS:
+        at = words[1].span if len(command) == 1 else words[0].span
+        yield PackageReference(VERBS[verb], file.path, at, f"runs `ros2 {verb}` of", fails="command")
 
 
 def program_of(file: LaunchFile, program: LaunchText) -> Iterator[PackageReference]:

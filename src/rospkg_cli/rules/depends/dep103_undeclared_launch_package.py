@@ -63,10 +63,10 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     ## What it does
     Finds packages that launch files need and package.xml does not declare.
     Launch files need packages whose nodes and components they start, whose files they find or include, whose modules
-    they import, whose programs they run (`xacro`, `xterm -e`), whose controllers of ros2_controllers they load by the
-    usual name (at info level), and, where package.xml names parts of launch, what reads
-    them (`launch_xml`, `launch_yaml`). Launch files of tests require a test_depend. Other installed code that describes
-    nodes (`Node(package='…', executable='…')`) counts too, at info level.
+    they import, whose programs they run (`xacro`, `xterm -e`), and, where package.xml names parts of launch, what reads
+    them (`launch_xml`, `launch_yaml`). Launch files of tests require a test_depend. At info level count commands of
+    `ros2`, controllers of ros2_controllers under their usual names, and other installed code that describes nodes
+    (`Node(package='…', executable='…')`).
 
     ## Why is this bad?
     It works where the package happens to be installed. On a clean machine `rosdep install` skips what package.xml does
@@ -122,7 +122,7 @@ def undeclared(
         fix_or_none = declaration(declared, tag, name)
     is_meant = meant is None and (is_left_out(declared, name) or launch.is_told(name))
     is_aside = tag == "exec_depend" and launch.is_for_examples(name, uses)
-    mild = is_described or is_meant or is_aside or first.only_with or all(use.fails == "controller" for use in uses)
+    mild = is_described or is_meant or is_aside or first.only_with or all(use.is_usual for use in uses)
     places = related((use.path, use.span) for use in uses)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix_or_none)
 

@@ -1,0 +1,64 @@
+"""Packages whose share directory or prefix installed code looks for, and that package.xml does not declare (DEP116)."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from ..languages.python.guarded_nodes import guarded_nodes
+from ..languages.python.nodes import nodes_of_kind
+from ..light_dataclasses import dataclass
+from ..package.file_role import role_of
+from ..package.python.node_calls import called
+from ..ros.names import NameKind
+from ..source import Span
+from .cpp.share_names import share_names
+from .depends.declared_dependencies import DeclaredDependencies
+from .depends.undeclared_imports import ImportDependencies
+from .depends.undeclared_launch_packages import LaunchDependencies
+from .share_lookups import CATCHES, LOOKUPS, ShareLookups, literal_of
+
+
+@dataclass(frozen=True, slots=True)
+class LookUp:
+    path: str
+    span: Span
+
+
+@dataclass(frozen=True)
+class LookedUpPackages:
+    lookups: ShareLookups
+    imports: ImportDependencies
+    launch: LaunchDependencies
+
+    @property
+    def declared(self) -> DeclaredDependencies:
+        return self.imports.declared
+
+    def undeclared(self) -> dict[str, list[LookUp]]:
+        """Return each known package with its places, but for what is imported, included or launched as well."""
+        found: dict[str, list[LookUp]] = {}
+        for name, place in self.all() if self.declared.is_checked else ():
+            is_package = self.declared.workspace.kind_of(name) is NameKind.PACKAGE
+            if is_package and not self.declared.has([name]):
+                found.setdefault(name, []).append(place)
+        if not found:
+            return found
+        told = self.imports.undeclared("run").keys() | self.launch.missing(tests=False).keys() | self.included
+        return {name: places for name, places in found.items() if name not in told}
+
+    def all(self) -> Iterator[tuple[str, LookUp]]:
+        """Yield the literal names that modules and C++ look for, unless they catch that a package is not there."""
+        for file in self.lookups.modules:
+            caught = set(guarded_nodes(file.tree.body, CATCHES)) if role_of(file.path) == "run" else None
+            for call in nodes_of_kind(file.tree, ast.Call) if caught is not None else ():
+                name = literal_of(call) if called(call.func) in LOOKUPS and id(call) not in (caught or ()) else None
+                if name is not None:
+                    yield str(name.value), LookUp(file.path, file.span(name))
+        for source in self.lookups.sources:
+            for text, span in share_names(source) if role_of(source.path) == "run" else ():
+                yield text, LookUp(source.path, span)
+
+    @property
+    def included(self) -> set[str]:
+        return {each.path.partition("/")[0] for source in self.lookups.sources for each in source.includes}

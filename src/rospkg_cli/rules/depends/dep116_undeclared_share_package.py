@@ -1,0 +1,73 @@
+"""DEP116 undeclared-share-package."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.depends.name_source import is_left_out
+from ...checks.looked_up_packages import LookedUpPackages
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
+from ...example import Example, manifest
+from ...finding import Hit, Safety, Severity
+from ...rule import rule
+
+MODULE = """\
+from ament_index_python.packages import get_package_share_directory
+
+print(get_package_share_directory(«'nav2_bringup'»))
+"""
+NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
+
+
+@rule(
+    "DEP116",
+    "undeclared-share-package",
+    over=LookedUpPackages,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "where a dependency brings it, or may bring it, or package.xml has it in a comment"},
+    examples=(
+        Example(
+            bad={"package.xml": manifest(NEEDS), "my_pkg/talker.py": MODULE},
+            good={"package.xml": manifest(f"{NEEDS}  <exec_depend>nav2_bringup</exec_depend>\n")},
+            fix=Safety.SAFE,
+        ),
+    ),
+)
+def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds packages whose files installed code looks for and package.xml does not declare.
+    Python modules and C++ are read for `get_package_share_directory()` and its like with a literal name.
+
+    ## Why is this bad?
+    It works where the package happens to be installed. On a clean machine `rosdep install` skips what package.xml does
+    not name, and the node ends with PackageNotFoundError.
+
+    ## When it is quiet
+    What a declared dependency certainly installs is one info, and what may come with one is another. Names that nobody
+    knows are DEP112's, and what is imported, included or launched as well is told by DEP101, DEP105 and DEP103. Code
+    that catches the exception, tests, and files that nothing installs are left alone.
+
+    ## Fix safety
+    The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
+
+    ## References
+    - REP-149, exec_depend
+    """
+    declared = packages.declared
+    found = packages.undeclared()
+    bringers = declared.bringers(found, runs=True)
+    brought: list[BroughtUse] = []
+    for name, places in found.items():
+        first = places[0]
+        if bringer := bringers.get(name):
+            brought.append(BroughtUse(name, bringer, "exec_depend", first.path, first.span))
+            continue
+        message = (
+            f"`{name}` is not declared, and this looks for files of it: on a clean machine the node ends with "
+            f"PackageNotFoundError; {advice(declared, 'exec_depend', name)}"
+        )
+        level = Severity.INFO if is_left_out(declared, name) else None
+        places_beside = related((each.path, each.span) for each in places)
+        yield Hit(first.path, first.span, message, level, places_beside, declaration(declared, "exec_depend", name))
+    yield from left_to_others(declared, brought, "looked for by code")
