@@ -126,6 +126,6 @@ BROKEN: dict[str, Broken] = {
     "requires": Broken("SET306", old="['setuptools']", new="['setuptools', 'std_msgs']"),
     "other_name": Broken("SET401", old="    name=package_name", new='    name="other_name_of_it"'),
     "other_version": Broken("SET402", old="'1.0.0'", new="'0.0.0'"),
-    "other_license": Broken("SET403", old="'Apache-2.0'", new="'MIT'"),
+    "other_license": Broken("SET403", old="'Apache-2.0'", new="'TODO: License declaration'"),
     "other_maintainer": Broken("SET403", old='"Ada"', new='"Charles"'),
 }

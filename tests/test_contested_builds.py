@@ -87,3 +87,13 @@ def test_a_package_that_is_not_there_stops_the_build_before() -> None:
     assert told_of_setup("['my_pkg', 'other', 'my_pkg.sub']") == [
         ("SET302", "setuptools stops; list packages that are there", 0)
     ]
+
+
+def test_a_package_itself_may_be_the_module_of_an_entry_point() -> None:
+    text = setup_py(scripts("talker = my_pkg.__init__:main"))
+    files = {**PYTHON, "setup.py": text, "my_pkg/__init__.py": "def main():\n    print(1)\n"}
+    assert lint_files(files, ["SET101", "SET102", "SET105"]).findings == ()
+    (found,) = lint_files(
+        {**files, "setup.py": text.replace("find_packages(exclude=['test'])", "[]")}, ["SET105"]
+    ).findings
+    assert found.message.endswith("add `my_pkg` to `packages`")
