@@ -201,3 +201,13 @@ def of_nobody(source: str, find: str = "", **more: str) -> list[GIVEN]:
     }
     messages = [(each.severity, each.message) for each in lint_files(files, ["CMK201"]).findings]
     return [(level, text.split("`")[3] if text.count("`") > 2 else "") for level, text in messages]
+
+
+@pytest.mark.parametrize(
+    ("rule", "expected"),
+    [("lib/ DESTINATION include/base", []), ("lib/ DESTINATION share/base", [(ERROR, "")]),
+     ("include/ DESTINATION include", [(ERROR, "")]), ("include/ DESTINATION include/base", [(ERROR, "")])],
+)  # fmt: skip
+def test_headers_that_are_installed_from_another_folder(rule: str, expected: list[GIVEN]) -> None:
+    lines = f"install(DIRECTORY {rule})\n"
+    assert findings('#include "base/buses.hpp"', base_lines=lines, base__lib__bus="") == expected

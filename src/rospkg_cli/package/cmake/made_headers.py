@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+from collections.abc import Iterator
 
 from ...files import PackageFiles, ReaderInput
 from ...languages.cmake.evaluated_command import EvaluatedCommand
@@ -10,6 +11,7 @@ from ...languages.cmake.values import UNKNOWN
 from ...lazy_regex import regex
 from .build import is_built_with_cmake
 from .cmake_project import CMake
+from .copied_files import copied_files
 from .foreign_commands import foreign_commands
 from .made_paths import FETCHES, MadePaths, files_written_by
 
@@ -17,6 +19,7 @@ HEADERS = (".hpp", ".h", ".hh", ".hxx", ".ipp", ".tpp", ".inl", ".cuh", ".impl",
 GENERATES = regex(
     r"(?!generate_(?:parameter_|export_))generate_\w+|protobuf_\w+|grpc_\w+|flatbuffers_\w+|swig_\w+|qt\d?_wrap_\w+"
 )
+PLACE = "include/"
 RUNS = ("execute_process", "add_custom_command", "add_custom_target")
 
 
@@ -26,11 +29,21 @@ def header_files(reading: ReaderInput) -> frozenset[str]:
 
 
 def has_other_headers(reading: ReaderInput) -> bool:
-    """Return whether the build may make headers."""
+    """Return whether the build may make headers, or installs some from folders that are not called include/."""
     cmake = reading.parts(CMake).only
     if cmake is None:
         return is_built_with_cmake(reading)
-    return may_make_headers(cmake) or bool(made_header_names(cmake))
+    known, scope = header_files(reading), f"{cmake.project_name}/"
+    others = (path for path in installed_headers(cmake) if not {path, path.removeprefix(scope)} & known)
+    return may_make_headers(cmake) or bool(made_header_names(cmake)) or next(others, None) is not None
+
+
+def installed_headers(cmake: CMake) -> Iterator[str]:
+    """Yield the headers that install rules take to include/, relative to it."""
+    for rule in cmake.installs:
+        if f"{rule.destination}/".startswith(PLACE):
+            copies = (copy.destination.removeprefix(PLACE) for copy in copied_files(rule, cmake.package_files))
+            yield from (path for path in copies if path.endswith(HEADERS))
 
 
 def below_include(files: PackageFiles) -> list[str]:
