@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from bench.faults.cmake_stop import BROUGHT
 from bench.faults.fault import PutFault
 from bench.faults.kinds import kind
 from bench.faults.source_package import SourcePackage
@@ -76,7 +77,10 @@ def generation_dependency_lost(package: SourcePackage) -> Iterator[PutFault]:
     used = package.words(r"\.(msg|srv|action)$", r"^([a-z]\w+)/\w+")
     for name in sorted(used - {package.name, "builtin_interfaces"}):  # that one comes with most others
         pattern = rf"rosidl_generate_interfaces\([^()]*DEPENDENCIES[^()]*?(\b{name}\b)"
-        yield from (spot.put("", name) for spot in package.spots(CMAKE, pattern))
+        for spot in package.spots(CMAKE, pattern):
+            others = [BROUGHT.get(each, "").split() for each in set(re.findall(r"\w+", spot.match[0])) - {name}]
+            if not any(name in each for each in others):
+                yield spot.put("", name)
 
 
 @kind("interfaces")

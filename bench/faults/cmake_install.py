@@ -145,6 +145,8 @@ def ament_package_lost(package: SourcePackage) -> Iterator[PutFault]:
 
 @kind("cmake install")
 def ament_package_too_early(package: SourcePackage) -> Iterator[PutFault]:
+    if not package.holds(CMAKE, r"^\s*find_package\(\s*ament"):
+        return  # CMake stops before
     pattern = r"^(ament_export_\w+\([^()]*\))(?=.*\n(ament_package\([^)]*\)))"
     for spot in package.spots(CMAKE, pattern, 1, re.MULTILINE | re.DOTALL):
         text = spot.text.replace(f"\n{spot[2]}", "\n", 1).replace(spot.word, f"{spot[2]}\n{spot.word}", 1)

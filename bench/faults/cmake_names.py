@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from bench.faults.cmake_stop import BROUGHT, CMAKE
@@ -30,9 +31,19 @@ def cmake_find_package_lost(package: SourcePackage) -> Iterator[PutFault]:
     linked |= package.words(CMAKE, r"\b(\w+)::\w+")
     found = package.words(CMAKE, r"^find_package\(\s*(\w+)")
     brought = {name for each in found for name in BROUGHT.get(each, "").split()}
+    brought |= {name for each in found & package.siblings.keys() for name in handed_on(package, each)}
     for spot in package.spots(CMAKE, r"^find_package\(\s*(\w+)[^)]*\)[ \t]*\n"):
         if spot.word in linked - brought:
             yield spot.drop()
+
+
+def handed_on(package: SourcePackage, sibling: str) -> list[str]:
+    """Return what another package of the repository has CMake find for those that find it."""
+    file = package.repository / package.siblings[sibling] / "CMakeLists.txt"
+    text = file.read_text("utf-8", "replace") if file.is_file() else ""
+    calls = re.findall(r"ament_export_dependencies\(([^()]*)\)", text)
+    whole = re.findall(r"set\(([^()]*)\)", text) if any("$" in each for each in calls) else []
+    return [word for each in (*calls, *whole) for word in each.split()]
 
 
 @kind("cmake")

@@ -78,7 +78,7 @@ def cmake_quote_lost(package: SourcePackage) -> Iterator[PutFault]:
 @kind("cmake")
 def cmake_other_project(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(CMAKE, r"^project\(\s*(\w+)"):
-        if spot.word == package.name:
+        if spot.word == package.name and package.holds(CMAKE, r"^\s*find_package\(\s*ament"):
             yield spot.put("my_package")
 
 

@@ -33,6 +33,8 @@ CASES = {
         package("make_launch_files(all)\n", LAUNCH),
         package("make_launch_files(all)\ninstall(DIRECTORY launch DESTINATION share)\n", LAUNCH),
         package("make_launch_files(all)\ninstall(DIRECTORY launch DESTINATION launch)\n", LAUNCH),
+        *(package(f"if(WITH_MORE)\n  install(DIRECTORY launch DESTINATION {place})\nendif()\n", LAUNCH)
+          for place in ("share", "other", "share/${PROJECT_NAME}")),
         package("", {"launch/talker.launch": '<launch>\n  <node pkg="my_pkg" exec="talker"/>\n</launch>\n'}),
         package("", {"launch/talker.launch": '<launch>\n  <node pkg="my_pkg" type="talker" name="a"/>\n</launch>\n'}),
         package("find_package(catkin QUIET)\nif(catkin_FOUND)\n  add_message_files(FILES A.msg)\nendif()\n", LAUNCH),
@@ -74,6 +76,11 @@ CASES = {
                         "/share/${PROJECT_NAME}s")),
     ),
     "CMK115": (
+        *(package(f"set(PACKAGE_DEPENDENCIES rclcpp)\n{lines}") for lines in (
+            "foreach(each IN ITEMS ${PAKCAGE_DEPENDENCIES})\n  find_package(${each} REQUIRED)\nendforeach()\n",
+            "foreach(each IN ITEMS ${PACKAGE_DEPENDENCIES})\n  find_package(${each} REQUIRED)\nendforeach()\n",
+            "if(WITH_MORE)\n  foreach(each ${PAKCAGE_DEPENDENCIES})\n  endforeach()\nendif()\n",
+        )),
         *(package(f"if(WITH_MORE)\n  {lines}\nendif()\n") for lines in (
             "install(FILES a.txt DESTINATION share/${PROJECTNAME})",
             "set(WORDS a)\n  install(FILES a.txt DESTINATION share/${WROSD})",

@@ -17,6 +17,8 @@ from ...ros.share_layout import FOLDERS
 from ..share_uses import ShareUses
 
 LAUNCH = "launch"
+NOBODYS = f"share/{LAUNCH}/"
+"""Where nobody wants launch files, whatever else is installed."""
 INSTALLERS = ("install", "ament_auto_package", "autoware_ament_auto_package")
 OF_ROS2 = regex(r"\sexec\s*=|\$\((?:find-pkg-share|var)\s")
 USED_AT_BUILD = regex(r"generate_parameter_|rosidl_|protobuf_|qt\d?_|ament_add_|add_launch_test|add_test|add_ros_test")
@@ -52,9 +54,10 @@ class RuntimeFolders:
         files = self.useful(LAUNCH)
         rows = [row for row in self.table.rows if row.source in files]
         if not (self.is_clear and self.table.knows("other")):
-            rows = [row for row in rows if row.destination.startswith(f"share/{LAUNCH}/")]  # nobody means this
+            rows = [row for row in rows if row.destination.startswith(NOBODYS)]
         told = ("/", *(f"share/{name}/" for name in (self.package.facts.name, self.package.cmake.project_name)))
-        is_found = any(row.destination.startswith(told) or row.maybe for row in rows)
+        unclear = (row for row in rows if row.maybe and not row.destination.startswith(NOBODYS))
+        is_found = any(row.destination.startswith(told) for row in rows) or next(unclear, None) is not None
         return rows[0] if rows and not is_found else None
 
     def useful(self, folder: str) -> tuple[str, ...]:

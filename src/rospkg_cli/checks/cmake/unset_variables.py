@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 
+from ...languages.cmake.command_blocks import Block
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import assigned_names
 from ...languages.cmake.syntax import CommandArgument
@@ -68,7 +69,15 @@ class UnsetVariables:
                 seen.add(place)
                 for argument in call.command.arguments:
                     yield from self.within(call, argument)
+        yield from self.of_loops()
         yield from self.of_targets()
+
+    def of_loops(self) -> Iterator[UnsetVariable]:
+        """Yield what a loop is to run over, where it certainly does so: an empty one does nothing, without a word."""
+        root = self.cmake.root
+        for command in (each.command for each in root.body if isinstance(each, Block)):
+            for argument in command.arguments[1:] if command.name == "foreach" else ():
+                yield from self.within(EvaluatedCommand(command, (), root.path, ""), argument)
 
     def within(self, call: EvaluatedCommand, argument: CommandArgument) -> Iterator[UnsetVariable]:
         if argument.kind == "bracket" or "${" not in argument.text:

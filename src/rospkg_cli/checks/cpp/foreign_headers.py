@@ -106,9 +106,8 @@ class ForeignHeaders:
     def has(self, package: str, rest: str) -> bool:
         """Return whether a package certainly has a header in the folder of its name."""
         kind, _, name = rest.partition("/")
-        if kind in KINDS:
-            names = (self.interfaces.of(package) or {}).get(kind, ())
-            return name.partition(".")[0] in map(lower, names)
+        if kind in KINDS and (known := self.interfaces.of(package)) is not None:
+            return name.partition(".")[0] in map(lower, known.get(kind, ()))
         return self.headers.is_there(f"{package}/{rest}") or package in self.used
 
     @cached_property
