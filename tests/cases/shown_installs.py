@@ -7,6 +7,10 @@ from rospkg_cli.example import CMAKE, Example, manifest, scripts, setup_py
 MAIN = "int main() {return 0;}\n"
 LAUNCH = {"launch/talker.launch.xml": "<launch/>\n"}
 HOME = "DESTINATION lib/${PROJECT_NAME}"
+NODE = "#!/usr/bin/env python3\nimport rclpy\n\nif __name__ == '__main__':\n    rclpy.init()\n"
+NODES = {f"scripts/{name}.py": NODE for name in ("talker", "listener")}
+LISTED = {f"launch/{name}.launch.xml": "<launch/>\n" for name in "abc"}
+AB = "launch/a.launch.xml launch/b.launch.xml"
 FINDER = "find_package(ament_cmake_python REQUIRED)\n"
 IMPORTS = "#!/usr/bin/env python3\nfrom my_pkg.words import WORD\n\nprint(WORD)\n"
 IN_SRC = {"src/my_pkg/__init__.py": "", "src/my_pkg/words.py": "WORD = 'a'\n"}
@@ -27,6 +31,16 @@ def examples(more: str) -> Example:
 
 CASES = {
     "CMK101": (
+        *(package(f"{before}install(FILES {names} DESTINATION share/${{PROJECT_NAME}}/launch)\n", {**LISTED, **more})
+          for before, names, more in (
+              ("", AB, {}),
+              ("", "launch/a.launch.xml", {}),
+              ("", f"{AB} launch/c.launch.xml", {}),
+              ("file(GLOB found launch/[ab].launch.xml)\n", "${found}", {}),
+              ("", AB, {"launch/more/d.launch.xml": "<launch/>\n"}),
+              ("", AB, {"launch/b.launch.xml": "<!-- c.launch.xml -->\n<launch/>\n"}),
+              ("add_custom_target(x DEPENDS launch/c.launch.xml)\n", AB, {}),
+          )),
         package("add_custom_target(all_files SOURCES launch/talker.launch.xml)\n", LAUNCH),
         package("add_custom_target(made DEPENDS launch/talker.launch.xml)\n", LAUNCH),
         package("add_link_options(-Wl,-z,defs)\n", LAUNCH),
@@ -39,6 +53,21 @@ CASES = {
         package("", {"launch/talker.launch": '<launch>\n  <node pkg="my_pkg" type="talker" name="a"/>\n</launch>\n'}),
         package("find_package(catkin QUIET)\nif(catkin_FOUND)\n  add_message_files(FILES A.msg)\nendif()\n", LAUNCH),
         package("find_package(other QUIET)\nif(other_FOUND)\n  add_message_files(FILES A.msg)\nendif()\n", LAUNCH),
+    ),
+    "CMK104": (
+        *(package(f"install({rule} DESTINATION {place})\n", {**NODES, "more/a.txt": "a\n"})
+          for rule, place in (
+              ("DIRECTORY scripts more", "share/${PROJECT_NAME}"), ("DIRECTORY scripts/", "bin"),
+              ("FILES scripts/talker.py", "bin"), ("DIRECTORY scripts", "share/other"),
+              ("FILES scripts/talker.py scripts/words.txt", "share/${PROJECT_NAME}"),
+          )),
+        package("install(DIRECTORY scripts DESTINATION share/${PROJECT_NAME})\n", {**NODES, "scripts/a.txt": "a\n"}),
+        package("install(DIRECTORY scripts DESTINATION share/${PROJECT_NAME})\n",
+                {**NODES, "launch/a.launch.py": "CMD = ['python3', 'scripts/talker.py', 'listener.py']\n"}),
+        package("install(DIRECTORY scripts DESTINATION share/${PROJECT_NAME})\n",
+                {**NODES, "README.md": "ros2 run my_pkg talker.py\n"}),
+        package("install(DIRECTORY scripts DESTINATION share/${PROJECT_NAME})\n"
+                "install(PROGRAMS scripts/talker.py scripts/listener.py DESTINATION lib/${PROJECT_NAME})\n", NODES),
     ),
     "CMK103": (
         Example(

@@ -14,6 +14,8 @@ from .cmake_install import LIBEXEC, block
 def to_libexec(cmake: CMake, astray: MisplacedExecutable) -> tuple[Edit, ...]:
     """Send an executable to lib/<package>: with its whole rule where that is about executables, else in a new one."""
     rule = astray.rule
+    if rule.kind not in ("TARGETS", "PROGRAMS"):
+        return ()  # it would have to be another one
     file = cmake.file(rule.call.path)
     arguments = [argument for argument, words in rule.call.by_argument() if words and astray.word in words]
     place = rule.destination_word

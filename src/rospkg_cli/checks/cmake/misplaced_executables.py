@@ -15,6 +15,7 @@ from ...package.cmake.copied_files import copied_files
 from ...package.cmake.install_rules import InstallRule
 from ...package.cmake.target_links import TargetLinks
 from ...ros.share_layout import LAUNCH
+from .left_out_nodes import is_node
 
 # Linear: it has to fit a whole name, from its start.
 ROS = regex(r"(rclcpp|rclcpp_\w+|\w+_(msgs|interfaces))(_TARGETS|_LIBRARIES)?")
@@ -68,6 +69,22 @@ class MisplacedExecutables:
                         )
             if rule.kind == "PROGRAMS" and rule.destination is not None and self.is_wrong(rule.destination):
                 yield from self.scripts(rule, rule.destination)
+            elif rule.kind in ("DIRECTORY", "FILES") and self.is_for_others(rule.destination):
+                yield from self.nodes(rule)
+
+    def is_for_others(self, place: str | None) -> bool:
+        """Return whether a folder is bin/, or in share/, where nothing is started."""
+        return place == "bin" or f"{place}/".startswith(f"share/{self.package.facts.name}/")
+
+    def nodes(self, rule: InstallRule) -> Iterator[MisplacedExecutable]:
+        """Yield the executable nodes in Python of a rule for other files, where what it names holds nothing else."""
+        files = self.package.cmake.package_files
+        copies = list(copied_files(rule, files))
+        others = {copy.item for copy in copies if not is_node(copy.source, files)}
+        for copy in (each for each in copies if each.item not in others):
+            place, _, name = copy.destination.rpartition("/")
+            if files.is_executable(copy.source) and not self.runs_by_path(name):
+                yield MisplacedExecutable(copy.item, name, place, rule, self.starts(name), is_node=True)
 
     @cached_property
     def of_own_projects(self) -> Mapping[str, frozenset[str]]:

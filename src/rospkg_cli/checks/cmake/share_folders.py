@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator
 from functools import cached_property
 
@@ -17,6 +18,8 @@ from ...ros.share_layout import FOLDERS
 from ..share_uses import ShareUses
 
 LAUNCH = "launch"
+FEW = 2
+"""Launch files that don't show what is done with a third one."""
 NOBODYS = f"share/{LAUNCH}/"
 """Where nobody wants launch files, whatever else is installed."""
 INSTALLERS = ("install", "ament_auto_package", "autoware_ament_auto_package")
@@ -38,6 +41,25 @@ class RuntimeFolders:
                 continue
             if folder not in meant_paths(self.package.cmake):  # which CMK102 tells
                 yield folder
+
+    def left_out(self) -> Iterator[tuple[str, InstalledFile]]:
+        """Yield the one launch file that is not installed where rules list all others of the folder, with one of them.
+
+        What a launch file names is told there.
+        """
+        files = [path for path in self.useful(LAUNCH) if posixpath.dirname(path) == LAUNCH] if self.is_clear else []
+        listed = {text for rule in self.package.cmake.installs if rule.kind == "FILES" for text in rule.call.texts}
+        rows = {row.source: row for row in self.table.rows if row.source in files}
+        lost = [path for path in files if path not in rows]
+        if len(lost) == 1 and len(files) > FEW and all(path in listed for path in rows):
+            name = posixpath.basename(lost[0])
+            if not any(name in file.source.text for file in self.launch_files) and lost[0] not in self.named_paths:
+                yield lost[0], next(iter(rows.values()))
+
+    @cached_property
+    def named_paths(self) -> frozenset[str]:
+        calls = (call for call in self.package.cmake.calls if call.name not in INSTALLERS)
+        return frozenset(path for call in calls for path in paths_of(call))
 
     @property
     def is_clear(self) -> bool:

@@ -47,7 +47,8 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     """
     ## What it does
     Finds folders of launch files, parameters, robots, worlds or maps that CMake does not install.
-    A folder counts (meshes too) if nothing in it is installed, and launch files that are all installed elsewhere.
+    A folder counts (meshes too) if nothing in it is installed, and launch files that are all installed elsewhere; and
+    one launch file, where a rule lists all others of its folder.
 
     ## Why is this bad?
     The build is green, and at run time there is "file 'robot.launch.py' was not found in the share directory of package
@@ -69,6 +70,12 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
             f"`{row.source}` is installed as `{row.destination}`: `ros2 launch {name} …` looks in `share/{name}` alone"
         )
         yield Hit(row.path, row.span, f"{into}; write `DESTINATION share/${{PROJECT_NAME}}`")
+    for path, row in folders.left_out():
+        file = path.rpartition("/")[2]
+        what = f"`{path}` is not installed, but the others of its folder are"
+        yield Hit(
+            row.path, row.span, f"{what}: `ros2 launch {name} {file}` does not find it; add it here, or remove it"
+        )
     for folder in folders.uninstalled():
         files = folders.useful(folder)
         fix = Fix(f"install {folder}/ into share/{name}/{folder}", (install_folder(package.cmake, folder),))

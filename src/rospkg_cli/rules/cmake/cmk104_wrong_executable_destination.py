@@ -36,6 +36,10 @@ def cmake(lines: str) -> str:
     return CMAKE.replace("ament_package", lines + "ament_package")
 
 
+OF_FILES = ("DIRECTORY", "FILES")
+"""Kinds of rules that install no programs."""
+
+
 @rule(
     "CMK104",
     "wrong-executable-destination",
@@ -43,7 +47,7 @@ def cmake(lines: str) -> str:
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "neither a launch file nor the README starts it, and it goes to bin/, or is a script",
-        Severity.INFO: "it goes to bin/, and nothing shows that it is a node",
+        Severity.INFO: "it goes to bin/, and nothing shows that it is a node; or a script is installed as another file",
     },
     examples=(
         Example(
@@ -69,7 +73,8 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
     """
     ## What it does
     Finds executables and scripts that are not installed to `lib/${PROJECT_NAME}`.
-    A tool that is no node may be in bin/ on purpose, and a node may be there if it is in both.
+    A tool that is no node may be in bin/ on purpose, and a node may be there if it is in both. Executable nodes in
+    Python count too where a rule for files or folders installs them into bin/ or share/.
 
     ## Why is this bad?
     `ros2 run` and launch files look in `lib/<package>` alone: "No executable found".
@@ -92,13 +97,14 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
     for edits, (first, *others) in together(misplaced.package.cmake, wrong):  # of the project's name CMK001 tells
         count = f" and {len(others)} more" if others else ""
         start = f"`{first.name}`{count} {'are' if others else 'is'} installed into `{first.destination}`: `ros2 run"
-        message = (
-            f"{start} {name} {first.name}` and launch files look in `lib/{name}` alone; use `lib/${{PROJECT_NAME}}`"
-        )
+        place = "lib/${PROJECT_NAME}"
+        todo = f"install them as PROGRAMS into `{place}`" if first.rule.kind in OF_FILES else f"use `{place}`"
+        message = f"{start} {name} {first.name}` and launch files look in `lib/{name}` alone; {todo}"
         severity = level(first)
         safety = Safety.SAFE if severity is None else Safety.UNSAFE
         fix = Fix(f"install `{first.name}`{count} into lib/${{PROJECT_NAME}}", edits, safety) if edits else None
-        related = tuple(Related(each.word.path, each.word.span, "and here") for each in others)
+        places = dict.fromkeys((each.word.path, each.word.span) for each in others if each.word != first.word)
+        related = tuple(Related(path, span, "and here") for path, span in places)
         yield Hit(first.word.path, first.word.span, message, severity, related, fix)
 
 
@@ -115,6 +121,8 @@ def together(
 
 
 def level(misplaced: MisplacedExecutable) -> Severity | None:
+    if misplaced.rule.kind in OF_FILES:
+        return None if misplaced.is_started else Severity.INFO
     if misplaced.is_started or not (misplaced.destination == "bin" or misplaced.rule.kind == "PROGRAMS"):
         return None
     return Severity.WARNING if misplaced.is_node else Severity.INFO
