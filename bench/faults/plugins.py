@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from bench.faults.aside import used_kind
 from bench.faults.fault import PutFault, typo
 from bench.faults.kinds import kind
 from bench.faults.source_package import SourcePackage
@@ -45,31 +46,31 @@ def component_macro_lost(package: SourcePackage) -> Iterator[PutFault]:
             yield spot.drop()
 
 
-@kind("plugins")
+@used_kind("plugins")
 def plugin_class_mistyped(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(r"\.xml$", r"<class\b[^>]*?\btype=\"(?:\w+::)*(\w+)\""):
         if "nodelet::" not in spot.text:  # of ROS 1, which a package for both still brings
             yield spot.typo()
 
 
-@kind("plugins")
+@used_kind("plugins")
 def plugin_base_mistyped(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(r"\.xml$", r"<class\b[^>]*?\bbase_class_type=\"(?!nodelet)(?:\w+::)*(\w+)\""):
         yield spot.typo()
 
 
-@kind("plugins")
+@used_kind("plugins")
 def plugin_library_mistyped(package: SourcePackage) -> Iterator[PutFault]:
     yield from (spot.typo() for spot in package.spots(r"\.xml$", r"<library path=\"(?:lib)?(\w+)\""))
 
 
-@kind("plugins")
+@used_kind("plugins")
 def plugin_description_broken(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(r"\.xml$", r"(</class>)\s*(?:<class|</library>)"):
         yield spot.of_file("")
 
 
-@kind("plugins")
+@used_kind("plugins")
 def plugin_description_not_exported(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(
         CMAKE, r"^\s*pluginlib_export_plugin_description_file\(\s*\w+\s+([\w/.]+\.xml)\s*\)[ \t]*\n"
@@ -77,26 +78,26 @@ def plugin_description_not_exported(package: SourcePackage) -> Iterator[PutFault
         yield spot.drop(spot.word.rpartition("/")[2])
 
 
-@kind("plugins")
+@used_kind("plugins")
 def plugin_description_mistyped(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(CMAKE, r"pluginlib_export_plugin_description_file\(\s*\w+\s+(?:\w+/)*(\w+)\.xml\s*\)"):
         yield spot.put(typo(spot.word), f"{spot.word}.xml", f"{typo(spot.word)}.xml")
 
 
-@kind("plugins")
+@used_kind("plugins")
 def plugin_of_wrong_base_package(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(CMAKE, r"pluginlib_export_plugin_description_file\(\s*(\w+)\s+[\w/.]+"):
         yield spot.put(package.name if spot.word != package.name else "pluginlib")
 
 
-@kind("plugins")
+@used_kind("plugins")
 def plugin_macro_mistyped(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(r"\.cpp$", r"PLUGINLIB_EXPORT_CLASS\(\s*(?:\w+::)*(\w+)\s*,"):
         if "nodelet::" not in spot.text:
             yield spot.typo()
 
 
-@kind("plugins")
+@used_kind("plugins")
 def plugin_macro_lost(package: SourcePackage) -> Iterator[PutFault]:
     pattern = r"^PLUGINLIB_EXPORT_CLASS\(\s*(?:\w+::)*(\w+)\s*,[^()]*\)[ \t]*\n?"
     for spot in package.spots(r"^(?!test/).*\.cpp$", pattern):
@@ -104,7 +105,7 @@ def plugin_macro_lost(package: SourcePackage) -> Iterator[PutFault]:
             yield spot.drop()
 
 
-@kind("plugins")
+@used_kind("plugins")
 def plugin_named_mistyped(package: SourcePackage) -> Iterator[PutFault]:
     pattern = r"^\s+(?:plugin|type):\s*['\"]?\w+(?:::|/)(?:\w+(?:::|/))*(\w+)"
     yield from (spot.typo() for spot in package.spots(r"\.ya?ml$", pattern))

@@ -4,28 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from functools import wraps
 
+from bench.faults.aside import used_kind
 from bench.faults.fault import PutFault, Spot
-from bench.faults.kinds import Places, kind
 from bench.faults.source_package import SourcePackage
-from rospkg_cli.package.file_role import role_of
 
 FILES = r"\.(urdf|xacro)$"
-ON_PURPOSE = "a robot for tests, or in documents, may be wrong on purpose, and nothing may read it"
+urdf_kind = used_kind("urdf")
 LITERAL = r"[\w-]+"
-
-
-def urdf_kind(places: Places) -> Places:
-    """Register a kind of faults in robots; those in robots for tests and documents don't count."""
-
-    @wraps(places)
-    def weighed(package: SourcePackage) -> Iterator[PutFault]:
-        for fault in places(package):
-            path = fault.path.removeprefix(f"{package.folder}/")
-            yield fault.known(role_of(path) not in ("test", "aside"), ON_PURPOSE)
-
-    return kind("urdf")(weighed)
 
 
 def own(package: SourcePackage, pattern: str, group: int = 1) -> Iterator[Spot]:

@@ -44,7 +44,9 @@ def urdf_mistyped_macro(package: SourcePackage) -> Iterator[PutFault]:
         r"<(xacro:(?!include|macro|property|arg|if|unless|insert_block|element|attribute|call)(\w+))(?=[\s/>])[^>]*/>",
     ):
         wrong = spot[2][:-1]
-        yield spot.put(f"xacro:{wrong}", wrong, spot[2])
+        is_here = package.holds(r"\.(urdf|xacro)$", rf"<xacro:macro\s+name\s*=\s*\"(?:xacro:)?{spot[2]}\"")
+        fault = spot.put(f"xacro:{wrong}", wrong, spot[2])
+        yield fault.known(is_here, "the macros of a file that is included and not here")
 
 
 @urdf_kind

@@ -101,6 +101,13 @@ CASES = {
         package("target_link_libraries(talker m)\ninstall(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n"),
     ),
     "CMK119": (
+        *(
+            package(SET.replace("core_targets", "core") + lines)
+            for lines in (
+                "ament_export_libraries(core)\n",
+                "ament_export_libraries(core)\nament_export_targets(core)\n",
+            )
+        ),
         package(SET + "install(EXPORT core_targets DESTINATION share/${PROJECT_NAME}/cmake)\n"),
         package(SET + "if(FALSE)\n  ament_export_targets(core_targets)\nendif()\n"),
         package(SET + "ament_export_targets(${SETS})\n"),

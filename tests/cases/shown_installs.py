@@ -29,6 +29,18 @@ def examples(more: str) -> Example:
     return package(made + more, {f"src/examples/{name}.cpp": MAIN for name in ("talker", "listener")})
 
 
+def nodes(names: str, registered: str) -> Example:
+    """Components, each in a library that a program of its own links."""
+    lines = "find_package(rclcpp_components REQUIRED)\n"
+    for name in names:
+        lines += f"add_library({name} SHARED src/{name}.cpp)\nadd_executable({name}_node src/main.cpp)\n"
+        lines += f"target_link_libraries({name}_node PRIVATE {name})\n"
+        lines += f"install(TARGETS {name} DESTINATION lib)\ninstall(TARGETS {name}_node {HOME})\n"
+    lines += "".join(f'rclcpp_components_register_nodes({name} "my_pkg::{name}")\n' for name in registered)
+    sources = {f"src/{name}.cpp": f"RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::{name})\n" for name in names}
+    return package(lines, {**sources, "src/main.cpp": MAIN})
+
+
 CASES = {
     "CMK101": (
         *(package(f"{before}install(FILES {names} DESTINATION share/${{PROJECT_NAME}}/launch)\n", {**LISTED, **more})
@@ -86,6 +98,9 @@ CASES = {
         package("function(make name)\n  add_executable(${name} src/a.cpp)\nendfunction()\nmake(talker)\n"),
         package("if(DEFINED ENV{AMENT_PREFIX_PATH})\n  add_executable(talker src/a.cpp)\nendif()\n"),
         package("if(DEFINED ENV{SOMETHING})\n  add_executable(talker src/a.cpp)\nendif()\n"),
+    ),
+    "CMK108": (
+        *(nodes(names, registered) for names, registered in (("abc", "ab"), ("abc", "a"), ("ab", "a"), ("abc", "abc"))),
     ),
     "CMK109": (
         package(SCRIPT, {"scripts/hello.py": IMPORTS, **IN_SRC}),

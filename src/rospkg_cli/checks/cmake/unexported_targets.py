@@ -63,12 +63,16 @@ class UnexportedTargets:
         return any(file.path in paths and any(file.calls_to(*REGISTERS)) for file in self.sources)
 
     def named(self) -> Iterator[str]:
-        """Yield what commands besides `install(TARGETS)` are given; UNKNOWN where one may export any set."""
+        """Yield what commands besides `install(TARGETS)` are given; UNKNOWN where one may export any set.
+
+        The name of a target means the target, but where sets are exported: both may be called alike.
+        """
         for call in (*self.package.cmake.calls, *self.package.cmake.unreachable):
             if call.name in EXPORTS:
                 yield from (UNKNOWN if UNKNOWN in text else text for text in call.texts)
             elif not fills(call):
-                yield from (text for text in call.texts if UNKNOWN not in text)
+                known = (text for text in call.texts if UNKNOWN not in text)
+                yield from (text for text in known if self.package.cmake.target(text) is None)
 
 
 def fills(call: EvaluatedCommand) -> bool:
