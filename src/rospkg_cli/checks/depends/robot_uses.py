@@ -21,6 +21,7 @@ from ...source import Span
 from ..launch.package_references import every_reference
 from ..urdf.xacro_calls import CONDITIONS, ancestors
 from .declared_dependencies import DeclaredDependencies
+from .found_by_parameters import found_by_parameters
 from .undeclared_launch_packages import LaunchDependencies
 
 INTERFACES = regex(r".*_(?:msgs|srvs|interfaces|actions)")
@@ -60,7 +61,7 @@ class RobotUses:
         found: dict[str, list[RobotUse]] = {}
         if self.declared.is_checked:
             reported = self.launch.missing(tests=False)
-            for name, use in (*self.references(), *self.plugins()):
+            for name, use in (*self.references(), *self.found_by_parameters(), *self.plugins()):
                 if name not in reported and not self.declared.has([name]):
                     found.setdefault(name, []).append(use)
         return merged_navigation(found)
@@ -82,6 +83,17 @@ class RobotUses:
                 if not self.declared.has([each.package]):
                     is_off = self.is_off(robot.path) or is_switched_off(robot.document.root, each.span)
                     yield each.package, reference_use(robot.path, each, is_off=is_off)
+
+    def found_by_parameters(self) -> Iterator[tuple[str, RobotUse]]:
+        """Yield the packages that installed parameter files look for, where a launch file has them filled in.
+
+        Launch does so with `allow_substs` alone; launch files in YAML are read as such.
+        """
+        launches = {file.path for file in self.launch.launch_files}
+        for name, path, span in found_by_parameters(self.launch.files):
+            is_known = self.declared.workspace.kind_of(name) is NameKind.PACKAGE
+            if path not in launches and is_known and self.is_used(path):
+                yield name, RobotUse(path, span, "and its files are named here", "they are not found", True)
 
     def is_off(self, path: str) -> bool:
         """Return whether robots of the package include a file, and each only where an argument asks for it."""

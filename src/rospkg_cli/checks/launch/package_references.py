@@ -11,6 +11,7 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText, Substitution
 from ...package.launch.text import Literal as LiteralText
 from ...source import Span
+from .moveit_configs import moveit_configs
 from .program_prefixes import program_prefixes
 from .spawned_controllers import spawned_controllers
 
@@ -78,6 +79,8 @@ def every_reference(file: LaunchFile) -> Iterator[PackageReference]:
             yield use if use.fails == "command" else replace(use, fails="process")
     for program, span in program_prefixes(file):
         yield PackageReference(program, file.path, span, "starts a node with", fails="process")
+    for package, span in moveit_configs(file):
+        yield PackageReference(package, file.path, span, "reads the MoveIt configuration of", is_late=False)
     for controller, span in spawned_controllers(file):
         yield PackageReference(controller, file.path, span, "loads the controller of", fails="controller")
 
