@@ -77,8 +77,7 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
         level = Severity.WARNING if mild else None
         related = tuple(Related(other.copy.source, Span(0, 0), "the same") for other in others)
         operations = [make_executable(scripts, each) for each in (script, *others)]
-        name = f"{script.copy.source}`{and_more(others)}"
-        fix = Fix(f"make `{name} executable", tuple(dict.fromkeys(chain(*operations)))) if all(operations) else None
+        fix = Fix(title(script, others), tuple(dict.fromkeys(chain(*operations)))) if all(operations) else None
         yield Hit(script.copy.item.path, script.copy.item.span, message(scripts, script, others), level, related, fix)
 
 
@@ -89,6 +88,19 @@ def together(broken: Iterable[BrokenScript]) -> Iterable[list[BrokenScript]]:
         call = script.copy.rule.call
         calls.setdefault((call.path, call.command.span.start, script.wrong), []).append(script)
     return calls.values()
+
+
+def title(script: BrokenScript, others: Sequence[BrokenScript]) -> str:
+    these = f"`{script.copy.source}`{and_more(others)}"
+    match script.wrong:
+        case "files":
+            return "install with PROGRAMS"
+        case "no shebang":
+            return f"begin {these} with `{SHEBANG.strip()}`"
+        case "directory":
+            return "add USE_SOURCE_PERMISSIONS"
+        case _:
+            return f"make {these} executable"
 
 
 def and_more(others: Sequence[BrokenScript]) -> str:
