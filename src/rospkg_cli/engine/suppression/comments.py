@@ -45,14 +45,13 @@ def suppressions_in(files: PackageFiles) -> Iterator[Suppression]:
     """Yield the ignore comments of every file that a rule may report on."""
     for path in files.paths:
         name = path.rpartition("/")[2]
-        if name[max(name.rfind("."), 0) :] not in SUFFIXES or name in SUFFIXES:
+        if name[max(name.rfind("."), 0) :] not in SUFFIXES or name in SUFFIXES or not files.holds(path, b"rospkg:"):
             continue
         try:
             source = files.source(path)
         except UnreadableError:
             continue
-        if "rospkg:" in source.text:
-            yield from in_source(source, str(PurePosixPath(files.folder, path)))
+        yield from in_source(source, str(PurePosixPath(files.folder, path)))
 
 
 def in_source(source: Source, path: str) -> Iterator[Suppression]:
