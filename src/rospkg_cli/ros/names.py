@@ -54,12 +54,12 @@ class Names:
     def kind_of(self, name: str, targets: Targets | None = None) -> NameKind:
         """Return what a name is for one of the targets; CANT_TELL for a package of another distribution alone."""
         distros = self.packages.get(name)
-        targets = targets or Targets()
-        if distros is not None and any(each.name in distros for each in targets):
+        wanted = DISTROS if targets is None else tuple(targets)
+        if distros is not None and any(each.name in distros for each in wanted):
             return NameKind.PACKAGE
         if name in self.keys:
             return NameKind.KEY
-        return NameKind.UNKNOWN if all(self.resolves(name, each) is False for each in targets) else NameKind.CANT_TELL
+        return NameKind.UNKNOWN if all(self.resolves(name, each) is False for each in wanted) else NameKind.CANT_TELL
 
     def resolves(self, name: str, distro: Distro) -> bool | None:
         """Return whether rosdep can install what a name stands for on a distribution; None where that is unknown."""
@@ -69,7 +69,10 @@ class Names:
 
     def installer(self, key: str, distro: Distro) -> str:
         """Return the installer that serves a key on a distribution's Ubuntu, `-` where none does."""
-        ways = dict(zip(CODENAMES, self.keys.get(key, ()), strict=False))
+        row = self.keys.get(key)
+        if row is None:
+            return NOT_THERE
+        ways = dict(zip(CODENAMES, row, strict=False))
         return ways.get(distro.ubuntu, NOT_THERE)
 
     def is_package(self, name: str) -> bool:

@@ -14,7 +14,6 @@ from ...source import Span
 from ..depends.compiled_sources import compiled_sources, own_compiled
 from ..interfaces.known_interfaces import KnownInterfaces
 from ..interfaces.unknown_fields import similar
-from .message_variables import member_paths, message_variables
 from .named_members import named_members
 
 
@@ -77,6 +76,8 @@ class FieldsInCpp:
         return {}
 
     def in_text(self, source: CppFile, text: str) -> Iterator[WrongField]:
+        from .message_variables import member_paths, message_variables  # few packages need it
+
         found: dict[Span, WrongField] = {}
         for variable in message_variables(text):
             for path in member_paths(text, variable):

@@ -63,10 +63,18 @@ class DeclaredDependencies:
 
     def has(self, names: Iterable[str]) -> bool:
         """Return whether one of some names is declared, or is the package itself, or can't be declared."""
-        return any(
-            name in self.names or name == self.facts.name or self.is_needed_by(name) or self.is_reported_elsewhere(name)
-            for name in names
-        )
+        return any(map(self.has_name, names))
+
+    def has_name(self, name: str) -> bool:
+        if name not in self._had:
+            is_own = name in self.names or name == self.facts.name
+            self._had[name] = is_own or self.is_needed_by(name) or self.is_reported_elsewhere(name)
+        return self._had[name]
+
+    @cached_property
+    def _had(self) -> dict[str, bool]:
+        """What `has` said of each name: rules ask for some hundreds again and again."""
+        return {}
 
     def is_reported_elsewhere(self, name: str) -> bool:
         """Return whether package.xml names it wrongly, which another rule reports.

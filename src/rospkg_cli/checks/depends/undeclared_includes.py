@@ -192,8 +192,8 @@ class IncludeDependencies:
         reported = {missing.found.name for missing in self.find_packages.missing()}
         named = {name for missing in self.find_packages.missing() for name in missing.names}
         for each in self.packages():
-            is_reported = each.cmake in reported or bool(self.find_packages.matching_names(each.cmake, named))
-            is_reported = is_reported or not named.isdisjoint(each.names)
+            is_reported = each.cmake in reported or not named.isdisjoint(each.names)
+            is_reported = is_reported or bool(named and self.find_packages.matching_names(each.cmake, named))
             if not self.is_declared(each) and not is_reported and not there.intersection(each.names):
                 reported.update(each.names)
                 yield each

@@ -11,6 +11,7 @@ from ...languages.cmake.values import UNKNOWN
 from ...languages.cpp.file import CppFile
 from ...light_dataclasses import dataclass
 from ...package.cmake.target_links import TargetLink, TargetLinks
+from ...package.workspace import Workspace
 from ...ros.aliases import keys_for_cmake
 from ...ros.manifest import EXPORTED
 from ...ros.names import NameKind
@@ -135,19 +136,17 @@ class UnlinkedIncludes:
     def closure(self, names: Iterable[str]) -> frozenset[str] | None:
         """Return some packages, and all that may come with them; None where that is not known of one."""
         found: set[str] = set()
-        waiting, tables = [*names], [*(rows(f"{name}.txt") for name in TABLES), rows("cmake_exports.txt")]
-        workspace = self.includes.declared.workspace
+        waiting, workspace = [*names], self.includes.declared.workspace
+        known = workspace.index_of(NeedsOfPackages)
         while waiting:
             name = waiting.pop()
             if name in found:
                 continue
             found.add(name)
-            if (facts := workspace.named(name)) is not None:
-                waiting += [need.name for need in facts.dependencies if need.tag in PASSED_ON]
-            elif any(name in table for table in tables):
-                waiting += [need.lstrip("?") for table in tables for need in table.get(name, ())]
-            elif workspace.kind_of(name) is not NameKind.KEY and not keys_for_cmake(name):
+            needs = known.of(name, workspace)
+            if needs is None:
                 return None
+            waiting += needs
         return frozenset(found)
 
     def has_folder_of(self, target: str, package: str) -> bool:
@@ -164,3 +163,21 @@ class UnlinkedIncludes:
         facts = self.includes.declared.workspace.named(package)
         is_named_so = package.endswith(("_msgs", "_srvs", "_interfaces")) and not package.startswith("tf2_")
         return bool(facts.interfaces) if facts is not None else is_named_so
+
+
+class NeedsOfPackages(dict[str, "tuple[str, ...] | None"]):
+    """By name, what may come with a package, None where that is not known: the same are asked for by many targets."""
+
+    def of(self, name: str, workspace: Workspace) -> tuple[str, ...] | None:
+        if name not in self:
+            self[name] = needs_of(name, workspace)
+        return self[name]
+
+
+def needs_of(name: str, workspace: Workspace) -> tuple[str, ...] | None:
+    if (facts := workspace.named(name)) is not None:
+        return tuple(need.name for need in facts.dependencies if need.tag in PASSED_ON)
+    tables = [*(rows(f"{table}.txt") for table in TABLES), rows("cmake_exports.txt")]
+    if any(name in table for table in tables):
+        return tuple(need.lstrip("?") for table in tables for need in table.get(name, ()))
+    return () if workspace.kind_of(name) is NameKind.KEY or keys_for_cmake(name) else None

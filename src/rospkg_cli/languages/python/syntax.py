@@ -71,9 +71,13 @@ class PythonSyntax:
         return start + (byte if columns is None else columns[byte])
 
     def span(self, node: PositionedNode) -> Span:
-        start = self.offset(node.lineno, node.col_offset)
         if node.end_lineno is None or node.end_col_offset is None:
+            start = self.offset(node.lineno, node.col_offset)
             return Span(start, start)
+        if self.plain:
+            lines = self.lines
+            return Span(lines[node.lineno - 1] + node.col_offset, lines[node.end_lineno - 1] + node.end_col_offset)
+        start = self.offset(node.lineno, node.col_offset)
         return Span(start, self.offset(node.end_lineno, node.end_col_offset))
 
     def text(self, node: PositionedNode) -> str:

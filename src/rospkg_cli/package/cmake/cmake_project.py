@@ -85,9 +85,10 @@ class CMake:
 
     def named(self, *names: str) -> list[EvaluatedCommand]:
         """Return the calls of the commands with these names, in order."""
-        if len(names) == 1:
-            return self._by_name.get(names[0], [])
-        return [call for call in self.calls if call.name in names]
+        there = [name for name in names if name in self._by_name]
+        if len(there) <= 1:
+            return self._by_name[there[0]] if there else []
+        return [call for call in self.calls if call.name in there]
 
     def mentions_file(self, path: str) -> bool:
         """Return whether a command names a file, with or without its suffixes, or a launch test may do so."""

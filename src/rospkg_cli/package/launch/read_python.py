@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from ...languages.python.evaluate.evaluator import Evaluator
@@ -66,8 +67,12 @@ def has_name(file: PythonFile, evaluator: Evaluator, name: str) -> bool:
 
 def once(calls: Iterable[Call]) -> Iterator[Call]:
     """Yield calls without equal ones at the same span, which loops make."""
-    seen = set()
+    calls, seen = list(calls), set()
+    count = Counter((call.span.start, call.span.end) for call in calls)
     for call in calls:
+        if count[call.span.start, call.span.end] == 1:
+            yield call
+            continue
         key = (call.span, call.callee, tuple((a.name, shown(a.value)) for a in call.arguments), call.is_certain)
         if key not in seen:
             seen.add(key)
