@@ -66,6 +66,14 @@ def test_headers_alone_and_what_others_bring(name: str, library: str, depends: s
     assert told(NODE.replace("yaml-cpp", name) + f"target_link_libraries(node {library})\n" + INSTALL, depends) == []
 
 
+def test_a_plain_name_and_what_may_come_with_others() -> None:
+    lines = "add_executable(node src/node.cpp)\ntarget_link_libraries(node cap)\n" + INSTALL
+    assert told(lines, "  <build_depend>libcap-dev</build_depend>\n") == [("info", "declare it as <exec_depend>")]
+    assert told(NODE + LINK + INSTALL, BUILD + "  <depend>nobodys_package</depend>\n") == [
+        ("info", "declare it as <exec_depend>")
+    ]
+
+
 def test_what_is_imported_is_told_by_one_rule() -> None:
     """DEP202 would say that nothing which is built uses it."""
     files = {

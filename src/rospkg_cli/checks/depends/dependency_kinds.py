@@ -101,7 +101,8 @@ class DependencyKinds:
         brought = self.declared.brought_with(RUNS)
         for each in loaded_libraries(self.includes):
             found = self.declared.bringer_among(each.names, brought)
-            if found is None and not is_served_at_run_time(each.names, there):
+            is_brought = found is not None and found.is_certain
+            if not is_brought and not is_served_at_run_time(each.names, there):
                 yield KindUse(each.names, "link", each.path, each.span, each.target)
 
     def build_uses(self) -> Iterator[KindUse]:

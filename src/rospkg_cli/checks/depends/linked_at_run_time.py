@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.target_links import TargetLink, TargetLinks
-from ...ros.libraries import stem
+from ...ros.libraries import keys_of_linked, stem
 from ...source import Span
 from .undeclared_includes import IncludeDependencies
 
@@ -42,7 +42,8 @@ def loaded_libraries(includes: IncludeDependencies) -> Iterator[LoadedLibrary]:
         if not is_loaded or link.target not in links.installed or link.call.maybe or link.call.testing:
             continue
         name = package_name(includes, link)
-        names = includes.find_packages.providers(name) if name and includes.cmake.target(name) is None else ()
+        is_own = not name or includes.cmake.target(name) is not None
+        names = () if is_own else includes.find_packages.providers(name) or keys_of_linked(name.removeprefix("-l"))
         is_library = names and not names[0].startswith(NOT_LOADED) and not names[0].endswith(("_cmake", "_vendor"))
         if is_library and HEADERS_ALONE.isdisjoint(names):
             yield LoadedLibrary(names, link.target, link.word.path, link.word.span)
