@@ -250,3 +250,21 @@ def test_arguments_of_an_older_launch_ros(clean) -> None:
     assert found("node_executable='a'", "node_executable='b'") == [(same, "write `executable`", 1)]
     both = stops.format("`node_executable` and `node_name` of nodes", "`executable` and `name`")
     assert found("node_executable='a', node_name='b'") == [(both, "write `executable` and `name`", 1)]
+
+
+def test_what_ros1_left_in_a_ported_launch_file() -> None:
+    node = '<node pkg="joy" exec="joy_node" ns="a"><rosparam param="b">1</rosparam></node>'
+    files = {
+        **cmake(f"install(DIRECTORY launch DESTINATION {ALL})\n"),
+        "launch/a.launch": f"<launch>{node * 3}</launch>\n",
+    }
+    assert told(files, "LCH006", "LCH007") == [("LCH006", 2), ("LCH007", 2)]
+    finds = '<launch><node pkg="joy" exec="joy_node" cwd="$(find a)" args="$(find b)"/></launch>\n'
+    assert told({**files, "launch/a.launch": finds}, "LCH006", "LCH007") == [("LCH006", 1)]
+
+
+@pytest.mark.parametrize("folder, expected", [("launch", ["LCH006"]), ("launch/ros1", [])])
+def test_a_folder_for_ros1(folder: str, expected: list[str]) -> None:
+    files = cmake(f"install(DIRECTORY launch DESTINATION {ALL})\n")
+    for text in ('<launch><param name="a" value="1"/></launch>\n', '<launch><node pkg="a" type="b"/></launch>\n'):
+        assert codes({**files, f"{folder}/a.launch": text}, "LCH006") == expected

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Literal
 
 from ..light_dataclasses import dataclass, replace
@@ -50,4 +50,13 @@ def joined(faults: Sequence[Fault], message: str, title: str) -> Fault:
     edits = tuple(edit for repair in repairs for edit in repair.edits)
     certain = all(repair.is_certain for repair in repairs)
     repair = TextRepair(title, edits, certain) if len(repairs) == len(faults) else None
-    return Fault(first.span, message, first.level, repair, tuple((each.span, "and here") for each in others))
+    related = (*first.related, *((each.span, "here too") for each in others))
+    return Fault(first.span, message, first.level, repair, related)
+
+
+def once_each(faults: Iterable[Fault]) -> list[Fault]:
+    """Return the faults of each kind as one: the same sentence, with the other places next to it."""
+    found: dict[tuple[str, Level | None], list[Fault]] = {}
+    for fault in faults:
+        found.setdefault((fault.message, fault.level), []).append(fault)
+    return [joined(same, same[0].message, same[0].repair.title if same[0].repair else "") for same in found.values()]

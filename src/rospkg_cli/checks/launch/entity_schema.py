@@ -8,7 +8,7 @@ from ...lazy_regex import regex
 from ...package.launch.entity import Entity
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import Substitution
-from ...ros.launch_entities import ACTIONS, INCLUDE_ARGUMENT, PARTS, ROS1_ONLY, SUBSTITUTIONS, EntityKind
+from ...ros.launch_entities import ACTIONS, INCLUDE_ARGUMENT, PARTS, ROS1_ENTITIES, ROS1_ONLY, SUBSTITUTIONS, EntityKind
 from ...suggest import did_you_mean, nearest
 from ..fault import Fault
 from ..read_sentences import syntax_sentence
@@ -54,7 +54,7 @@ def action_faults(entity: Entity) -> Iterator[Fault]:
             yield from part_faults(child, entity.name)
         elif kind.actions:
             yield from action_faults(child)
-        elif not kind.open:
+        elif not kind.open and not (entity.name == "node" and child.name in ROS1_ENTITIES):  # LCH006 tells of those
             hint = did_you_mean(child.name, kind.inside)
             message = f"`{child.name}` is not allowed inside `{entity.name}`{hint}: launch refuses the whole file"
             yield Fault(child.name_span, message)

@@ -15,6 +15,7 @@ from ...package.file_role import role_of
 from ...package.install_table import InstallTable
 from ...package.launch.file_references import FileReference, ReferenceKind
 from ...package.launch.launch_file import LaunchFile
+from ...package.launch.ros1 import is_named_ros1
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...source import Span
@@ -82,13 +83,13 @@ class LaunchContext:
 
     @property
     def is_ros1_leftover(self) -> bool:
-        """Whether the file is one for ROS 1 that a package for ROS 2 alone installs."""
+        """Whether the file is one for ROS 1 that a package for ROS 2 alone installs, by chance."""
         try:
             manifest = self.files.source("package.xml").text
         except UnreadableError:
             return False
         alone = self.package.build_type.startswith("ament") and "catkin" not in manifest
-        return self.file.is_ros1 and bool(self.places) and alone
+        return self.file.is_ros1 and not is_named_ros1(self.file.path) and bool(self.places) and alone
 
     @cached_property
     def unread_defaults(self) -> tuple[Span, ...]:

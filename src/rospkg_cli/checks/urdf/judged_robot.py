@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
-from ...light_dataclasses import dataclass, replace
+from ...light_dataclasses import dataclass
 from ...package.urdf.robot_file import RobotFile
-from ..fault import Fault, Level
+from ..fault import Fault, once_each
 from .expanded_robots import ExpandedRobots
 from .macro_prefix import prefix_faults
 from .validation import robot_faults
@@ -28,14 +26,3 @@ class JudgedRobot:
         later = prefix_faults(self.robot.document.root) if self.robot.is_xacro else ()
         others = [fault for fault in later if fault.span not in told]
         return once_each(sorted([*written, *made, *others], key=lambda fault: fault.span))
-
-
-def once_each(faults: Iterable[Fault]) -> list[Fault]:
-    """Return the faults of each kind as one: the same sentence, with the other places next to it."""
-    found: dict[tuple[str, Level | None], Fault] = {}
-    for fault in faults:
-        key = (fault.message, fault.level)
-        first = found.get(key)
-        also = (*first.related, (fault.span, "here too")) if first else ()
-        found[key] = replace(first, related=also) if first else fault
-    return list(found.values())

@@ -24,7 +24,7 @@ from .launch_file import (
     NodeKind,
     NodeParameters,
 )
-from .ros1 import is_ros1
+from .ros1 import is_named_ros1, is_ros1
 from .substitution import SubstitutionError, parse_text
 from .text import LaunchText, Literal, plain_text, unknown_text
 
@@ -174,7 +174,7 @@ def launch_file(source: Source, frontend: Frontend, root: Entity, problems: list
         tuple(visitor.assigned),
         paths=tuple(dict.fromkeys(visitor.paths(posixpath.dirname(source.path)))),
         events=xml_events(root),
-        is_ros1=is_ros1(root),
+        is_ros1=is_named_ros1(source.path) or is_ros1(root),
         root=root,
         syntax_problems=tuple(visitor.problems),
     )

@@ -20,3 +20,8 @@ def is_ros1(root: Entity) -> bool:
         return False
     old = any(entity.name == "node" and "type" in entity.attributes for entity in every)
     return old or "$(find " in values or "$(arg " in values
+
+
+def is_named_ros1(path: str) -> bool:
+    """Return whether a file lies in a folder that is called `ros1`, beside what is for ROS 2."""
+    return "ros1" in path.split("/")[:-1]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.fault import once_each
 from ...checks.launch.missing_references import LaunchContext
 from ...checks.launch.ros1_syntax import first_sign, ros1_syntax
 from ...edits.fault_hits import hits
@@ -74,7 +75,7 @@ def ros1_launch_syntax(scope: LaunchContext) -> Iterator[Hit]:
     file = scope.file
     if scope.package.is_for_ros1:
         return
-    yield from hits(file.path, ros1_syntax(file))
+    yield from hits(file.path, once_each(ros1_syntax(file)))
     if scope.is_ros1_leftover:
         message = (
             "this launch file is written for ROS 1 (`type=`, `$(find …)`, `$(arg …)`) and is installed: `ros2 launch` "
