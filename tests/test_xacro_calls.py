@@ -61,7 +61,7 @@ def test_a_joint_with_one_part_of_urdf_is_one_of_urdf(missing: str) -> None:
         ({"a": MACRO.format("xacro:wheel", BAD), "b": "<xacro:wheel/>"}, "error", ""),
         ({"a": MACRO.format("wheel", BAD), "b": "<xacro:wheel/>"}, "error", ""),
         ({"a": MACRO.format("wheel", BAD), "b": "<xacro:parts.wheel p='1'/>"}, "error", ""),
-        ({"a": MACRO.format("wheel", BAD), "b": "<xacro:wheels/>"}, "info", "the macro `wheel`"),
+        ({"a": MACRO.format("wheel", BAD), "b": "<xacro:wheel_left/>"}, "info", "the macro `wheel`"),
         ({"a": f'<xacro:if value="$(arg x)">{BAD}</xacro:if>'}, "warning", ", where the condition around it holds"),
         ({"a": f'<xacro:unless value="$(arg x)">{BAD}</xacro:unless>'}, "warning", "around it holds"),
         ({"a": '<xacro:if value="${x"><link name="a"/></xacro:if>'}, "error", "xacro stops here"),
