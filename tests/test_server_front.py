@@ -131,6 +131,7 @@ def test_the_first_deadline_is_that_of_the_first_request() -> None:
         ({"answerWithin": 3}, 3),
         ({"answerWithin": 0}, LIMIT),
         ({"answerWithin": "1"}, LIMIT),
+        ({"answerWithin": float("inf")}, 3600),
     ],
 )
 def test_an_editor_may_say_how_long_it_waits(options: object, limit: float) -> None:

@@ -9,6 +9,9 @@ from typing import Any
 LIMIT = 0.12
 """Seconds for an answer: those of the messages to and fro come on top."""
 
+MOST = 3600.0
+"""Seconds that nobody waits longer than."""
+
 OPTION = "answerWithin"
 """What an editor may say among its `initializationOptions`: other seconds."""
 
@@ -39,7 +42,7 @@ REFUSED = frozenset(
 def limit_in(options: object) -> float:
     """Return the seconds that an editor gives for an answer in its `initializationOptions`."""
     given = options.get(OPTION) if isinstance(options, dict) else getattr(options, OPTION, None)
-    return float(given) if isinstance(given, (int, float)) and given > 0 else LIMIT
+    return min(float(given), MOST) if isinstance(given, (int, float)) and given > 0 else LIMIT
 
 
 def refusal(asked: Mapping[str, Any]) -> bytes:
