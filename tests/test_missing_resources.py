@@ -26,6 +26,7 @@ def lint(
         files[f"{name}/CMakeLists.txt"] = CMAKE.replace("my_pkg", name).replace("ament_package", INSTALL)
         files[f"{name}/meshes/arm.stl"] = "solid\n"
     files["robot/urdf/robot.xacro"] = f"{HEAD}{text}</robot>\n"
+    files["robot/README.md"] = "xacro urdf/robot.xacro\n"
     for name, content in more.items():
         files["robot/" + name.replace("__", "/").replace("_DOT_", ".")] = content or ""
     return lint_files(files, list(codes)).findings

@@ -91,7 +91,7 @@ def test_a_camera_goes_on_without_its_calibration(name: str, level: str) -> None
 @pytest.mark.parametrize(("tag", "level"), [("gazebo", "warning"), ("plugin", "warning"), ("link", "error")])
 def test_what_gazebo_alone_reads(tag: str, level: str) -> None:
     files = {**NATIVE, "CMakeLists.txt": URDF, "urdf/r.urdf.xacro": ROBOT.format(MESH.format(tag))}
-    files |= {"launch/a.launch.xml": "<launch>\n  <!-- r.urdf.xacro -->\n</launch>\n"}
+    files |= {"launch/a.launch.xml": "<launch>\n  <arg name='m' default='r.urdf.xacro'/>\n</launch>\n"}
     assert levels("URD002", files) == [level]
 
 

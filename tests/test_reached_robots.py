@@ -14,7 +14,7 @@ TOP = HEAD.format(' name="r"')
 ARG = '<xacro:arg name="sim" default="{}"/>'
 INCLUDE = '<xacro:include filename="$(find my_pkg)/urdf/part.xacro"/>'
 MESH = '<mesh filename="package://my_pkg/urdf/wheel.stl"/>'
-LAUNCH = "<launch>\n  <!-- robot.xacro -->\n</launch>\n"
+LAUNCH = "<launch>\n  <arg name='m' default='robot.xacro'/>\n</launch>\n"
 WHERE = ", where the condition around its include holds; add it"
 GIVEN = '<xacro:arg name="mesh" default="$(find my_pkg)/urdf/wheel.stl"/>'
 UNREAD = ", as soon as something reads `$(arg mesh)`; add it"
@@ -83,7 +83,7 @@ def test_a_part_of_a_part_that_is_off_is_off() -> None:
 
 
 def test_a_part_that_no_robot_includes_is_as_bad_as_before() -> None:
-    assert lint('<link name="a"/>', other="<!-- part.xacro -->").severity.value == "error"
+    assert lint('<link name="a"/>', other="<arg name='m' default='part.xacro'/>").severity.value == "error"
 
 
 @pytest.mark.parametrize(

@@ -60,4 +60,18 @@ DESCRIPTIONS = tuple(
     Example(bad={"CMakeLists.txt": EXPORTED, "p.xml": DESCRIBED.format(*each)}, good={}, on="ament_cmake")
     for each in (("<int>", "one"), ("", "a < b"))
 )
-CASES = {"URD002": USES, "RPK001": (*BROKEN, TAB, *DESCRIPTIONS)}
+REFUSED = f'<robot {XACRO} name="r">\n  <link name="a"/>\n  <link name="a"/>\n</robot>\n'
+JUDGED = (
+    robot(REFUSED),
+    robot(REFUSED, launch__show_DOT_py=LAUNCH),
+    robot(REFUSED, launch__show_DOT_py="MODEL = 'leg.urdf'\n"),
+    robot(REFUSED, launch__show_DOT_py="MODEL = 'leg.urdf'  # no longer 'arm'\n"),
+    robot(REFUSED, launch__show_DOT_py="print('an arm')\n"),
+    robot(REFUSED, launch__show_DOT_py="MODEL = 'leg.urdf'\n", README_DOT_md="See `arm`, an arm.\n"),
+    robot(REFUSED, launch__show_DOT_py="MODEL = 'leg.urdf'\n", README_DOT_md="xacro urdf/arm.urdf.xacro\n"),
+    robot(REFUSED, launch__show_DOT_launch_DOT_yaml="launch:\n- arg: {name: model, default: arm}\n"),
+    robot(REFUSED, launch__show_DOT_launch_DOT_yaml="launch:\n- arg: {name: model, default: arm-1}\n"),
+)
+
+
+CASES = {"URD001": JUDGED, "URD002": USES, "RPK001": (*BROKEN, TAB, *DESCRIPTIONS)}

@@ -29,6 +29,7 @@ CASES = {
         nodes({"my_pkg/listener.py": NODE.partition("\n\n\nif")[0] + "\n", "my_pkg/third.py": NODE}),
         nodes({"my_pkg/listener.py": NODE.replace("    main()", "    other()"), "my_pkg/third.py": NODE}),
         nodes({"setup.py": setup_py(scripts())}),
+        *(nodes({"my_pkg/listener.py": None, f"my_pkg/{each}.py": NODE}) for each in ("talker_new", "talkers")),
         nodes({"setup.py": setup_py()}),
         nodes({"setup.py": setup_py(scripts("other-tool = my_pkg.talker:main"))}),
         nodes({"setup.py": setup_py(scripts("talker = my_pkg.talker"))}),

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.urdf.robot_file import RobotFile
 from ..fault import Fault, once_each
 from .expanded_robots import ExpandedRobots
 from .macro_prefix import prefix_faults
+from .opened_robots import OpenedRobots
 from .validation import robot_faults
 from .xacro_calls import XacroCalls
 
@@ -16,6 +17,7 @@ class JudgedRobot:
     robot: RobotFile
     calls: XacroCalls
     expanded: ExpandedRobots
+    opened: OpenedRobots
 
     def faults(self) -> list[Fault]:
         """Return what is wrong with the file as it is written, then with what xacro makes of it, each place once."""
@@ -25,4 +27,7 @@ class JudgedRobot:
         told.update(fault.span for fault in made)
         later = prefix_faults(self.robot.document.root) if self.robot.is_xacro else ()
         others = [fault for fault in later if fault.span not in told]
-        return once_each(sorted([*written, *made, *others], key=lambda fault: fault.span))
+        found = once_each(sorted([*written, *made, *others], key=lambda fault: fault.span))
+        if all(fault.level for fault in found) or not self.opened.is_passed_over(self.robot.path):
+            return found
+        return [replace(fault, level=fault.level or "warning") for fault in found]

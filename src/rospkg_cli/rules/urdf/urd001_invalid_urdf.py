@@ -57,7 +57,8 @@ def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> 
     over=JudgedRobot,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a part of a link is lost, a condition or unused macro is around it, or it may be elsewhere",
+        Severity.WARNING: "a part of a link is lost, a condition or unused macro is around it, it may be elsewhere, or "
+        "nothing opens the robot",
         Severity.INFO: "nothing reads the property that can't be evaluated, Gazebo leaves out what is unknown, or a "
         "prefix may be given",
     },
@@ -92,7 +93,8 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     transmission or an SRDF. A macro is expanded only where it is called, a property evaluated only where `${…}` reads
     it, what is in `<xacro:if>` only for some: there the level is lower. Where a file may be a part of a robot, or
     something that it includes is not here, names that it lacks are reported only where a near one is there, or one with
-    a prefix (`${prefix}hand` for `hand`) that is no joint's child.
+    a prefix (`${prefix}hand` for `hand`) that is no joint's child. Of a robot that no launch file, code or page of a
+    package names that opens others, a fault is a warning, where no other package needs this one.
 
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py
