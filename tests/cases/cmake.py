@@ -225,6 +225,10 @@ CASES = {
               src__part_DOT_cpp="RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::Part)\n"),
     ),
     "CMK201": (
+        *(cmake("add_executable(talker src/a.cpp)\n", "  <depend>fleet_robot_msgs</depend>\n",
+                src__a_DOT_cpp=f"#include <fleet_robot_msgs/msg/b.hpp>\n{more}#include <{name}/msg/a.hpp>\n{MAIN}")
+          for name, more in (("fleet_roobt_msgs", "#include <fleet_robot_msgs/msg/c.hpp>\n"), ("fleet_roobt_msgs", ""),
+                             ("other_robot_msgs", "#include <fleet_robot_msgs/msg/c.hpp>\n"))),
         cmake("find_package(rclcpp REQUIRED)\nadd_executable(talker src/a.cpp)\n", NEEDS_RCLCPP,
               include__my_pkg__a_DOT_hpp="#pragma once\n",
               src__a_DOT_cpp=f"#include <ros/ros.h>\n#include <my_pkg/Words.h>\n{MAIN}"),
