@@ -63,7 +63,8 @@ def executables_in(package: SourcePackage, spot: Spot) -> list[str]:
     """Return the executables whose whole names an install rule holds."""
     names = package.words(CMAKE, r"add_executable\(\s*([\w${}]+)")
     whole = (name for name in sorted(names) if re.search(rf"(?<![\w}}]){re.escape(name)}(?![\w$])", spot.match[0]))
-    return [name.replace("${PROJECT_NAME}", package.name) for name in whole]
+    named = (name.replace("${PROJECT_NAME}", package.name) for name in whole)
+    return [name for name in named if "$" not in name]
 
 
 def is_for_libraries(spot: Spot) -> bool:
