@@ -187,6 +187,19 @@ CASES = {
         )
     ),
     "CMK113": (
+        *(
+            Example(
+                bad={
+                    **{path: text.replace("std_msgs", "arm") for path, text in cmk113.FILES.items()},
+                    "CMakeLists.txt": cmk113.cmake(
+                        cmk113.LINES.replace("«", "").replace("»", "").replace("std_msgs", "arm")
+                        .replace("dependencies(rclcpp", f"dependencies(rclcpp {name}")
+                    ),
+                },
+                good={}, on="ament_cmake",
+            )
+            for name in ("arm_planning", "armature", "nav_msgs")
+        ),
         cmake(MORE, NEEDS, {"src/core.cpp": "", "include/my_pkg/core.hpp": NAV}),
         cmake(cmk113.LINES.replace("ament_export_dependencies(rclcpp)\n", ""), NEEDS,
               {"src/core.cpp": "PLUGINLIB_EXPORT_CLASS(my_pkg::A, base::A)\n", "include/my_pkg/core.hpp": NAV}),

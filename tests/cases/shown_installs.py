@@ -82,6 +82,23 @@ CASES = {
                 "install(PROGRAMS scripts/talker.py scripts/listener.py DESTINATION lib/${PROJECT_NAME})\n", NODES),
     ),
     "CMK103": (
+        *(
+            Example(
+                bad={
+                    "CMakeLists.txt": CMAKE.replace(
+                        "project(my_pkg)", f"extract_package_metadata(pkg)\nproject({name})\n{lines}"
+                    ),
+                    "src/a.cpp": MAIN,
+                },
+                good={},
+                on="ament_cmake",
+            )
+            for name in ("${pkg_extracted_name}", "my_pkg")
+            for lines in (
+                "add_executable(${PROJECT_NAME}_node src/a.cpp)",
+                f"add_executable(${{PROJECT_NAME}}_node src/a.cpp)\ninstall(TARGETS ${{PROJECT_NAME}}_node {HOME})",
+            )
+        ),
         Example(
             bad={
                 "CMakeLists.txt": CMAKE.replace("ament_package", "add_executable(my_pkg src/a.cpp)\nament_package"),

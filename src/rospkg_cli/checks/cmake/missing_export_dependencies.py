@@ -61,7 +61,7 @@ class ExportedDependencies:
         for link in TargetLinks(cmake).all:
             package = self.package_of(link)
             passed = link.is_public and link.target in self.libraries and not link.call.maybe and not link.word.maybe
-            if passed and package in self.needed and package not in self.there[0] | seen:
+            if passed and package in self.needed and package not in self.there[0] | seen | self.of_families:
                 seen.add(package)
                 loads = plugins or link.target in components or self.registers_classes(link.target)
                 loaded = loads and not self.is_built_against
@@ -146,6 +146,14 @@ class ExportedDependencies:
                 listed = any(name in table for table in tables)
                 known &= listed or name not in self.exported or not self.workspace.index.is_package(name)
         return frozenset(found), known
+
+    @cached_property
+    def of_families(self) -> frozenset[str]:
+        """The packages of whose family one is there that nobody knows: `arm_planning` finds `arm`, most likely."""
+        tables = [rows(f"{name}.txt") for name in TABLES]
+        unknown = [each for each in self.there[0] if self.workspace.named(each) is None]
+        unknown = [each for each in unknown if not any(each in table for table in tables)]
+        return frozenset(name for name in self.needed if any(each.startswith(f"{name}_") for each in unknown))
 
     @cached_property
     def needed(self) -> frozenset[str]:

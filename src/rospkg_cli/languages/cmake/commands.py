@@ -35,7 +35,8 @@ FIRST_IS_OUTPUT = ("find_program", "find_library", "find_path", "find_file", "ge
 
 
 def run_project(interpreter: Interpreter, call: EvaluatedCommand) -> None:
-    for name in call.texts[:1]:
+    for given in call.texts[:1]:
+        name = interpreter.own_name if UNKNOWN in given and interpreter.own_name else given
         top = interpreter.frame.folder == ""
         here = posixpath.join(SOURCE, interpreter.frame.folder).rstrip("/")
         there = posixpath.join(BINARY, interpreter.frame.folder).rstrip("/")

@@ -28,6 +28,8 @@ class Interpreter(InterpreterState):
     invoke: Callable[[Interpreter, FunctionDefinition, EvaluatedCommand], None]
     run_unknown_command: Callable[[Interpreter, EvaluatedCommand], None]
     """The effect of a command that is not CMake's."""
+    own_name: str = ""
+    """What project() is taken to be given where that can't be evaluated."""
 
     def run(self) -> None:
         """Run CMakeLists.txt; never raises for what it holds."""

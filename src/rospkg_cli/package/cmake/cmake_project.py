@@ -35,6 +35,8 @@ class CMake:
     """Why the evaluation stopped early: then nothing may be concluded from what is missing."""
     reads_unknown_files: bool = False
     """Whether it includes files that can't be read: they may add any target."""
+    own_name: str = ""
+    """The package's name, which a macro may read out of package.xml for project()."""
 
     @property
     def is_complete(self) -> bool:
@@ -120,7 +122,9 @@ class CMake:
 
     @property
     def project_name(self) -> str:
-        return self.project.text if self.project is not None and self.project.is_known else ""
+        if self.project is None:
+            return ""
+        return self.project.text if self.project.is_known else self.own_name
 
     @property
     def ends_a_package(self) -> bool:

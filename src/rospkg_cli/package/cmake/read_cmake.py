@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...files import ReaderInput
 from ...languages.cmake.file import CMakeFile
 from ...unreadable import Unreadable
+from ..manifest import Manifest
 from .build import is_built_with_cmake
 from .cmake_project import CMake
 
@@ -29,7 +30,12 @@ def read_cmake(reading: ReaderInput) -> Iterator[CMake | Unreadable]:
     from ...languages.cmake.interpreter import Interpreter
 
     interpreter = Interpreter(
-        reading.files, commands=COMMANDS, blocks=BLOCKS, invoke=call_function, run_unknown_command=run_unknown_command
+        reading.files,
+        commands=COMMANDS,
+        blocks=BLOCKS,
+        invoke=call_function,
+        run_unknown_command=run_unknown_command,
+        own_name=own_name(reading),
     )
     interpreter.run()
     if interpreter.broken:
@@ -42,4 +48,11 @@ def read_cmake(reading: ReaderInput) -> Iterator[CMake | Unreadable]:
             tuple(interpreter.unreachable),
             interpreter.stopped,
             interpreter.reads_unknown_files,
+            own_name(reading),
         )
+
+
+def own_name(reading: ReaderInput) -> str:
+    """Return the package's name, which a macro may read out of package.xml for project(): it has to be the same."""
+    manifest = reading.parts(Manifest).only
+    return manifest.name if manifest is not None else ""

@@ -72,10 +72,10 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     `#include` where no target is exported, unless it happens to find the package itself.
 
     ## When it is quiet
-    Where CMake or an export can't be evaluated, where it is not known what comes with a package that is exported, for
-    `${std_msgs_LIBRARIES}` (paths, not targets), in `ament_auto_package()`, for a plugin that exports only targets, and
-    for packages of the system that are declared under another name. All packages that one library lacks are one
-    finding.
+    Where CMake or an export can't be evaluated, where it is not known what comes with a package that is exported (for
+    `arm` that may be an unknown `arm_planning`), for `${std_msgs_LIBRARIES}` (paths, not targets), in
+    `ament_auto_package()`, for a plugin that exports only targets, and for packages of the system that are declared
+    under another name. All packages that one library lacks are one finding.
 
     ## Fix safety
     The packages are added. Where the library needs one only inside, linking it as PRIVATE is better.
