@@ -38,7 +38,7 @@ class FieldsInCpp:
     def wrong(self) -> Iterator[WrongField]:
         for source, role in compiled_sources(self.cmake, self.sources):
             text = source.source.text
-            if role != "aside" and any(self.may_lack(each) for each in named_members(text)):
+            if role != "aside" and any(self.may_lack(each) for each in named_members(source.source)):
                 yield from self.in_text(source, code_text(text))  # which takes longer
 
     def may_lack(self, members: tuple[str, tuple[str, ...]]) -> bool:

@@ -11,6 +11,7 @@ from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
+from ...package.interfaces.generated_types import generated_types
 from ...ros.link_targets import MESSAGES
 from ...source import Span
 from ...suggest import near_names
@@ -19,7 +20,6 @@ from ..interfaces.known_interfaces import KnownInterfaces, base_name
 
 HEADER = regex(r"([a-z]\w*)/(msg|srv|action)/(\w+)\.(?:hpp|h)")
 TYPE = regex(r"(?<!\w)(?<!\w::)([a-z]\w*)::(msg|srv|action)::([A-Z]\w*)")
-TYPE_END = regex(r"::(msg|srv|action)::([A-Z]\w*)")
 # Linear: each looks at two or three letters; these are the two steps of rosidl's own conversion.
 WORD_START, WORD_END = regex(r"(.)([A-Z][a-z]+)"), regex(r"([a-z0-9])([A-Z])")
 NAME = regex(r"[/:]")
@@ -98,7 +98,8 @@ class InterfacesInCpp:
         return [header] if is_generated else []
 
     def types(self, source: CppFile) -> Iterator[WrongInterface]:
-        if not any(self.may_lack(*each) for each in types_named(source.source.text)):
+        named = {(each.package, each.kind, each.name) for each in generated_types(source.source)}
+        if not any(self.may_lack(*each) for each in named):
             return  # before the comments are found, which takes longer
         for found in TYPE.finditer(code_text(source.source.text)):
             package, kind, name = found.groups()
@@ -138,17 +139,6 @@ class InterfacesInCpp:
     @cached_property
     def compiled(self) -> set[str] | None:
         return own_compiled(self.cmake, self.sources)
-
-
-def types_named(text: str) -> set[tuple[str, str, str]]:
-    """Return the package, the kind and the name of all that looks like a generated type, also in comments."""
-    found = set()
-    for match in TYPE_END.finditer(text):
-        start = end = match.start()
-        while start and (text[start - 1].isalnum() or text[start - 1] == "_"):
-            start -= 1
-        found.add((text[start:end], match[1], match[2]))
-    return found
 
 
 @lru_cache(maxsize=4096)

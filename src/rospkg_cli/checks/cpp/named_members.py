@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...lazy_regex import regex
+from ...package.interfaces.generated_types import generated_types
+from ...source import Source
 
-KINDS_WITHIN = ("::msg::", "::srv::", "::action::")
 BEHIND = regex(
     r"::(msg|srv|action)::([A-Z]\w*)(?:::(Request|Response|Goal|Result|Feedback))?(?:::\w+Ptr)?"
     r"(?:\s+const)?(?:\s*>)?(?:\s+const)?[\s&]*([A-Za-z_]\w*)?"
@@ -17,10 +18,11 @@ MOST_BEFORE = 120
 CHAIN = regex(r"[A-Za-z_][\w.]*")
 
 
-def named_members(text: str) -> Iterator[tuple[str, tuple[str, ...]]]:
+def named_members(source: Source) -> Iterator[tuple[str, tuple[str, ...]]]:
     """Yield messages with the members that a text may name of them: a quick look that finds more than there is."""
+    text = source.text
     found: dict[str, set[str]] = {}
-    for name, message in named_variables(text):
+    for name, message in named_variables(source):
         found.setdefault(name, set()).add(message)
     for name, message in ((name, *messages) for name, messages in found.items() if len(messages) == 1):
         for access in (".", "->"):
@@ -34,18 +36,13 @@ def named_members(text: str) -> Iterator[tuple[str, tuple[str, ...]]]:
                 at = text.find(start, at + 1)
 
 
-def named_variables(text: str) -> Iterator[tuple[str, str]]:
+def named_variables(source: Source) -> Iterator[tuple[str, str]]:
     """Yield what may be the name of a variable, with the message that stands beside it."""
-    for within in KINDS_WITHIN:
-        at = text.find(within)
-        while at >= 0:
-            start = at
-            while start and (text[start - 1].isalnum() or text[start - 1] == "_"):
-                start -= 1
-            found = BEHIND.match(text, at)
-            if found is not None and start < at:
-                kind, base, part, name = found.groups()
-                message = f"{text[start:at]}/{kind}/{base}{f'_{part}' if part else ''}"
-                made = BEFORE.search(text[max(0, start - MOST_BEFORE) : start])
-                yield from ((each, message) for each in (name, made[1] if made else None) if each)
-            at = text.find(within, at + 1)
+    text = source.text
+    for each in generated_types(source):
+        found = BEHIND.match(text, each.behind_package)
+        if found is not None and each.package:
+            kind, base, part, name = found.groups()
+            message = f"{each.package}/{kind}/{base}{f'_{part}' if part else ''}"
+            made = BEFORE.search(text[max(0, each.start - MOST_BEFORE) : each.start])
+            yield from ((variable, message) for variable in (name, made[1] if made else None) if variable)

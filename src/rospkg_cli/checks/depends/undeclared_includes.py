@@ -16,6 +16,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role
 from ...package.install_table import InstallTable
+from ...package.interfaces.generated_types import generated_types
 from ...package.interfaces.interface_file import InterfaceFile
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.implied_dependencies import IN_SOURCES, implied_by
@@ -27,7 +28,6 @@ from .compiled_sources import compiled_on_demand, compiled_sources, only_under_c
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_find_package import FindPackageDependencies
 
-TYPE = regex(r"::(?:msg|srv|action)::[A-Z]\w*")
 """The end of a type that rosidl generates, behind the name of its package; it begins with what `re` skips ahead to."""
 PACKAGE, QUALIFIER = regex(r"[a-z][a-z0-9_]*"), regex(r"[\w:]")
 
@@ -207,7 +207,7 @@ class IncludeDependencies:
         if not self.declared.is_checked:
             return
         for source, role in sorted(compiled_sources(self.cmake, self.sources), key=lambda each: each[1] == "test"):
-            for package, span in named_types(source.source.text) if role != "aside" else ():
+            for package, span in named_types(source.source) if role != "aside" else ():
                 if package in found or package in OF_CLIENT_LIBRARIES:
                     continue
                 known = self.declared.workspace.kind_of(package) is NameKind.PACKAGE
@@ -234,16 +234,13 @@ def always_included(source: CppFile) -> frozenset[str]:
     return common_includes(source.source.text, {each.span.start for each in source.includes})
 
 
-def named_types(text: str) -> Iterator[tuple[str, Span]]:
+def named_types(source: Source) -> Iterator[tuple[str, Span]]:
     """Yield the generated types that a C++ text names, each with its package, also in comments and strings."""
-    for match in TYPE.finditer(text):
-        start = end = match.start()
-        while start and (text[start - 1].isalnum() or text[start - 1] == "_"):
-            start -= 1
-        package, before = text[start:end], text[max(0, start - 3) : start]
+    for each in generated_types(source):
+        before = source.text[max(0, each.start - 3) : each.start]
         is_whole = before[-1:] != ":" or (before[-2:] == "::" and not QUALIFIER.match(before[:-2]))
-        if is_whole and PACKAGE.fullmatch(package):
-            yield package, Span(start, match.end())
+        if is_whole and PACKAGE.fullmatch(each.package):
+            yield each.package, Span(each.start, each.end)
 
 
 def is_code(source: Source, offset: int) -> bool:

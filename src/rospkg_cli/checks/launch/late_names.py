@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import children_of, nodes_of
@@ -33,13 +33,21 @@ def late_names(file: PythonFile) -> Iterator[LateName]:
         if isinstance(function, ast.FunctionDef):
             assigned = straight_assignments(function)
             seen: set[str] = set()
-            last = max((at for at, _ in assigned.values()), default=0)
+            may_be = any(may_be_late(node, assigned) for node in nodes_of(function)) if assigned else False
+            last = max(at for at, _ in assigned.values()) if may_be else 0
             for at, statement in enumerate(function.body[:last]):
                 for node in own_nodes(statement) if isinstance(statement, SIMPLE) else ():
                     where = assigned.get(node.id, (0, 0)) if isinstance(node, ast.Name) else (0, 0)
                     if isinstance(node, ast.Name) and where[0] > at and node.id not in seen:
                         seen.add(node.id)
                         yield LateName(node.id, file.span(node), where[1], function.name)
+
+
+def may_be_late(node: ast.AST, assigned: Mapping[str, tuple[int, int]]) -> bool:
+    """Return whether a node uses a name above its assignment, or in the same line."""
+    if not isinstance(node, ast.Name) or not isinstance(node.ctx, ast.Load) or node.id not in assigned:
+        return False
+    return node.lineno <= assigned[node.id][1]
 
 
 def straight_assignments(function: ast.FunctionDef) -> dict[str, tuple[int, int]]:
