@@ -71,6 +71,8 @@ JUDGED = (
     robot(REFUSED, launch__show_DOT_py="MODEL = 'leg.urdf'\n", README_DOT_md="xacro urdf/arm.urdf.xacro\n"),
     robot(REFUSED, launch__show_DOT_launch_DOT_yaml="launch:\n- arg: {name: model, default: arm}\n"),
     robot(REFUSED, launch__show_DOT_launch_DOT_yaml="launch:\n- arg: {name: model, default: arm-1}\n"),
+    robot(REFUSED, "resource/arm.urdf"),
+    robot(REFUSED, "resource/arm.urdf", launch__show_DOT_py=LAUNCH),
 )
 
 

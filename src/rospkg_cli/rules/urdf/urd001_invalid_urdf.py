@@ -93,8 +93,8 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     transmission or an SRDF. A macro is expanded only where it is called, a property evaluated only where `${…}` reads
     it, what is in `<xacro:if>` only for some: there the level is lower. Where a file may be a part of a robot, or
     something that it includes is not here, names that it lacks are reported only where a near one is there, or one with
-    a prefix (`${prefix}hand` for `hand`) that is no joint's child. Of a robot that no launch file, code or page of a
-    package names that opens others, a fault is a warning, where no other package needs this one.
+    a prefix (`${prefix}hand` for `hand`) that is no joint's child. Of a robot that no launch file, code or page of its
+    package names, a fault is a warning, if the package opens others, or does not install it, and no other needs it.
 
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py
