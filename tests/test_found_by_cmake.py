@@ -274,3 +274,10 @@ def test_a_command_for_tests_is_told_by_one_rule(name: str) -> None:
     """Also where a dependency installs its package, which is not to find it."""
     files = package(GTEST.format("ament_add_gtest(test_a test/a.cpp)"), f"  <depend>{name}</depend>\n")
     assert len(lint_files({**files, "test/a.cpp": "int main() {return 0;}\n"}, ["CMK114", "DEP104"]).findings) == 1
+
+
+@pytest.mark.parametrize("command", ["nanobind_add_module", "pybind11_add_module", "python3_add_library"])
+def test_options_of_python_modules_are_no_sources(command: str) -> None:
+    lines = f"{command}(part STABLE_ABI NB_STATIC NB_DOMAIN one NO_EXTRAS WITH_SOABI MODULE src/part.cpp)"
+    assert levels({**package(lines), "src/part.cpp": PART}, "CMK102") == []
+    assert levels(package(lines), "CMK102") != []

@@ -11,8 +11,13 @@ from .values import UNKNOWN, Word
 
 Kind = Literal["executable", "library", "other"]
 LIBRARY_TYPES = ("STATIC", "SHARED", "MODULE", "OBJECT", "INTERFACE", "ALIAS", "UNKNOWN")
+OF_PYTHON_MODULES = (
+    "FREE_THREADED", "LTO", "MUSL_DYNAMIC_LIBCPP", "NB_SHARED", "NB_STATIC", "NB_SUPPRESS_WARNINGS", "NOMINSIZE",
+    "NOSTRIP", "NO_EXTRAS", "OPT_SIZE", "PROTECT_STACK", "STABLE_ABI", "THIN_LTO", "WITH_SOABI",
+)  # fmt: skip
+"""Options of `nanobind_add_module`, `pybind11_add_module` and `python3_add_library`."""
 OPTIONS = frozenset({*LIBRARY_TYPES, "IMPORTED", "GLOBAL", "WIN32", "MACOSX_BUNDLE", "EXCLUDE_FROM_ALL",
-                     "NO_TARGET_LINK_LIBRARIES"})  # fmt: skip
+                     "NO_TARGET_LINK_LIBRARIES", *OF_PYTHON_MODULES})  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -50,7 +55,7 @@ def target_with_sources(kind: Kind) -> Callable[[EvaluatedCommand], Iterator[Tar
 
     def make(call: EvaluatedCommand) -> Iterator[Target]:
         if call.words:
-            options, values, sources = flags_and_values(call.words[1:], OPTIONS, ("DIRECTORY",), ())
+            options, values, sources = flags_and_values(call.words[1:], OPTIONS, ("DIRECTORY", "NB_DOMAIN"), ())
             folder = next(iter(values.get("DIRECTORY", [])), None)
             sources = [] if "ALIAS" in options else sources
             yield Target(call.words[0], kind, call, frozenset(options), tuple(sources), folder)
