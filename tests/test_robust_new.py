@@ -47,3 +47,14 @@ def test_a_full_disk_is_said_and_nothing_is_left(tiny_disk: Path) -> None:
     assert done.returncode == 2
     assert "No space left on device; nothing was" in done.stderr
     assert [path.name for path in tiny_disk.iterdir()] == ["ballast"]
+
+
+@pytest.mark.parametrize("given", [NEW, ["lint"]])
+def test_a_folder_that_was_removed_under_the_shell(given: list[str], tmp_path: Path) -> None:
+    code = (
+        "import os, sys; from rospkg_cli.__main__ import main; os.rmdir(os.getcwd())\n"
+        f"sys.argv = ['rospkg', *{given!r}]; sys.exit(main())"
+    )
+    ran = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True)
+    assert ran.returncode == 2
+    assert ran.stderr == "rospkg: the current folder was removed; change to one that is there (`cd`)\n"

@@ -26,8 +26,8 @@ def leave_out_current_folder() -> None:
 
 def is_current(entry: str, trusted: set[str]) -> bool:
     """Return whether an entry is the current folder, and none that modules are installed into."""
-    folder = os.path.realpath(entry or os.curdir)
     try:
+        folder = os.path.realpath(entry or os.curdir)
         return folder not in trusted and os.path.samefile(folder, os.curdir)  # noqa: PTH121
     except OSError:
         return not entry

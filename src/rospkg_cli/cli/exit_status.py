@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from pathlib import Path
 
 from ..user_error import UserError
 from .streams import OutputError, say
@@ -28,7 +29,19 @@ def status_of(verb: Callable[[], int]) -> int:
     except OutputError:
         raise
     except Exception as error:
+        if is_nowhere():
+            say("the current folder was removed; change to one that is there (`cd`)")
+            return 2
         return failed(error)
+
+
+def is_nowhere() -> bool:
+    """Return whether the folder that the command was started in is gone."""
+    try:
+        Path.cwd()
+    except FileNotFoundError:
+        return True
+    return False
 
 
 def interrupted(status: int) -> int:
