@@ -8,7 +8,7 @@ from functools import cached_property
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
-from ...package.file_role import is_set_aside
+from ...package.file_role import is_set_aside, role_of
 from ...package.setup.entry_points import EntryPoint
 from ...package.setup.setup_py import SetupPy
 from ...package.setup.setup_text import SetupText
@@ -116,11 +116,13 @@ class ModuleTree:
         return is_set_aside(f"{folder}/")
 
     def imports_from(self, folder: str) -> bool:
-        """Return whether a module of the package outside of a folder, or an entry point, needs what is in it."""
+        """Return whether a module of the package outside of a folder, or an entry point, needs what is in it.
+
+        Tests do not count: pytest imports them where the source is, and Python needs no `__init__.py` there.
+        """
         wanted = self.dotted(folder)
-        return any(
-            name == wanted or name.startswith(f"{wanted}.") for name, path in self.imported if not inside(path, folder)
-        )
+        users = ((name, path) for name, path in self.imported if not inside(path, folder) and role_of(path) != "test")
+        return any(name == wanted or name.startswith(f"{wanted}.") for name, _ in users)
 
     @cached_property
     def imported(self) -> frozenset[tuple[str, str]]:

@@ -8,6 +8,7 @@ from ...checks.setup.module_tree import ModuleTree
 from ...example import Example
 from ...finding import Create, Fix, Hit, Move, Safety, Severity
 from ...lazy_regex import regex
+from ...package.file_role import role_of
 from ...rule import rule
 from ...source import Span
 
@@ -46,11 +47,13 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
     that is called `deprecated`, `legacy`, `old` or `backup`.
 
     ## When it is quiet
-    With `find_namespace_packages()`, in folders of tests, where setup.py generates the folder's modules, and where
-    git ignores the `__init__.py`.
+    With `find_namespace_packages()`, in folders of tests and below them, where setup.py generates the folder's modules,
+    and where git ignores the `__init__.py`. What only tests import is a warning: pytest runs them in the source.
     """
     for folder in tree.missing_inits:
         inside = [path for path in tree.package.files.below(folder) if path.endswith(".py")]
+        if all(role_of(path) == "test" for path in inside):
+            continue
         imported = tree.imports_from(folder)
         name = tree.dotted(folder)
         if name in {said.text for said in tree.setup.packages}:
