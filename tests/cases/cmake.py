@@ -240,6 +240,11 @@ CASES = {
               include__my_pkg__b_DOT_hpp="#include <my_pkg/bb.hpp>\n"),
     ),
     "CMK118": (
+        *(cmake(f"{before}add_library(robot_core_base SHARED src/a.cpp)\n"
+                "install(TARGETS robot_core_base DESTINATION lib)\n"
+                f"ament_export_libraries({name})\n", src__a_DOT_cpp="int a() {return 0;}\n")
+          for before in ("", "FetchContent_MakeAvailable(other)\n")
+          for name in ("robot_core_bsae", "robot_core_face", "my_pkg", "robot_core_base")),
         Example(
             bad={**OLD, "old/src/a.cpp": MAIN,
                  "old/CMakeLists.txt": OLD["old/CMakeLists.txt"].replace(

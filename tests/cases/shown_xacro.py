@@ -90,6 +90,7 @@ CALLS = (
     robot(INCLUDE, call("", name="something_else")),
     robot('<xacro:arg name="base" default="b"/>', call('parent="$(arg bsae)"', name="something_else")),
     robot(call("", name="whel"), call("", name="wheel2")),
+    robot('<xacro:arg name="base" default="b"/>', call('parent="$(arg bsae)"', name="front.wheel")),
     robot(
         '<xacro:if value="$(arg x)">',
         INCLUDE,

@@ -9,7 +9,7 @@ from ...languages.cmake.values import Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.workspace import Workspace
-from .mistyped_links import nearest
+from .mistyped_links import is_clear_slip, nearest
 from .target_references import TargetReferences
 
 NO_FILE = frozenset({"INTERFACE", "OBJECT"})
@@ -29,10 +29,15 @@ class ExportedLibraries:
     workspace: Workspace
 
     def wrong(self) -> Iterator[WrongExport]:
-        """Yield each argument once; nothing where a file that can't be read may add targets."""
+        """Yield each argument once; only clear slips where a file that can't be read may add targets."""
         cmake = self.package.cmake
-        if not cmake.is_complete or cmake.reads_unknown_files or not self.package.is_ament:
-            return
+        for each in self.every() if cmake.is_complete and self.package.is_ament else ():
+            is_slip = each.kind == "unknown" and bool(each.near) and is_clear_slip(each.word.text, each.near)
+            if is_slip or not cmake.reads_unknown_files:
+                yield each
+
+    def every(self) -> Iterator[WrongExport]:
+        cmake = self.package.cmake
         seen: set[tuple[str, int, str]] = set()
         for call in cmake.named("ament_export_libraries"):
             for word in call.words:

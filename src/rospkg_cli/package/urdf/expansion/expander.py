@@ -67,7 +67,7 @@ class Expander(ExpansionState):
         elif handler := HANDLERS.get(element.tag):
             handler(self, element, into, context)
         elif element.tag in DYNAMIC or "." in element.tag:
-            self.found.is_open = True
+            self.unknown_call(element, context)
         else:
             self.call(element, into, context)
 
@@ -141,6 +141,12 @@ class Expander(ExpansionState):
         else:
             self.found.is_open = True
 
+    def unknown_call(self, element: Element, context: Context) -> None:
+        """What a macro makes that is not known: xacro evaluates what it is given all the same."""
+        for attribute in element.attributes.values():
+            self.evaluate(attribute.value_span, context)
+        self.found.is_open = True
+
     def call(self, element: Element, into: list[Node], context: Context) -> None:
         name = element.tag.removeprefix("xacro:")
         macro = context.scope.macro(name)
@@ -149,9 +155,7 @@ class Expander(ExpansionState):
             self.problem(
                 XacroProblem.MACRO, Span(start, start + len(element.tag)), name, context.scope.visible_macros()
             )
-            for attribute in element.attributes.values():
-                self.evaluate(attribute.value_span, context)
-            self.found.is_open = True
+            self.unknown_call(element, context)
             return
         self.called.add(id(macro.element))
         scope = bound_scope(self, element, macro, context)
