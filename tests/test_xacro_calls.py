@@ -138,3 +138,14 @@ def test_a_condition_makes_what_gazebo_leaves_out_no_worse(body: str, level: str
     (found,) = said(a=f'<xacro:arg name="x" default=""/><link name="base_link"/>{body}')
     assert found[0] == level
     assert found[1].endswith(", where the condition around it holds") is ("xacro:if" in body)
+
+
+@pytest.mark.parametrize("prefix, expected", [("", ["error"]), ("xacro:", [])])
+def test_what_is_defined_without_its_prefix(prefix: str, expected: list[str]) -> None:
+    defined = f'<{prefix}property name="w" value="1"/><{prefix}property name="h" value="1"/>'
+    found = said(robot=f'{defined}<link name="a${{w}}"/><link name="b${{h}}"/>' + "<joint name='j' type='fixed'>"
+                 "<parent link='a${w}'/><child link='b${h}'/></joint>")  # fmt: skip
+    assert [level for level, _ in found] == expected
+    assert all("the `<property>` that defines this lacks its `xacro:`" in message for _, message in found)
+    macro = f'<{prefix}macro name="wheel"><link name="a"/></{prefix}macro><xacro:wheel/>'
+    assert [level for level, _ in said(robot=macro)] == expected

@@ -74,6 +74,11 @@ class XacroCalls:
         written = re.compile(rf"\bname\s*=\s*[\"']{word}[\"']|\bparams\s*=\s*(?:\"[^\"]*|'[^']*)\b{word}\b")
         return any(written.search(text) for text in self.texts)
 
+    def is_unprefixed(self, tag: str, name: str) -> bool:
+        """Return whether any file defines something by an element without `xacro:`."""
+        written = re.compile(rf"<{tag}\s[^>]*?\bname\s*=\s*[\"']{re.escape(name)}[\"']")
+        return any(written.search(text) for text in self.texts)
+
     @cached_property
     def macros(self) -> frozenset[str]:
         """The names of the macros that any file defines."""

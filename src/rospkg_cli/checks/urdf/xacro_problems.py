@@ -20,6 +20,12 @@ SENTENCES = {
     XacroProblem.BLOCK: "no block is called `{name}`{hint}: " + STOPS,
     XacroProblem.CONDITION: "this condition is `{name}`, which is neither true nor false: " + STOPS,
 }
+UNPREFIXED = {XacroProblem.NAME: "property", XacroProblem.MACRO: "macro"}
+"""What old files define by an element without the prefix; xacro 2.1.1 passes over it."""
+
+WITHOUT_PREFIX = (
+    "the `<{0}>` that defines this lacks its `xacro:`: xacro passes over it and stops here; write `<xacro:{0}>`"
+)
 BY_NAME = (XacroProblem.MACRO, XacroProblem.NAME, XacroProblem.BLOCK)
 """What may be defined by a file that is not here."""
 
@@ -43,6 +49,9 @@ def problem_fault(problem: FoundProblem, calls: XacroCalls, *, is_sure: bool) ->
     )
     if may_be_elsewhere and (not near or calls.is_defined(problem.name)):
         return None
+    if problem.kind in UNPREFIXED and calls.is_unprefixed(UNPREFIXED[problem.kind], problem.name):
+        message = WITHOUT_PREFIX.format(UNPREFIXED[problem.kind])
+        return Fault(problem.span, message, None if is_sure else "warning")
     hint = f" (did you mean `{near}`?)" if near and (named or problem.kind is XacroProblem.PARAMETER) else ""
     message = SENTENCES[problem.kind].format(name=problem.name, hint=hint, macro=problem.macro)
     if not problem.is_certain:
