@@ -127,6 +127,7 @@ CASES = {
     ),
     "DEP108": (
         interfaces("geometry_msgs/Pose2D pose\n", cmake=dep108.CMAKE_MSG.replace(" DEPENDENCIES geometry_msgs", "")),
+        interfaces("std_msgs/Header header\n", cmake=dep108.CMAKE_MSG),
         interfaces("geometry_msgs/Pose2D pose\n", "  <depend>sensor_msgs</depend>\n"),
         interfaces("builtin_interfaces/Time at\nbuiltin_interfaces/Time to\n"),
         interfaces("".join(f"geometry_msgs/Pose2D p{number}\n" for number in range(6))),

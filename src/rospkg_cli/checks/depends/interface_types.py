@@ -7,6 +7,7 @@ from ...package.interfaces.interface_file import InterfaceFile
 from ...source import Span
 from ...suggest import near_names
 from ..interfaces.package_interfaces import InterfaceGeneration
+from .brought_dependencies import brought_by
 from .declared_dependencies import DeclaredDependencies
 from .name_source import source_of
 
@@ -42,10 +43,11 @@ class InterfaceTypeDependencies:
         return near[0] if len(near) == 1 else None
 
     def is_found(self, package: str) -> bool:
-        """Return whether CMake hands a package to rosidl: then it builds wherever that is installed."""
+        """Return whether CMake hands a package to rosidl, or one that brings it: it builds where that is installed."""
         cmake = self.generation.cmake
         targets = cmake.interface_targets if cmake is not None else ()
-        return any(word.text == package for target in targets for word in target.dependencies)
+        listed = {word.text for target in targets for word in target.dependencies}
+        return package in listed or package in brought_by(sorted(listed), self.declared.workspace)
 
     @property
     def is_generated(self) -> bool:

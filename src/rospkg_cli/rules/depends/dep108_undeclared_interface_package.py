@@ -29,7 +29,7 @@ RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
     over=InterfaceTypeDependencies,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "CMakeLists.txt lists it in DEPENDENCIES: it builds where the package is installed",
+        Severity.WARNING: "CMake lists it in DEPENDENCIES, or what brings it: it builds where that is installed",
         Severity.INFO: "where a declared dependency brings or may bring it, or package.xml has it in a comment",
     },
     examples=(
