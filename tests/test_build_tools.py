@@ -54,7 +54,8 @@ def test_a_tool_is_asked_for_once(lines: str, wanted: str) -> None:
         ("if(DEFINED ENV{ROS_DISTRO})\n  set(NAME $ENV{ROS_DISTRO})\nendif()", ""),
         (
             "if(DEFINED ENV{ROS_DISTRO})\n  set(NAME $ENV{ROS_DISTRO})\n"
-            '  message(SEND_ERROR "bad ROS_DISTRO: $ENV{ROS_DISTRO}")\nendif()',
+            '  message(SEND_ERROR "bad ROS_DISTRO: $ENV{ROS_DISTRO}")\n'
+            '  message(ERROR "bad ROS_DISTRO: ${NAME}")\nendif()',
             "",
         ),
         (

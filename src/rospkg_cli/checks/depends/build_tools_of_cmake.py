@@ -85,8 +85,8 @@ class BuildToolsOfCMake:
 
 
 def said_as_error(file: CMakeFile) -> Iterator[str]:
-    """Yield the messages of a file that stop CMake and print no variable of the environment."""
+    """Yield the messages of a file that stop CMake and print the value of no variable."""
     for command in file.syntax.commands:
         texts = [argument.text for argument in command.arguments]
-        if command.name == "message" and texts and texts[0] in ERRORS and not any("$ENV{" in each for each in texts):
+        if command.name == "message" and texts and texts[0] in ERRORS and not any("$" in each for each in texts):
             yield from texts[1:]
