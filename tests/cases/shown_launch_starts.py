@@ -220,7 +220,14 @@ LEFT_OVER = Example(bad={**lch015.FILES, "launch/robot.launch.xml": lch015.GIVEN
 
 CASES = {
     "LCH002": (WITHOUT_PACKAGE, OPEN_CALL, UNUSED_TEST, ON_PATH),
-    "LCH003": (ABSENT, RELATIVE),
+    "LCH003": (
+        ABSENT,
+        RELATIVE,
+        *(
+            including("share / 'urdf' / 'arm.urdf'", made)
+            for made in ("xacro.open_output(share / 'urdf' / 'arm.urdf')", "xacro.process(share / 'urdf' / 'arm.urdf')")
+        ),
+    ),
     "LCH007": (PARAMETERS,),
     "LCH008": (
         looked_up(),

@@ -64,6 +64,12 @@ LOADING = (
     {"launch__a_DOT_launch_DOT_py": "def generate_launch_description():\n    return [f('robot.yaml')]\n"},
     {"launch__a_DOT_launch_DOT_xml": "<launch/>\n", "README_DOT_md": "Wheels are in config/robot.yaml\n"},
     {"launch__a_DOT_launch_DOT_xml": "<launch/>\n", "README_DOT_md": "ros2 run a b --params-file config/robot.yaml\n"},
+    {"my_pkg__a_DOT_py": "DATA = YAML().load(open('robot.yaml'))\n"},
+    {"my_pkg__a_DOT_py": "DATA = read(open('robot.yaml'))\n"},
+    {
+        "my_pkg__a_DOT_py": "DATA = yaml.load(open('robot.yaml'))\n",
+        "launch__a_DOT_launch_DOT_xml": "<launch>\n  <arg name='a' default='config/robot.yaml'/>\n</launch>\n",
+    },
     {"launch__a_DOT_launch_DOT_xml": "<launch/>\n", "run_DOT_sh": "ros2 param load /talker 'config/robot.yaml'\n"},
 )
 

@@ -81,6 +81,10 @@ class LaunchContext:
         before = self.file.source.text[max(0, missing.span.start - REACH) : missing.span.start]
         return URL.search(before) is not None
 
+    def is_made_here(self, missing: MissingReference) -> bool:
+        """Return whether it is a robot that the launch file itself may write, with xacro's `open_output`."""
+        return missing.path.endswith((".urdf", ".sdf")) and "open_output(" in self.file.source.text
+
     @property
     def is_ros1_leftover(self) -> bool:
         """Whether the file is one for ROS 1 that a package for ROS 2 alone installs, by chance."""

@@ -22,6 +22,7 @@ from .rcl_validation import REFUSES
 
 STARTING = regex(r"\.(?:py|xml|launch|launch\.ya?ml|sh|bash|[ch]pp|cc|service)$")
 """Files that give parameter files to nodes."""
+PARSES = regex(r"\bYAML\s*\(|\byaml\.load|\b(?:safe|full|unsafe)_load\s*\(")
 DOCS = regex(r"\.(?:md|rst|txt)$")
 TITLE = f"write `{KEY}:`"
 
@@ -37,9 +38,17 @@ class ParameterFileUse:
 
     @property
     def is_parsed_by_launch(self) -> bool:
-        """Whether a launch file parses it and hands on values: then what is there for others needs no block."""
+        """Whether a launch file, or else code, parses it: then what is there for others needs no block."""
         name = self.file.path.rpartition("/")[2]
-        return bool(self.workspace.having("parsed_yaml", name))
+        return bool(self.workspace.having("parsed_yaml", name)) or self.is_parsed_by_code(name)
+
+    def is_parsed_by_code(self, name: str) -> bool:
+        """Return whether Python parses YAML and names the file, and no launch file does."""
+        texts = {path: self.read(path) for path in self.files.paths if STARTING.search(path)}
+        naming = {path: text for path, text in texts.items() if name in text}
+        if any(LAUNCH.fullmatch(path.rpartition("/")[2]) for path in naming):
+            return False
+        return any(PARSES.search(text) for path, text in naming.items() if path.endswith(".py"))
 
     @cached_property
     def is_unnamed(self) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import posixpath
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -35,8 +35,6 @@ class UnregisteredNode:
     """Of the name `main` in its definition."""
     is_alone: bool
     """Whether every other node of its folder, of which there are some, has an entry point."""
-    is_missed: bool
-    """Whether it is the only one of its folder without, or all are, and no variant of another."""
     starts_itself: bool
     """Whether it calls its `main` when it is run as a script."""
 
@@ -72,8 +70,7 @@ class UnregisteredNodes:
             file = self.package.modules.at(setup.modules[module])
             if file is not None and (has_others or not known) and not self.is_used(module):
                 alone = folders.count(folder) == 1
-                missed = (alone or not known) and not is_variant(module, known)
-                yield UnregisteredNode(module, file.path, main, alone and has_others, missed, starts_itself(file))
+                yield UnregisteredNode(module, file.path, main, alone and has_others, starts_itself(file))
 
     def is_started(self, name: str) -> bool:
         """Return whether a launch file of the workspace starts an executable: LCH002 reports one that is not there."""
@@ -107,11 +104,6 @@ class UnregisteredNodes:
         """The texts that may start a file by its name."""
         paths = (path for path in self.files.paths if path.endswith(RUNS) and role_of(path) != "test")
         return tuple(map(self.files.readable_text, paths))
-
-
-def is_variant(module: str, known: Collection[str]) -> bool:
-    """Return whether a module is called as one of the others, and more: `joy_new` beside `joy`."""
-    return any(each and module.startswith(f"{each}_") for each in known)
 
 
 def starts_itself(file: PythonFile) -> bool:

@@ -95,7 +95,7 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     switch the action off, it is a warning, where nothing adds the action or uses the value, an info.
     """
     for each in scope.missing():
-        if each.state in ("absent", "no slash"):
+        if each.state in ("absent", "no slash") and not scope.is_made_here(each):
             softer, why = level_at(scope.file, each.span)
             if not softer and scope.is_unread(each):
                 softer, why = "info", "but nothing uses the argument"

@@ -55,7 +55,7 @@ def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
 
     ## When it is quiet
     Files without `ros__parameters` that no launch file passes to a node may hold any YAML, and so may those that a
-    launch file parses itself, to hand on values. rcl takes a list of mappings
+    launch file parses itself, to hand on values, or that only code names and parses. rcl takes a list of mappings
     with one key each (`- a: 1`), and makes parameters of it. An empty list is a warning: a Python node takes it. So is
     all of a file that a package names in no launch file, program or README although it launches others, unless other
     packages need this one.

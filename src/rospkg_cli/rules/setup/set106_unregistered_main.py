@@ -22,8 +22,7 @@ FILES = {
     "SET106",
     "unregistered-main",
     over=UnregisteredNodes,
-    severity=Severity.WARNING,
-    levels={Severity.INFO: "it does not call its `main` as a script, is one of several, or a variant of another"},
+    severity=Severity.INFO,
     examples=(
         Example(
             bad={**FILES, "setup.py": setup_py(scripts("talker = my_pkg.talker:main"))},
@@ -43,8 +42,8 @@ def unregistered_main(nodes: UnregisteredNodes) -> Iterator[Hit]:
     ## When it is quiet
     Where entry points can't be evaluated or are misspelt (SET103, SET310), in packages that extend a command line tool,
     where another module imports it, or a README or another file names it, and where a launch file starts an executable
-    of its name (LCH002 reports that it is not there). Where several of a folder have none and others do, or one
-    is called as another and more (`joy_new` beside `joy`), they may be run as scripts or left over: an info.
+    of its name (LCH002 reports that it is not there). It is an info in any case: many
+    such nodes are variants of others, run as scripts, or left over.
 
     ## Fix safety
     It makes an executable of a module that may be there for import only.
@@ -57,5 +56,4 @@ def unregistered_main(nodes: UnregisteredNodes) -> Iterator[Hit]:
         fix = Fix(f"add `{entry}`", edits, Safety.UNSAFE) if edits else None
         message = f"`{node.path}` has a node and a `main`, but no entry point: `ros2 run` can't start it; add `{entry}`"
         if node.starts_itself or node.is_alone:
-            is_missed = node.starts_itself and node.is_missed
-            yield Hit(node.path, node.main, message, None if is_missed else Severity.INFO, fix=fix)
+            yield Hit(node.path, node.main, message, fix=fix)
