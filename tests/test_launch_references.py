@@ -435,3 +435,18 @@ def test_launch_looks_into_no_folder_of_the_executables(started: str, told: str)
     }
     found = lint_files(files, ["LCH002"]).findings
     assert [told in each.message for each in found] == ([True] if told else [])
+
+
+def test_what_xacro_writes_for_the_launch_file_may_be_missing() -> None:
+    path = "get_package_share_directory('my_pkg') + '/config/no.urdf'"
+    body = "path = {}\n{}return LaunchDescription([Node(package='my_pkg', executable='a', arguments=['-file', path])])"
+    for writes, expected in (("", ["LCH003 error"]), ("out = xacro.open_output(path)\nout.write('')\n", [])):
+        launch = python(body.format(path, writes))
+        assert said({**BASE, "launch/a.launch.py": f"import xacro\n{launch}"}, "LCH003") == expected
+
+
+@pytest.mark.parametrize("own, expected", [("", []), ("add_executable(b a.cpp)\n", ["LCH002 error"])])
+def test_a_macro_of_elsewhere_may_make_all_programs(own: str, expected: list[str]) -> None:
+    launch = '<launch><node pkg="my_pkg" exec="talker"/></launch>\n'
+    lines = INSTALL.replace("ament_package", f"{own}include(${{TEAM}}/all.cmake)\nteam_begin(core)\nament_package")
+    assert said({**BASE, "CMakeLists.txt": lines, "launch/a.launch.xml": launch}, "LCH002") == expected

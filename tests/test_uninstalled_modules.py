@@ -92,3 +92,16 @@ def test_folders_of_data_whose_scripts_change_where_python_looks() -> None:
     assert levels(SCRIPT, {**files, **script}) == [Severity.ERROR]
     able = {"scripts/b.py": "#!/usr/bin/env python3\nimport sys\nsys.path.append('x')\nfrom trials import first\n"}
     assert levels(BOTH, {**files, **script, **able}) == []
+
+
+def test_interfaces_take_the_name_of_the_python_package() -> None:
+    lines = f'{SCRIPT}rosidl_generate_interfaces(my_pkg "msg/A.msg")\n'
+    files = {
+        "package.xml": manifest("", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace("ament_package", f"{lines}ament_package"),
+        "scripts/a.py": "#!/usr/bin/env python3\nimport my_pkg.words\n",
+        **OWN,
+    }
+    (found,) = lint_files(files, ["CMK109"]).findings
+    assert found.message.endswith("the interfaces make a `my_pkg` of their own: move the modules to another package")
+    assert found.fix is None

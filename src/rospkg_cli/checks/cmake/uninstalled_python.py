@@ -94,7 +94,8 @@ class PythonPackages:
         folder = self.folders.get(name, name)
         others = (row for row in self.table.rows if row.what != "executable")
         is_used = any(row.source.startswith(f"{folder}/") for row in others)
-        files = [path for path in cmake.package_files.below(folder) if path.endswith(".py")]
+        programs = {row.source for row in self.table.rows}
+        files = [path for path in cmake.package_files.below(folder) if path.endswith(".py") and path not in programs]
         if not found or not is_known or is_used or self.has_other_ways or name not in self.folders or not files[1:]:
             return ""
         is_told = self.names_no_folder or any(each.folder == name for each in self.uninstalled())

@@ -127,7 +127,8 @@ class CMakeTableBuilder:
         for call in foreign_commands(self.cmake):
             why = f"`{call.name}` of another package may install anything"
             yield UnknownPart("share", why, call.path, call.command.span)
-            if MAKES_PROGRAMS.search(call.name) or "EXECUTABLE" in call.texts:
+            has_own = any(target.is_executable for target in self.cmake.targets)
+            if not has_own or MAKES_PROGRAMS.search(call.name) or "EXECUTABLE" in call.texts:
                 yield UnknownPart("executable", why, call.path, call.command.span)
 
     def unknown_rule(self, rule: InstallRule) -> Iterator[UnknownPart]:

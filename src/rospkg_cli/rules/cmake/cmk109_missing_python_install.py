@@ -90,16 +90,27 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
         start = (
             f"the Python package `{each.folder}` is not installed: `{each.path}`, which imports `{each.module}`, ends"
         )
-        message = f"{start} with ModuleNotFoundError; call `{call_for(packages, each.folder)}`"
+        message = f"{start} with ModuleNotFoundError; {repair(packages, each.folder)}"
         related = Related(each.path, each.span, "it is imported here")
         yield Hit(place.path, place.command.span, message, related=(related,), fix=installing(packages, each.folder))
     if name := packages.forgotten():
         start = f"the Python package `{name}` is not installed, though CMake looks for ament_cmake_python"
-        message = f"{start}: no one can import it; call `{call_for(packages, name)}`"
+        message = f"{start}: no one can import it; {repair(packages, name)}"
         fix = installing(packages, name)
         yield Hit(ends[-1].path, ends[-1].command.span, message, Severity.WARNING, fix=fix)
     for left in modules_left_behind(packages):
         yield beside(packages, left)
+
+
+def is_generated(packages: PythonPackages, name: str) -> bool:
+    """Return whether interfaces make a Python package of this name: CMake stops at a second one (CMK006)."""
+    return name == packages.package.facts.name and bool(packages.package.cmake.interface_targets)
+
+
+def repair(packages: PythonPackages, name: str) -> str:
+    if is_generated(packages, name):
+        return f"the interfaces make a `{name}` of their own: move the modules to another package"
+    return f"call `{call_for(packages, name)}`"
 
 
 def call_for(packages: PythonPackages, name: str) -> str:
@@ -107,6 +118,8 @@ def call_for(packages: PythonPackages, name: str) -> str:
 
 
 def installing(packages: PythonPackages, name: str) -> Fix | None:
+    if is_generated(packages, name):
+        return None
     edits = install_python_package(packages.package.cmake, name, packages.folders[name])
     return only_plain_names(Fix(f"install the Python package {name}", edits), name)
 
