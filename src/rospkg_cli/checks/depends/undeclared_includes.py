@@ -16,7 +16,6 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role
 from ...package.install_table import InstallTable
-from ...package.interfaces.generated_types import generated_types
 from ...package.interfaces.interface_file import InterfaceFile
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.implied_dependencies import IN_SOURCES, implied_by
@@ -236,6 +235,8 @@ def always_included(source: CppFile) -> frozenset[str]:
 
 def named_types(source: Source) -> Iterator[tuple[str, Span]]:
     """Yield the generated types that a C++ text names, each with its package, also in comments and strings."""
+    from ...package.interfaces.generated_types import generated_types  # a package without C++ needs none
+
     for each in generated_types(source):
         before = source.text[max(0, each.start - 3) : each.start]
         is_whole = before[-1:] != ":" or (before[-2:] == "::" and not QUALIFIER.match(before[:-2]))
