@@ -320,3 +320,19 @@ def test_what_runs_ament_xmllint_in_cmake(depend: str, call: str, level: str) ->
     cmake = CMAKE.replace("ament_package", f"{LINTED}{call}ament_package")
     (finding,) = found("XML002", NATIVE, {"package.xml": text, "CMakeLists.txt": cmake})
     assert finding.severity.value == level
+
+
+@pytest.mark.parametrize(
+    ("text", "level"),
+    [
+        ('<?xml version="1.0"?>\n<!-- all -->\n<library path="a"/>\n<library path="b"/>\n', "warning"),
+        ("<class_libraries/>\n<library path='b'/>\n", "error"),
+        ('<library path="a">\n', "error"),
+    ],
+)
+def test_plugins_without_a_root_around_them(text: str, level: str) -> None:
+    lines = CMAKE.replace(
+        "ament_package", "pluginlib_export_plugin_description_file(nav2_core plugins.xml)\nament_package"
+    )
+    found = lint_files({**NATIVE, "CMakeLists.txt": lines, "plugins.xml": text}, ["RPK001"]).findings
+    assert [each.severity.value for each in found] == [level]

@@ -21,6 +21,8 @@ COMMENTS = ("comment", "bracket comment")
 PROGRAM = regex(r"__main__|\A#!|^(?:async )?def main\b", re.MULTILINE)
 SNIPPET = regex(r"\A(?:[ \t]*(?:#[^\n]*)?\n)*[ \t]+[^\s#]")
 """A text whose first line of code is indented: it is there to be pasted."""
+LIBRARY = regex(r"\A\s*(?:<\?[^>]*\?>\s*|<!--.*?-->\s*)*<library\b", re.DOTALL)
+"""A plugin description without a root of its own: pluginlib asks each `<library>` for the next one beside it."""
 NAMING = (".py", ".cfg", ".toml", ".txt", ".cmake", ".xml", ".launch", ".yaml", ".yml", ".json", ".sh")
 """Files that may name a module, beside those whose texts only tell of it."""
 LOST = regex("[\udc80-\udcff]")
@@ -63,6 +65,8 @@ class UnreadableFile:
         path = self.file.path
         if path.endswith(".urdf") and self.file.code in TAKEN_BY_URDFDOM:
             return "warning", "; xacro and Python stop there, urdfdom reads past it"
+        if self.file.code is ReadProblem.XML_AFTER_ROOT and LIBRARY.match(self.files.readable_text(path)):
+            return "warning", "; pluginlib reads past it, other readers stop there: put `<class_libraries>` around all"
         if path.endswith((".urdf", ".xacro")) and not self.opened.has(path):
             return "warning", "; no file of the package opens it"
         if self.file.code is ReadProblem.ENCODING and self.is_in_comments:

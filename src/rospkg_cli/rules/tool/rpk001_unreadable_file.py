@@ -34,8 +34,8 @@ ament_package()
     over=UnreadableFile,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a robot that no file of the package opens, or that urdfdom reads all the same; a module of "
-        "Python that no other file names",
+        Severity.WARNING: "a robot that no file of the package opens, or that urdfdom reads all the same; plugins "
+        "without a root around them; a module of Python that no other file names",
         Severity.INFO: "bytes that are no text in comments of CMake, or a snippet of Python that no other file names",
     },
     examples=(
@@ -59,10 +59,10 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     Files that neither the build, nor an installed file, nor a test by its name reads may be broken. A file of
     interfaces is reported by its own rules, a file that is too large by RPK007. A robot is a warning where no file of
     the package names it, and where urdfdom reads past the fault: an undeclared prefix, or something behind the root
-    element, in a plain `.urdf`; so is a Python module that is no program and that no other file names. It is an info
-    where only comments of a CMake file are not UTF-8, and where such a module is a snippet, whose first line is
-    indented, or is laid aside (`old/`, `a_backup.py`). A `<` in the value of an attribute of a plugin description is no
-    fault, since pluginlib takes it.
+    element, in a plain `.urdf`; so are several `<library>` of a plugin description without a root, and a Python module
+    that is no program and that no other file names. It is an info where only comments of a CMake file are not UTF-8,
+    and where such a module is a snippet, whose first line is indented, or is laid aside (`old/`, `a_backup.py`). A `<`
+    in the value of an attribute of a plugin description is no fault, since pluginlib takes it.
     """
     file = scope.file
     if not (file.grammar or file.skipped):
