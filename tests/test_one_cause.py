@@ -6,6 +6,7 @@ import pytest
 
 from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.example import CMAKE, INTERFACES_CMAKE, manifest, scripts, setup_py
+from rospkg_cli.finding import Edit
 from rospkg_cli.rules.plugins import plg005_wrong_plugin_base as plg005
 from rospkg_cli.testing import lint_files
 
@@ -268,3 +269,15 @@ def test_a_folder_for_ros1(folder: str, expected: list[str]) -> None:
     files = cmake(f"install(DIRECTORY launch DESTINATION {ALL})\n")
     for text in ('<launch><param name="a" value="1"/></launch>\n', '<launch><node pkg="a" type="b"/></launch>\n'):
         assert codes({**files, f"{folder}/a.launch": text}, "LCH006") == expected
+
+
+def test_python_packages_that_one_list_leaves_out(clean) -> None:
+    text = clean["setup.py"].replace("find_packages(exclude=['test'])", "['my_pkg']")
+    inner = {f"my_pkg/{name}/__init__.py": "" for name in ("a", "b", "c")}
+    files = {**clean, **inner, "setup.py": text, "my_pkg/talker.py": "import my_pkg.a\nimport my_pkg.b\n"}
+    left_out, unused = lint_files(files, ["SET302"]).findings
+    assert left_out.message.startswith("`my_pkg.a` and `my_pkg.b` are not in `packages`: ")
+    assert unused.message.startswith("`my_pkg.c` is not in `packages`: ")
+    assert [left_out.severity.value, unused.severity.value] == ["error", "warning"]
+    assert left_out.fix is not None
+    assert [each.text for each in left_out.fix.operations if isinstance(each, Edit)] == ["', 'my_pkg.a', 'my_pkg.b'"]

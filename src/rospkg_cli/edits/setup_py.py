@@ -120,10 +120,11 @@ def import_lines(setup: SetupPy) -> list[tuple[str, Span]]:
     return found
 
 
-def add_package(setup: SetupPy, name: str) -> tuple[Edit, ...]:
-    """List another Python package in `packages`; no edit where that is computed."""
+def add_packages(setup: SetupPy, *names: str) -> tuple[Edit, ...]:
+    """List other Python packages in `packages`; no edit where that is computed."""
     value = setup.value("packages")
-    return add_item(setup, value, quoted(setup, name)) if isinstance(value, Sequence) else ()
+    code = ", ".join(quoted(setup, name) for name in names)
+    return add_item(setup, value, code) if isinstance(value, Sequence) else ()
 
 
 def remove_item(setup: SetupPy, argument: str, said: SetupText) -> tuple[Edit, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.module_tree import ModuleTree
-from ...edits.setup_py import add_package
+from ...edits.setup_py import add_packages
 from ...example import Example, scripts, setup_py
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -45,7 +45,7 @@ def entry_point_not_installed(tree: ModuleTree) -> Iterator[Hit]:
         return
     for inner, entries in tree.not_installed().items():
         (first, path), *others = entries
-        edits = add_package(tree.setup, inner) if inner else ()
+        edits = add_packages(tree.setup, inner) if inner else ()
         what = f"add `{inner}` to `packages`" if inner else "move it into a package of `packages`"
         who = f"`{first.name}` and {len(others)} more raise" if others else f"`{first.name}` raises"
         message = f"`{path}` is not installed: the build is green, and {who} ModuleNotFoundError; {what}"

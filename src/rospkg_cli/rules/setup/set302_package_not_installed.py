@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
+from ...checks.enumeration import in_ticks
 from ...checks.setup.module_tree import ModuleTree
-from ...edits.setup_py import add_package
+from ...edits.setup_py import add_packages
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
+from ...package.setup.setup_py import SetupPy
 from ...rule import rule
 
 FILES = {
@@ -71,13 +73,20 @@ def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
         ends = "a newer setuptools stops, and one before 61" if has_resource else "setuptools before 61"
         message = f"setup() has no `packages`: {ends} installs nothing of `{own}`; add `packages=find_packages()`"
         yield Hit(setup.path, setup.span, message, level=None if has_resource else Severity.WARNING)
-    argument = setup.argument("packages")
-    for name in tree.unlisted if argument else ():
-        edits = add_package(setup, name)
-        used = tree.imports_from(setup.folder_of(name))
-        message = (
-            f"`{name}` is not in `packages`: the build is green, and importing it raises ModuleNotFoundError; add it, "
-            f"or use `find_packages(exclude=['test'])`"
-        )
-        fix = Fix(f"add `{name}` to `packages`", edits) if edits else None
-        yield Hit(setup.path, setup.value_span("packages"), message, level=None if used else Severity.WARNING, fix=fix)
+    unlisted = tree.unlisted if setup.argument("packages") else ()
+    used = [name for name in unlisted if tree.imports_from(setup.folder_of(name))]
+    for names, level in ((used, None), ([name for name in unlisted if name not in used], Severity.WARNING)):
+        if names:
+            yield left_out(setup, names, level)
+
+
+def left_out(setup: SetupPy, names: Sequence[str], level: Severity | None) -> Hit:
+    """Return what is wrong with a list that leaves some packages out."""
+    are, them = ("are", "them") if len(names) > 1 else ("is", "it")
+    message = (
+        f"{in_ticks(names)} {are} not in `packages`: the build is green, and importing {them} raises "
+        f"ModuleNotFoundError; add {them}, or use `find_packages(exclude=['test'])`"
+    )
+    edits = add_packages(setup, *names)
+    fix = Fix(f"add {in_ticks(names)} to `packages`", edits) if edits else None
+    return Hit(setup.path, setup.value_span("packages"), message, level=level, fix=fix)
