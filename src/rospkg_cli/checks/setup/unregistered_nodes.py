@@ -44,6 +44,11 @@ class UnregisteredNodes:
     package: PythonPackage
     files: PackageFiles
 
+    @property
+    def starts_nothing(self) -> bool:
+        """Whether the package has no entry point at all, so that none of its nodes can be started."""
+        return not self.package.setup.entry_points
+
     @cached_property
     def scripts(self) -> Sequence | None:
         """The list of console scripts, as it is written out in setup.py."""
