@@ -86,7 +86,7 @@ def test_layouts_name_plugins() -> None:
 
 def test_parameters_name_plugins_that_launch_files_start() -> None:
     one = NAVIGATION.partition("controller_server")[0]
-    files = {"config/nav.yaml": one, "launch/a.launch.py": LAUNCH.format("nav2_planner") + "# config/nav.yaml\n"}
+    files = {"config/nav.yaml": one, "launch/a.launch.py": LAUNCH.format("nav2_planner") + "FILE = 'config/nav.yaml'\n"}
     assert said(files) == [("nav2_navfn_planner", "warning")]
     assert said({"config/nav.yaml": one}) == [("nav2_navfn_planner", "info")]
 

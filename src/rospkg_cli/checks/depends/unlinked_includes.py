@@ -48,8 +48,9 @@ class UnlinkedIncludes:
         cmake = self.includes.cmake
         if not self.includes.declared.is_checked or not cmake.is_complete or cmake.reads_unknown_files:
             return
-        if cmake.named(*FOR_ALL):
-            return
+        links = cmake.named("target_link_libraries", "ament_target_dependencies")
+        if cmake.named(*FOR_ALL) or any(cmake.target(call.texts[0]) is None for call in links if call.texts):
+            return  # a link of a target that is not there is one that another lacks
         seen: set[str] = set()
         for target in cmake.targets:
             if target.call.name in PLAIN and target.is_built and not target.call.maybe and not target.call.testing:

@@ -127,8 +127,7 @@ class CMakeTableBuilder:
         for call in foreign_commands(self.cmake):
             why = f"`{call.name}` of another package may install anything"
             yield UnknownPart("share", why, call.path, call.command.span)
-            has_own = any(target.is_executable for target in self.cmake.targets)
-            if not has_own or MAKES_PROGRAMS.search(call.name) or "EXECUTABLE" in call.texts:
+            if not self.makes_programs or MAKES_PROGRAMS.search(call.name) or "EXECUTABLE" in call.texts:
                 yield UnknownPart("executable", why, call.path, call.command.span)
 
     def unknown_rule(self, rule: InstallRule) -> Iterator[UnknownPart]:
@@ -155,6 +154,12 @@ class CMakeTableBuilder:
         """Return whether a folder is a link, behind which we do not look."""
         path = path_in_package(word.text, rule.call.folder) or ""
         return self.cmake.package_files.tree.files().get(path.rstrip("/")) in LINKED
+
+    @property
+    def makes_programs(self) -> bool:
+        """Whether the package makes programs by itself, or includes no file that is not here and may do so."""
+        own = any(target.is_executable for target in self.cmake.targets)
+        return own or not self.cmake.reads_unknown_files
 
     def may_install(self, call: EvaluatedCommand) -> bool:
         known = call.name == "install" or call.name in INSTALL_COMMANDS or call.name in self.cmake.functions
