@@ -44,6 +44,13 @@ def test_what_is_hidden_is_linted_when_given(workspace: Path) -> None:
     assert given(workspace / "src/third_party/d") == ["d"]
 
 
+def test_colcon_looks_into_no_folder_that_begins_with_a_dot(workspace: Path) -> None:
+    (workspace / "src/.old/e").mkdir(parents=True)
+    (workspace / "src/.old/e/package.xml").write_text("<package/>")
+    assert given(workspace) == ["a", "b"]
+    assert given(workspace / "src/.old") == given(workspace / "src/.old/e") == ["e"]
+
+
 @pytest.mark.parametrize("output, mark", [("made", "CMakeCache.txt"), ("install", "local_setup.bash")])
 def test_what_a_build_left_is_linted_when_given(workspace: Path, output: str, mark: str) -> None:
     (workspace / output / "e").mkdir(parents=True)

@@ -336,3 +336,30 @@ def test_plugins_without_a_root_around_them(text: str, level: str) -> None:
     )
     found = lint_files({**NATIVE, "CMakeLists.txt": lines, "plugins.xml": text}, ["RPK001"]).findings
     assert [each.severity.value for each in found] == [level]
+
+
+@pytest.mark.parametrize(("matching", "count"), [("", 1), (' FILES_MATCHING PATTERN "*.py"', 0)])
+def test_a_folder_of_which_only_some_files_are_installed_may_be_missing(matching: str, count: int) -> None:
+    line = f"install(DIRECTORY launch/ DESTINATION share/${{PROJECT_NAME}}{matching})\nament_package"
+    files = {**NATIVE, "CMakeLists.txt": CMAKE.replace("ament_package", line)}
+    assert len(lint_files(files, ["CMK102"]).findings) == count
+
+
+@pytest.mark.parametrize(("listed", "count"), [("'my_pkg'", 1), ("'my_pkg', 'my_pkg/inner'", 0)])
+def test_a_package_may_be_listed_as_a_path(listed: str, count: int) -> None:
+    setup = PYTHON["setup.py"].replace("find_packages(exclude=['test'])", f"[{listed}]")
+    files = {**PYTHON, "setup.py": setup, "my_pkg/inner/__init__.py": "", "my_pkg/a.py": "import my_pkg.inner\n"}
+    assert len(lint_files(files, ["SET302"]).findings) == count
+
+
+@pytest.mark.parametrize(("launched", "level"), [("base.yaml", "warning"), ("arm.yaml", "error")])
+def test_blocks_without_their_key_in_a_file_that_nothing_names(launched: str, level: str) -> None:
+    launch = (
+        f"<launch><node pkg='a' exec='b'><param from='$(find-pkg-share my_pkg)/config/{launched}'/></node></launch>\n"
+    )
+    texts = {
+        "config/arm.yaml": "a:\n  ros__parameters:\n    x: 1\nb:\n  y: 1\n",
+        "config/base.yaml": "/**:\n  ros__parameters: {}\n",
+    }
+    (found,) = lint_files({**NATIVE, **texts, "launch/a.launch.xml": launch}, ["PRM001"]).findings
+    assert found.severity.value == level

@@ -138,7 +138,7 @@ class ModuleTree:
     @cached_property
     def unlisted(self) -> tuple[str, ...]:
         """The Python packages below listed ones that `packages` leaves out, without those of entry points."""
-        listed = {package.text for package in self.setup.packages}
+        listed = {package.text.replace("/", ".") for package in self.setup.packages}
         started = {entry.module.rpartition(".")[0] for entry in self.setup.entry_points}
         found: dict[str, None] = {}
         for name in sorted(

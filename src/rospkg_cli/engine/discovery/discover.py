@@ -55,8 +55,9 @@ def crawl(root: Path, found: dict[str, Path], given: bool, marked: bool) -> Iter
         if "package.xml" in entries and is_there(entries["package.xml"]):
             found.setdefault(real_path(folder), folder)
         elif folder == root or not is_build_output(folder.name, entries.keys()):
-            waiting += [Path(each.path) for each in entries.values() if each.is_dir(follow_symlinks=False)]
-            yield from sorted(Path(each.path) for each in entries.values() if each.is_symlink() and is_folder(each))
+            shown = [entry for name, entry in entries.items() if not name.startswith(".")]  # as colcon's crawl does
+            waiting += [Path(each.path) for each in shown if each.is_dir(follow_symlinks=False)]
+            yield from sorted(Path(each.path) for each in shown if each.is_symlink() and is_folder(each))
 
 
 def is_there(entry: os.DirEntry[str]) -> bool:

@@ -60,7 +60,10 @@ class ReferencedPaths:
                 yield from self.named(words, purpose, call)
         yield from self.read_files()
         for rule in self.cmake.installs:
-            if rule.kind in ("FILES", "PROGRAMS", "DIRECTORY") and not rule.optional and rule.call.name in INSTALLERS:
+            may_lack = (
+                rule.optional or rule.matching
+            )  # CMake 3.25 is silent where a folder with FILES_MATCHING is missing
+            if rule.kind in ("FILES", "PROGRAMS", "DIRECTORY") and not may_lack and rule.call.name in INSTALLERS:
                 use: Use = "folder" if rule.kind == "DIRECTORY" else "install"
                 yield from self.named(rule.items, use, rule.call)
 

@@ -8,6 +8,7 @@ from ...checks.params.ros_parameters_key import ParameterFileUse, key_faults
 from ...edits.fault_hits import hits
 from ...example import Example
 from ...finding import Hit, Safety, Severity
+from ...light_dataclasses import replace
 from ...rule import rule
 
 GOOD = """\
@@ -25,6 +26,7 @@ listener:
     "missing-ros-parameters",
     over=ParameterFileUse,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "a package that launches nodes names the file nowhere"},
     examples=(
         Example(
             on="config",
@@ -53,7 +55,8 @@ def missing_ros_parameters(use: ParameterFileUse) -> Iterator[Hit]:
     ## When it is quiet
     Only YAML files that hold a block of parameters (perhaps misspelt), begin with `/**:`, or are passed to a node by a
     launch file are read; those of tests, and templates, are not. Where a launch file parses the file itself
-    (`yaml.safe_load`) and gives no node its path, a block without the key may be for something else.
+    (`yaml.safe_load`) and gives no node its path, a block without the key may be for something else. Of a file
+    that a package names nowhere, though it launches others, it is a warning.
 
     ## Fix safety
     The fix of the spelling is safe. A missing `ros__parameters:` is added above all that the block holds, which is
@@ -62,4 +65,6 @@ def missing_ros_parameters(use: ParameterFileUse) -> Iterator[Hit]:
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c
     """
-    yield from hits(use.file.path, key_faults(use.file, is_parsed_by_launch=use.is_parsed_by_launch))
+    level = Severity.WARNING if use.is_unnamed else None
+    for hit in hits(use.file.path, key_faults(use.file, is_parsed_by_launch=use.is_parsed_by_launch)):
+        yield replace(hit, level=level or hit.level)
