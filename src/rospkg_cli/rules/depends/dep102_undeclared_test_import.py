@@ -44,7 +44,7 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
     What a declared dependency certainly installs can't be missing, nor can pytest, which colcon needs itself: that is
     one info, which names who brings it. What may come with a declared one is another: with a package that is neither
     here nor in the table of what is installed with what, anything may come. Left out are optional imports, helpers that
-    no test uses, launch, launch_ros and launch_testing where a declared dependency certainly brings them, and what
+    no test uses, launch_ros and launch_testing where a declared dependency certainly brings them, and what
     installed code imports as well (DEP101).
 
     ## Fix safety
