@@ -232,7 +232,7 @@ def test_some_plugins_are_of_another_package_than_they_are_called_after(plugin: 
 def test_rclpy_in_tests_is_an_info_and_what_runs_them_is_not() -> None:
     text = "import launch\nimport ament_index_python\nimport launch_testing\nimport rclpy\n"
     (finding,) = found("DEP102", declared("launch_testing_ros", tag="test_depend"), test__test_a_DOT_py=text)
-    assert finding.message.startswith("`rclpy` is imported by tests and not declared: it comes with")
+    assert finding.message.startswith("`launch` and `rclpy` are imported by tests and not declared: they come with")
 
 
 @pytest.mark.parametrize(("user", "count"), [("from helper import a\n", 1), ("import os\n", 0)])
