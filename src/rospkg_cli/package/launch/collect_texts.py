@@ -24,11 +24,7 @@ NO_TEXT = frozenset({
 """Classes that take actions, join texts to a path that is used elsewhere, or only print them."""
 
 READERS = frozenset({"open", "io.open", "codecs.open", "xacro.process_file", "xacro.process", "xacro.parse"})
-PATH_TESTS = frozenset({
-    "os.path.exists", "os.path.isfile", "os.path.lexists", "os.access", "os.stat", "os.makedirs", "xacro.open_output",
-})  # fmt: skip
-"""Functions that ask whether a path is there, or make it."""
-
+PATH_TESTS = frozenset({"os.path.exists", "os.path.isfile", "os.path.lexists", "os.access", "os.stat", "os.makedirs"})
 PATH_METHODS = frozenset({"exists", "is_file", "write_text", "touch", "open"})
 INCLUDING = ("LaunchDescriptionSource", "IncludeLaunchDescription")
 PASSED_ON = "launch_arguments"
