@@ -70,13 +70,11 @@ def removed(span: Span, name: str, now: str, has_both: bool) -> Fault:
 
 def together(found: Mapping[Span, tuple[str, bool]]) -> Iterator[Fault]:
     """Yield what a file for an older launch_ros has as one fault: it stops at the first."""
+    now = {**RENAMED, **ROS1}
+    faults = {span: removed(span, name, now[name], has_both) for span, (name, has_both) in found.items()}
     old = {span: name for span, (name, has_both) in found.items() if name in RENAMED and not has_both}
     if len(old) > 1:
-        faults = [removed(span, name, RENAMED[name], False) for span, name in old.items()]
-        now = in_ticks(RENAMED[name] for name in old.values())
+        better = in_ticks(RENAMED[name] for name in old.values())
         start = f"launch no longer takes {in_ticks(old.values())} of nodes and stops there"
-        yield joined(faults, f"{start}; write {now}", f"write {now}")
-    else:
-        yield from (removed(span, name, RENAMED[name], False) for span, name in old.items())
-    rest = {span: each for span, each in found.items() if span not in old}
-    yield from (removed(span, name, {**RENAMED, **ROS1}[name], has_both) for span, (name, has_both) in rest.items())
+        yield joined([faults.pop(span) for span in old], f"{start}; write {better}", f"write {better}")
+    yield from faults.values()
