@@ -50,7 +50,7 @@ SHAPES: tuple[Shape, ...] = (
     (
         "XML104", "placeholder-metadata", Severity.WARNING, "package.xml",
         "  <description>«The {p} package»</description>",
-        "the description says `The {p} package`; say in one sentence what the package does",
+        "the description only repeats the package's name; say in one sentence what the package does",
         "",
     ),
     (

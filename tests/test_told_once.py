@@ -25,8 +25,8 @@ def workspace(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def told(folder: Path, *options: str) -> list[dict[str, Any]]:
-    result = run_here("lint", folder, "--select", "CMK002", "--format", "json", "--no-cache", *options, cwd=folder)
+def told(folder: Path, *options: str, code: str = "CMK002") -> list[dict[str, Any]]:
+    result = run_here("lint", folder, "--select", code, "--format", "json", "--no-cache", *options, cwd=folder)
     found: list[dict[str, Any]] = json.loads(result.stdout)["findings"]
     return found
 
@@ -38,6 +38,13 @@ def test_an_info_of_several_packages_is_told_once(workspace: Path) -> None:
         ("b_pkg", "and here"),
         ("c_pkg", "and here"),
     ]
+
+
+def test_descriptions_that_repeat_the_name_are_told_once(workspace: Path) -> None:
+    for path in workspace.glob("*/package.xml"):
+        path.write_text(path.read_text().replace("Drives my robot", f"The {path.parent.name} package"))
+    (finding,) = told(workspace, code="XML104")
+    assert len(finding["related"]) == 2
 
 
 def test_each_warning_is_told(workspace: Path) -> None:

@@ -80,8 +80,9 @@ def placeholder_metadata(package: ManifestAndFiles) -> Iterator[Hit]:
             message = "the description is empty: colcon builds the folder as a plain package"
             yield Hit(manifest.path, manifest.span(element), f"{message}; {WANTED}", Severity.ERROR)
         elif not is_left and (TODO.fullmatch(shown) or repeats(manifest.name, shown)):
-            level = mild if TODO.fullmatch(shown) else Severity.INFO
-            yield Hit(manifest.path, manifest.span(element), f"the description says `{shown}`; {WANTED}", level)
+            is_todo = TODO.fullmatch(shown) is not None
+            said = f"the description says `{shown}`" if is_todo else "the description only repeats the package's name"
+            yield Hit(manifest.path, manifest.span(element), f"{said}; {WANTED}", mild if is_todo else Severity.INFO)
     for element in manifest.all("license") if not is_left else ():
         if TODO.fullmatch(element.text):
             text = license_text(package.files)
