@@ -31,6 +31,8 @@ def paths(text: str) -> dict[str, list[str]]:
         ("void f() { { a::msg::B b; b.c; } b.d; }", "a/msg/B", ["c"]),
         ("void f(a::msg::B b) { b.c; }\nvoid g() { b.d; }", "a/msg/B", ["c"]),
         ("a::msg::B f() { a::msg::B b; b.c; return b; }", "a/msg/B", ["c"]),
+        ("void f(a::msg::B::SharedPtr b) { b->c == b->a::msg::B::IDLE; }", "a/msg/B", ["c"]),
+        ("void f(a::msg::B b) { b.c.a::msg::D::IDLE; b.B::IDLE; }", "a/msg/B", ["c"]),
     ],
 )
 def test_variables_that_hold_a_message(text: str, message: str, names: list[str]) -> None:

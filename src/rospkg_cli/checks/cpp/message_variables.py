@@ -26,8 +26,10 @@ MADE_POINTER = regex(
     rf"{AUTO}\s+(?P<name>[A-Za-z_]\w*)\s*=\s*std::make_(?:shared|unique)<\s*(?:const\s+)?{MESSAGE}\s*>\s*\("
 )
 FORMS = ((BY_VALUE, "."), (MADE, "."), (BY_POINTER, "->"), (IN_POINTER, "->"), (MADE_POINTER, "->"))
-MEMBER = regex(r"\s*\.\s*([A-Za-z_]\w*)")
-USES = {".": MEMBER, "->": regex(r"\s*->\s*([A-Za-z_]\w*)")}
+NAMED = r"\s*([A-Za-z_]\w*)(?!\w|\s*::)"
+"""A member by its name alone; `msg->my_msgs::msg::State::IDLE` names a class first, and then what it has."""
+MEMBER = regex(rf"\s*\.{NAMED}")
+USES = {".": MEMBER, "->": regex(rf"\s*->{NAMED}")}
 """What stands behind a variable whose member is named, by its access."""
 CALL = regex(r"\s*\(")
 BOUND = regex(rf"{AUTO}\s*&{{0,2}}\s*\[([^\]]*)")
