@@ -118,7 +118,7 @@ def workspace(text: str, path: str = "urdf/robot.xacro") -> dict[str, str]:
     for name in ("robot", "parts"):
         both[f"src/{name}/package.xml"] = manifest("", "ament_cmake", name)
         both[f"src/{name}/CMakeLists.txt"] = CMAKE.replace("my_pkg", name).replace("ament_package", cmake)
-        both[f"src/{name}/meshes/arm.stl"] = "solid\n"
+        both[f"src/{name}/meshes/arm.stl"] = both[f"src/{name}/meshes/arm v2 left.stl"] = "solid\n"
         both[f"src/{name}/urdf/wheel.xacro"] = XACRO + "</robot>\n"
         both[f"src/{name}/secret/key.stl"] = "solid\n"
     return {**both, f"src/robot/{path}": f"{XACRO}{text}</robot>\n"}
@@ -134,6 +134,9 @@ def workspace(text: str, path: str = "urdf/robot.xacro") -> dict[str, str]:
         ('<m f="package://parts/secret/key.stl"/>', "`parts` installs no folder `secret`"),
         ('<m f="package://elsewhere/meshes/x.stl"/>', ""),
         ('<m f="package://parts/meshes/${name}.stl"/>', ""),
+        ('<mesh filename="package://parts/meshes/arm v2 left.stl"/>', ""),
+        ('<mesh filename="package://parts/meshes/arm v2 right.stl"/>', "`meshes/arm v2 right.stl`"),
+        ('<m f="package://parts/meshes/arm.stl and more"/>', ""),
         ('<m f="$(find parts)/meshes"/>', ""),
         ("<p>$(find parts)/config/c.yaml</p>", "`config/c.yaml`"),
         ('<xacro:include filename="$(find parts)/urdf/wheels.xacro"/>', "xacro stops here"),

@@ -24,7 +24,8 @@ def references(document: Document) -> Iterator[ResourceReference]:
     for element in document.root.walk():
         use: Use = "include" if element.tag == "xacro:include" else "resource"
         for attribute in element.attributes.values():
-            yield from named_in(document.source, attribute.value_span, use, properties)
+            is_file = attribute.name == "filename"
+            yield from named_in(document.source, attribute.value_span, use, properties, is_file=is_file)
         if element.chunks and not element.is_self_closing:
             for span in text_spans(element):
                 yield from named_in(document.source, span, use, properties)
@@ -39,13 +40,18 @@ def text_spans(element: Element) -> Iterator[Span]:
     yield Span(at, element.inner.end)
 
 
-def named_in(source: Source, span: Span, use: Use, properties: Mapping[str, str]) -> Iterator[ResourceReference]:
+def named_in(
+    source: Source, span: Span, use: Use, properties: Mapping[str, str], *, is_file: bool = False
+) -> Iterator[ResourceReference]:
+    """Yield the references in a text; where the whole of it names a file, blanks are part of the name."""
     text = source.slice(span)
     for match in NAMED.finditer(text):
         package = match.group("package") or match.group("found")
         group = "rest" if match.group("package") else "below"
         rest = match.group(group) or ""
         start, end = match.span(group) if match.group(group) else (match.end(), match.end())
+        if is_file and rest and match.start() == 0:
+            rest, end = text[start:].rstrip(), len(text.rstrip())
         where = Span(span.start + start, span.start + end)
         yield ResourceReference(
             Span(span.start + match.start(), where.end), where, package, path_of(rest, properties), use
