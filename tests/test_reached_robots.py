@@ -122,3 +122,15 @@ def test_another_package_may_read_the_argument() -> None:
 
     assert levels("") == ["info"]
     assert levels('<a b="$(arg mesh)"/>') == ["error"]
+
+
+@pytest.mark.parametrize(("name", "level"), [("left", "error"), ("1", "warning")])
+def test_a_number_in_other_files_does_not_open_a_robot(name: str, level: str) -> None:
+    files = {
+        "package.xml": manifest("", "ament_cmake"),
+        "CMakeLists.txt": INSTALL,
+        "config/a.yaml": f"arm:\n  ros__parameters:\n    robot: {name}\n",
+        f"urdf/{name}.xacro": f"{TOP}{MESH}</robot>\n",
+    }
+    (finding,) = lint_files(files, ["URD002"]).findings
+    assert finding.severity.value == level

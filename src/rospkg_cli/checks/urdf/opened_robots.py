@@ -6,6 +6,7 @@ import re
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.launch.uncommented import uncommented
@@ -15,6 +16,7 @@ from ...package.workspace import Workspace
 ROBOTS = (".urdf", ".xacro", ".sdf", ".world")
 OPENERS = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h", ".sh", ".md", ".rst", ".txt")
 LAUNCH = (".py", ".xml", ".launch", ".yaml", ".yml")
+LETTERS = regex(r"[^\W\d_]{2}")
 PAGES = (".md", ".rst", ".txt")
 
 
@@ -27,7 +29,8 @@ class OpenedRobots:
     def has(self, path: str) -> bool:
         """Return whether a file may be opened: a text of the package names it, or another package needs this one.
 
-        Robots and pages name files in full; launch files and code often put the suffix behind a name.
+        Robots and pages name files in full; launch files and code often put the suffix behind a name, and such a name
+        has letters: `1` stands everywhere.
         """
         return self.is_named(path) or self.workspace.is_needed(self.package.name)
 
@@ -37,7 +40,8 @@ class OpenedRobots:
         stem = re.compile(rf"[\"'/]{word}[\"'./]")
         plain = re.compile(rf"(?<![\w.-]){word}(?![\w-])")
         for other, text in self.texts:
-            how = plain if other.endswith((".yaml", ".yml")) else None if other.endswith(ROBOTS + PAGES) else stem
+            in_full = other.endswith(ROBOTS + PAGES) or not LETTERS.search(word)
+            how = None if in_full else plain if other.endswith((".yaml", ".yml")) else stem
             if other != path and (name in text or (how is not None and how.search(text))):
                 return True
         return False
