@@ -45,11 +45,14 @@ def test_what_a_file_holds(source: str, said: str) -> None:
         ("test/spare.cpp", 0),
         ("src/examples/spare.cpp", 0),
         ("third_party/spare.cpp", 0),
+        ("src/node_template.cpp", 0),
+        ("src/spare-old.cpp", 0),
+        ("src/goldfish.cpp", 1),
     ],
 )
 def test_where_a_file_lies(path: str, count: int) -> None:
     assert len(messages({path: NODE})) == count
-    assert messages({path: NODE, ".gitignore": "spare.*\n"}) == []
+    assert messages({path: NODE, ".gitignore": f"/{path}\n"}) == []
     assert messages({path: NODE, "src/talker.cpp": f'#include "{path}"\n{NODE}'}) == []
 
 

@@ -26,6 +26,9 @@ MACROS = {"RCLCPP_COMPONENTS_REGISTER_NODE": "component", "PLUGINLIB_EXPORT_CLAS
 ASIDE = frozenset(
     "example examples demo demos sample samples benchmark benchmarks old backup deprecated scripts".split()
 )
+LEFT = frozenset("template templates old backup bak deprecated copy".split())
+"""Words of a file's name that say that it is kept and not built."""
+WORD = regex(r"[A-Za-z]+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +58,9 @@ class UncompiledSources:
 
     def is_candidate(self, path: str) -> bool:
         """Return whether a file lies where programs do, and git keeps it."""
-        is_run = role_of(path) == "run" and ASIDE.isdisjoint(path.lower().split("/")) and not self.is_elsewhere(path)
+        *folders, name = path.lower().split("/")
+        is_kept = not (ASIDE.isdisjoint(folders) and LEFT.isdisjoint(WORD.findall(name.replace("_", " "))))
+        is_run = role_of(path) == "run" and not is_kept and not self.is_elsewhere(path)
         return is_run and path.endswith(SOURCES) and not self.package.cmake.package_files.absent.is_ignored(path)
 
     def is_elsewhere(self, path: str) -> bool:

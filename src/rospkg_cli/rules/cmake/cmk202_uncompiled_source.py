@@ -56,8 +56,8 @@ def uncompiled_source(sources: UncompiledSources) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a CMake file has the name of the file anywhere, in a comment too, or another file includes it. In folders of
-    tests, examples, demos or third parties, where git ignores the file, where the sources of a target can't be
-    evaluated, and where a command of another package may add targets.
+    tests, examples, demos or third parties, in a file whose name says `template`, `old` or the like, where git ignores
+    the file, where the sources of a target can't be evaluated, and where a command of another package may add targets.
     """
     for each in sources.all():
         name = each.path.rpartition("/")[2].rpartition(".")[0]
