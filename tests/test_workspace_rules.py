@@ -140,14 +140,21 @@ def test_a_changelog_in_an_old_encoding_is_no_fault() -> None:
     assert lint_files(files, ["WSP004", "RPK001"]).findings == ()
 
 
+def test_packages_of_one_name_for_ros_1_and_ros_2() -> None:
+    ros1 = manifest("  <buildtool_depend>catkin</buildtool_depend>\n", "catkin", "my_pkg")
+    files = {"ros1/a/package.xml": ros1, "ros2/a/package.xml": manifest("", "ament_cmake", "my_pkg")}
+    (finding,) = lint_files(files, ["WSP001"]).findings
+    assert (finding.severity.value, len(finding.related)) == ("warning", 1)
+
+
 @pytest.mark.parametrize(
     ("folders", "selected", "told"),
     [
         (("one_ws/src/a", "two_ws/src/b"), "", 0),
-        (("ws/src/one/a", "ws/src/two/src/b"), "", 2),
-        (("src/one/src/a", "src/two/src/b"), "", 2),
-        (("a", "inner/src/b"), "", 2),
-        (("src/a", "inner/src/b"), "", 2),
+        (("ws/src/one/a", "ws/src/two/src/b"), "", 1),
+        (("src/one/src/a", "src/two/src/b"), "", 1),
+        (("a", "inner/src/b"), "", 1),
+        (("src/a", "inner/src/b"), "", 1),
         (("src/a", "inner/src/b"), "inner/src/b", 0),
         (("a", "inner/src/b"), "inner/src/b", 0),
         (("src/a", "inner/src/b"), "src/a", 0),

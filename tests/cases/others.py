@@ -173,6 +173,17 @@ CASES = {
         )
         for count in (1, 19, 20, 22)
     ),
+    "WSP001": (
+        Example(
+            on="",
+            bad={
+                "ros1/my_pkg/package.xml": manifest("  <buildtool_depend>catkin</buildtool_depend>\n", "catkin"),
+                "ros2/my_pkg/package.xml": manifest("", "ament_cmake"),
+                "ros2/my_pkg/CMakeLists.txt": CMAKE,
+            },
+            good={},
+        ),
+    ),
     "SET101": (
         python("", setup_DOT_py=setup_py(scripts("talker = speech.talker:main")).replace(
             "packages=find_packages(exclude=['test'])", "packages=['my_pkg', 'speech']")),

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Set
 
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
+from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...rule import rule
 
@@ -17,13 +18,14 @@ MARKED = manifest(build_type="ament_cmake").replace("<name>my_pkg", "<name>«my_
     "duplicate-package-name",
     over=Workspace,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "one of them is for ROS 1, and people may build it apart"},
     examples=(
         Example(
             on="",
             bad={
                 "arm/my_pkg/package.xml": MARKED,
                 "arm/my_pkg/CMakeLists.txt": CMAKE,
-                "copy/my_pkg/package.xml": MARKED,
+                "copy/my_pkg/package.xml": manifest(build_type="ament_cmake"),
                 "copy/my_pkg/CMakeLists.txt": CMAKE,
                 "LICENSE": "Apache License\n",
             },
@@ -42,36 +44,38 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
     ## When it is quiet
     Folders below an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE) are no packages. Two workspaces side by
     side (`one_ws/src`, `other_ws/src`) are built apart; so is one within another where only the inner one is linted.
+    All packages of one name are one finding.
     """
-    by_name: dict[str, list[tuple[str, str]]] = {}
+    by_name: dict[str, list[PackageFacts]] = {}
     for facts in workspace.packages:
-        by_name.setdefault(facts.name, []).append((facts.folder, facts.at("package.xml")))
+        by_name.setdefault(facts.name, []).append(facts)
     for facts in workspace.packages:
-        others = [
-            path
-            for folder, path in by_name[facts.name]
-            if folder != facts.folder and are_built_together(facts.folder, folder, workspace.selected)
-        ]
-        if others and facts.folder in workspace.selected:
-            first = others[0].lstrip("/")
+        copies = by_name[facts.name]
+        others = [each for each in copies if each is not facts and are_built_together(facts, each, workspace.selected)]
+        earlier = [each for each in copies[: copies.index(facts)] if each in others]
+        if facts.folder not in workspace.selected or any(each.folder in workspace.selected for each in earlier):
+            continue
+        if others:
+            first = others[0].at("package.xml").lstrip("/")
+            is_for_both = any(each.is_for_ros1 != facts.is_for_ros1 for each in others)
             message = (
                 f"`{first}` is called `{facts.name}` too: colcon builds nothing (`Duplicate package names not "
                 f"supported`); rename one, or put a COLCON_IGNORE into the copy"
             )
-            spans = {f.at("package.xml"): f.name_span for f in workspace.packages}
-            related = tuple(Related(path, spans[path], "the other one") for path in others)
-            yield Hit(facts.at("package.xml"), facts.name_span, message, related=related)
+            related = tuple(Related(each.at("package.xml"), each.name_span, "the other one") for each in others)
+            level = Severity.WARNING if is_for_both else None
+            yield Hit(facts.at("package.xml"), facts.name_span, message, level, related=related)
 
 
-def are_built_together(folder: str, other: str, selected: Set[str]) -> bool:
+def are_built_together(facts: PackageFacts, other: PackageFacts, selected: Set[str]) -> bool:
     """Return whether a colcon that is started for the first of two packages finds the other too."""
-    here, there = root_of(folder), root_of(other)
+    here, there = root_of(facts.folder), root_of(other.folder)
     if here == there:
         return True
     is_nested = f"{here}/".startswith(f"{there}/" if there else "") or f"{there}/".startswith(
         f"{here}/" if here else ""
     )
-    return is_nested and other in selected
+    return is_nested and other.folder in selected
 
 
 def root_of(folder: str) -> str:
