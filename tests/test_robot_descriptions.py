@@ -84,8 +84,8 @@ def test_a_short_call_stays_in_its_line() -> None:
 def test_a_long_call_is_broken_over_lines() -> None:
     assert fixed(LONG) == [
         "            parameters=[{'use_sim_time': use_sim_time_of_it, 'robot_description': ParameterValue(",
-        "                Command(['xacro ', 'my_robot.urdf.xacro']),",
-        "                value_type=str)}],",
+        "                Command(['xacro ', 'my_robot.urdf.xacro']), value_type=str",
+        "            )}],",
     ]
 
 

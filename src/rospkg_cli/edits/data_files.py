@@ -11,7 +11,7 @@ from ..package.setup.data_files import DataFile
 from ..package.setup.setup_py import SetupPy
 from ..source import Span
 from . import python_list as commas
-from .setup_py import add_argument, add_item, import_module, name_code, quoted, replace_text
+from .setup_py import add_argument, add_item, import_module, name_code, own_arguments, quoted, replace_text
 
 SHARE = regex(
     r"""\bf["']share/\{(?P<name>\w+)\}|(?P<join>[\w.]*\bjoin)\(\s*["']share["']\s*,\s*(\w+)"""
@@ -57,7 +57,13 @@ def add_data_entry(setup: SetupPy, destination: str, sources: str) -> tuple[Edit
     value = setup.value("data_files")
     if isinstance(value, Sequence):
         return add_item(setup, value, code)
-    return add_argument(setup, f"data_files=[{code}]") if value is None and setup.argument("data_files") is None else ()
+    if value is not None or setup.argument("data_files") is not None:
+        return ()
+    arguments = [each.span.start for each in own_arguments(setup)]
+    if not arguments or not commas.begins_line(setup.source, arguments[-1]):
+        return add_argument(setup, f"data_files=[{code}]")
+    indent = commas.indent_of(setup.source, arguments[-1])
+    return add_argument(setup, f"data_files=[\n{indent}    {code},\n{indent}]")
 
 
 def install_marker(setup: SetupPy, name: str, wrong: DataFile | None, *, absent: bool) -> tuple[Operation, ...]:

@@ -5,15 +5,17 @@ from __future__ import annotations
 import io
 
 from ..finding import Edit
+from ..languages.python.evaluate.values import Sequence
 from ..lazy_regex import regex
 from ..package.setup.entry_points import EntryPoint, parse_entry_point
 from ..package.setup.setup_py import SetupPy
 from ..package.setup.setup_text import SetupText
 from ..source import Span
-from .setup_py import add_item, quoted, replace_text
+from .setup_py import add_item, quoted_as, replace_text
 
 # Linear: it has to fit one whole line of entry points, and `:` and `=` stand in none of its other parts.
 SLASHES = regex(r"(?P<name>[\w.-]+\s*=\s*)(?P<module>[\w./]+?)(?:\.py)?\s*:\s*(?P<attribute>\w+)(?:\(\))?")
+SPACED = regex(r"\s=|=\s")
 
 
 def repair_entry_point(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
@@ -76,4 +78,12 @@ def strings(code: str) -> list[tuple[int, int]]:
 
 def add_entry(setup: SetupPy, like: EntryPoint, text: str) -> tuple[Edit, ...]:
     """Put an entry point into the list of another one."""
-    return add_item(setup, like.list_value, quoted(setup, text)) if like.list_value is not None else ()
+    return add_script(setup, like.list_value, text) if like.list_value is not None else ()
+
+
+def add_script(setup: SetupPy, scripts: Sequence, text: str) -> tuple[Edit, ...]:
+    """Put an entry point into a list of them, in the hand of the last one: its quotes, and no blanks if it has none."""
+    last = setup.source.slice(scripts.places[-1]) if scripts.places else ""
+    name, sign, target = text.partition(" = ")
+    written = f"{name}={target}" if sign and "=" in last and not SPACED.search(last) else text
+    return add_item(setup, scripts, quoted_as(setup, last, written))

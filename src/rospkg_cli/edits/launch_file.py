@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import ast
+import re
+from itertools import pairwise
 
 from ..finding import Edit
 from ..languages.python.file import PythonFile
+from ..lazy_regex import regex
 from ..source import Span
+
+STRINGS = regex(r"'[^'\n]*'|\"[^\"\n]*\"|#.*")
+CLOSING = regex(r"([)\]}]+),?[ \t\r]*")
 
 
 def import_name(file: PythonFile, module: str, name: str) -> tuple[Edit, ...]:
@@ -32,18 +38,59 @@ def module_of(node: ast.Import | ast.ImportFrom) -> str:
 def pass_through(file: PythonFile, span: Span, call: str, last: str, width: int) -> tuple[Edit, ...]:
     """Write a call with one more argument around an expression, over several lines where one would be too long.
 
-    Nothing where a line would be too long in either way.
+    Where closing brackets stand in lines of their own, those of the call do so too, and the outermost brackets of the
+    line are opened first, as black does. Nothing where a line would be too long in every way.
     """
     text = file.source.text
-    line = text.rfind("\n", 0, span.start) + 1
+    start = text.rfind("\n", 0, span.start) + 1
     end = text.find("\n", span.end)
-    indent = text[line : len(text) - len(text[line:].lstrip(" \t"))]
-    around = text[line : span.start], text[span.start : span.end], text[span.end : end if end != -1 else len(text)]
+    line = Span(start, end if end != -1 else len(text))
+    indent = text[start : len(text) - len(text[start:].lstrip(" \t"))]
     newline = "\r\n" if "\r\n" in text else "\n"
-    inner = f"{newline}{indent}    "
-    for before, after in ((f"{call}(", f", {last})"), (f"{call}({inner}", f",{inner}{last})")):
-        lines = (around[0] + before + around[1] + after + around[2]).split("\n")
-        if all(len(each.rstrip()) <= width for each in lines):
-            start, stop = Span(span.start, span.start), Span(span.end, span.end)
-            return (Edit(file.path, start, before), Edit(file.path, stop, after))
+    inner, outer = f"{newline}{indent}    ", f"{newline}{indent}"
+    ways: list[tuple[tuple[int, str], ...]] = [((span.start, f"{call}("), (span.end, f", {last})"))]
+    if closes_alone(text):
+        brackets = outermost(text, line, span)
+        ways += [((brackets.start, inner), *ways[0], (brackets.end, outer))] if brackets else []
+        ways.append(((span.start, f"{call}({inner}"), (span.end, f", {last}{outer})")))
+    ways.append(((span.start, f"{call}({inner}"), (span.end, f",{inner}{last})")))
+    for way in ways:
+        made: dict[int, str] = {}
+        for at, code in way:
+            made[at] = made.get(at, "") + code
+        if all(len(each.rstrip()) <= width for each in written(text, line, made).split("\n")):
+            return tuple(Edit(file.path, Span(at, at), code) for at, code in made.items())
     return ()
+
+
+def written(text: str, line: Span, insertions: dict[int, str]) -> str:
+    """Return a line with some insertions."""
+    places = sorted({line.start, line.end, *insertions})
+    return "".join(insertions.get(at, "") + text[at:to] for at, to in pairwise([*places, line.end]))
+
+
+def closes_alone(text: str) -> bool:
+    """Return whether most brackets over several lines close in a line of their own."""
+    alone = others = 0
+    for line in STRINGS.sub("", text).splitlines():
+        is_alone = line.lstrip().startswith((")", "]", "}"))
+        alone += is_alone
+        others += not is_alone and sum(map(line.count, ")]}")) > sum(map(line.count, "([{"))
+    return alone > others
+
+
+def outermost(text: str, line: Span, span: Span) -> Span | None:
+    """Return what the outermost brackets around a span in its line hold; None where they are not alone there."""
+    before, behind = STRINGS.sub(blanked, text[line.start : span.start]), text[span.end : line.end]
+    depth, first = 0, -1
+    for at, sign in enumerate(before):
+        depth += (sign in "([{") - (sign in ")]}")
+        first = at if sign in "([{" and depth == 1 else first
+    closing = CLOSING.fullmatch(behind)
+    if depth < 1 or closing is None or len(closing[1]) < depth or "\n" in text[span.start : span.end]:
+        return None
+    return Span(line.start + first + 1, span.end + depth - 1)
+
+
+def blanked(found: re.Match[str]) -> str:
+    return " " * len(found[0])

@@ -12,6 +12,7 @@ from ..ros.manifest import DEPENDENCY_TAGS, place_of
 
 LINE_BREAK = regex(r"[ \t]*\n[ \t]*")
 BLANK = regex(r"[ \t]*\n[ \t]*\n")
+END = regex(r"\s*</package>")
 DEPENDENCY = frozenset(DEPENDENCY_TAGS)
 Block = list[Element]
 """Dependencies on lines that follow each other, without a blank line or a comment between them."""
@@ -103,7 +104,8 @@ def gap_before(manifest: Manifest, tag: str, following: Element) -> str:
 def gap_behind(manifest: Manifest, tag: str, last: Element, at: int) -> str:
     """Return the blank line that parts a new kind of dependency, or <export>, from what is before it, or ""."""
     is_new = tag != last.tag and (tag in DEPENDENCY_TAGS or tag == "export")
-    return "\n" if is_new and BLANK.match(manifest.source.text, at) and parts_kinds(manifest) else ""
+    is_followed = BLANK.match(manifest.source.text, at) or (tag == "export" and END.match(manifest.source.text, at))
+    return "\n" if is_new and is_followed and parts_kinds(manifest) else ""
 
 
 def parts_kinds(manifest: Manifest) -> bool:

@@ -32,6 +32,12 @@ def quoted(setup: SetupPy, text: str) -> str:
     return f'"{shown[1:-1]}"' if double and shown.startswith("'") and '"' not in text else shown
 
 
+def quoted_as(setup: SetupPy, code: str, text: str) -> str:
+    """Return a string in the quotes of some code, or in those that setup.py uses most where it has both or none."""
+    marks = {"'", '"'} & set(code)
+    return f"{mark}{text}{mark}" if len(marks) == 1 and (mark := marks.pop()) not in text else quoted(setup, text)
+
+
 def name_code(setup: SetupPy, name: str) -> str:
     """Return the expression for the package's name: the variable that holds it, if there is one."""
     for variable, value in setup.names.items():
@@ -152,7 +158,7 @@ def exclude_packages(setup: SetupPy, search: PackageSearch, names: list[str]) ->
 def move_tests_require(setup: SetupPy) -> tuple[Edit, ...]:
     """Write what `tests_require` says into `extras_require`, under `test`."""
     code = setup.source.slice(setup.value_span("tests_require"))
-    key = quoted(setup, "test")
+    key = quoted_as(setup, code, "test")
     extras = setup.value("extras_require")
     if extras is None and setup.argument("extras_require") is None:
         return replace_argument(setup, "tests_require", f"extras_require={{{key}: {code}}}")

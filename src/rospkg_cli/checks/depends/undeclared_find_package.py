@@ -132,7 +132,8 @@ class FindPackageDependencies:
         listed = keys_for_cmake(name)
         if NOTHING_NEEDED in listed:
             return ()
-        own = (name,) if self.declared.workspace.kind_of(name) in (NameKind.PACKAGE, NameKind.KEY) else ()
+        is_known = name not in listed and self.declared.workspace.kind_of(name) in (NameKind.PACKAGE, NameKind.KEY)
+        own = (name,) if is_known else ()
         itself = self.declared.facts.name
         known = tuple(each for each in (*own, *listed) if "*" not in each and each != itself)
         return (*known, *self.matching_names(name, self.declared.names)) if known else ()

@@ -13,13 +13,14 @@ from ...package.manifest import Manifest
 from ...package.setup.setup_py import SetupPy
 from ...package.setup.setup_text import SetupText
 from ...ros.licenses import spdx_id
+from ..manifest.placeholders import is_placeholder
 
 SEVERAL = regex(r"\s*(?:,|;|\band\b|&|\|)\s*")
 ADDRESS = regex(r"\s*<[^>]*>")
 TODO = regex(r"todo\b.*", re.IGNORECASE | re.DOTALL)
 
-REAL = regex(r"(?!.*@todo\.)[^\s@]+@[^\s@]+\.[^\s@]+", re.IGNORECASE)
-"""An address that is one, and not a template's."""
+REAL = regex(r"[^\s@]+@[^\s@]+\.[^\s@]+")
+"""An address that is one."""
 
 MAX_LENGTH = 1_000
 """In characters: a longer license or list of names is none, and parting it is slow."""
@@ -59,7 +60,7 @@ class Metadata:
 
     def maintainer(self) -> Iterator[Difference]:
         argument, elements = self.setup.setup_text("maintainer"), self.manifest.all("maintainer")
-        if argument is None or is_long(argument) or not elements:
+        if argument is None or is_long(argument) or not elements or any(is_placeholder(e.text) for e in elements):
             return
         ours = {folded(ADDRESS.sub("", part)) for part in SEVERAL.split(argument.text)}
         theirs = {folded(element.text) for element in elements}
@@ -71,6 +72,8 @@ class Metadata:
         addresses = [address.value for e in elements if (address := e.attributes.get("email"))]
         if argument is None or is_long(argument) or not addresses or not all(map(REAL.fullmatch, addresses)):
             return
+        if any(map(is_placeholder, addresses)):
+            return  # XML104 reports it
         ours = {folded(part) for part in SEVERAL.split(argument.text)}
         if ours.isdisjoint(folded(address) for address in addresses):
             yield "maintainer_email", argument, addresses[0] if len(addresses) == 1 else "", elements[0]

@@ -16,6 +16,7 @@ from ...tree import Tree
 from .apply import Changes, apply_fixes, paths_of
 from .dependency_cycles import closing_cycles
 from .overlay import Overlay
+from .wider_declarations import needless
 
 MAX_TRIED = 50
 """Of more fixes that touch a broken file, none is tried alone: each time a package is read."""
@@ -46,6 +47,7 @@ def one_round(
         refused += failing
     cyclic = [Refusal(each, why) for each, why in closing_cycles(tree, folders, left)]
     left = without(left, [each.finding for each in cyclic])
+    left = without(left, needless(left))  # what is still wanted then comes in the next round
     refused += cyclic
     while left:
         changes, taken = apply_fixes(tree, [each.fix for each in left if each.fix])

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from ...checks.manifest.manifest_inputs import ManifestAndFiles
+from ...checks.manifest.placeholders import EMAIL, NAMES, TODO
 from ...example import Example, manifest
 from ...files import PackageFiles
 from ...finding import Hit, Severity
@@ -15,10 +16,6 @@ from ...rule import rule
 from ...source import Span
 
 GOOD = manifest()
-TODO = regex(
-    r"\W*(?i:TODO|TBD|FIXME|XXX|none|description|(a )?package description)\W*|\W*TODO\b.*|(?i:todo:).*", re.DOTALL
-)
-EMAIL = regex(r".*@todo(\.\w+)?|(todo@|your[._-]?e?-?mail|(user|you|email|name)@(example|domain)\b).*", re.I)
 LICENSE = regex(r"(?:LICEN[CS]E|COPYING)[^/]*")
 LICENSES = tuple(
     f"{name}{suffix}" for name in ("LICENSE", "LICENCE", "COPYING", "License") for suffix in ("", ".md", ".txt", ".rst")
@@ -117,6 +114,6 @@ def people(manifest: Manifest, mild: Severity | None) -> Iterator[Hit]:
         if email and EMAIL.fullmatch(email.value):
             message = f"`{email.value}` is a template's address; write the {element.tag}'s own"
             yield Hit(manifest.path, email.value_span, message, mild)
-        elif element.text.upper() in ("TODO", "YOUR NAME", "YOUR_NAME"):
+        elif element.text.upper() in NAMES:
             span: Span = manifest.span(element)
             yield Hit(manifest.path, span, f"the {element.tag} is called `{element.text}`; write a name", mild)

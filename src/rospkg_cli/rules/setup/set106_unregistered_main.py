@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.unregistered_nodes import UnregisteredNodes
-from ...edits.setup_py import add_item, quoted
+from ...edits.entry_points import add_script
 from ...example import Example, manifest, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -53,7 +53,8 @@ def unregistered_main(nodes: UnregisteredNodes) -> Iterator[Hit]:
         name = node.module.rpartition(".")[2]
         entry = f"{name} = {node.module}:main"
         setup = nodes.package.setup
-        edits = add_item(setup, nodes.scripts, quoted(setup, entry)) if nodes.scripts is not None else ()
+        is_module = all(part.isidentifier() for part in node.module.split("."))
+        edits = add_script(setup, nodes.scripts, entry) if nodes.scripts is not None and is_module else ()
         fix = Fix(f"add `{entry}`", edits, Safety.UNSAFE) if edits else None
         message = f"`{node.path}` has a node and a `main`, but no entry point: `ros2 run` can't start it; add `{entry}`"
         if node.starts_itself or node.is_alone:

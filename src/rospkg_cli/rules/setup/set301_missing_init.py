@@ -16,6 +16,9 @@ FILES = {"my_pkg/talker.py": "from my_pkg.speech.words import GREETING\n\nprint(
 
 MISSPELT = regex(r"/_{0,3}init_{0,3}\.py$")
 
+SHOWN = regex(r"(?:.*/)?(?:examples?|demos?|scripts?|tools?|tutorials?|notebooks?)")
+"""Folders that hold what is read or run, not imported."""
+
 
 @rule(
     "SET301",
@@ -49,6 +52,9 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
     ## When it is quiet
     With `find_namespace_packages()`, in folders of tests and below them, where setup.py generates the folder's modules,
     and where git ignores the `__init__.py`. What only tests import is a warning: pytest runs them in the source.
+
+    ## Fix safety
+    It is unsafe for a folder of examples, scripts or tools that nothing imports: it would be installed with the rest.
     """
     for folder in tree.missing_inits:
         inside = [path for path in tree.package.files.below(folder) if path.endswith(".py")]
@@ -61,12 +67,13 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
         else:
             what = f"it is not installed, and importing `{name}` raises ModuleNotFoundError"
             what += f", but for `--symlink-install` (`{tree.linking}`)" if tree.linking else ""
+        safety = Safety.UNSAFE if not imported and SHOWN.fullmatch(folder) else Safety.SAFE
         start = f"`{folder}/` has no `__init__.py`: {what}"
         init, wrong = f"{folder}/__init__.py", next((path for path in inside if MISSPELT.search(path)), None)
         if wrong is not None:
             message, fix = f"{start}; rename `{wrong}`", Fix(f"rename {wrong} to __init__.py", (Move(wrong, init),))
         else:
-            message, fix = f"{start}; create an empty one", Fix(f"create {init}", (Create(init, ""),))
+            message, fix = f"{start}; create an empty one", Fix(f"create {init}", (Create(init, ""),), safety)
         is_fatal = imported and not tree.linking
         mild = Severity.INFO if tree.is_set_aside(folder) and not imported else Severity.WARNING
         yield Hit(inside[0], Span(0, 0), message, None if is_fatal else mild, fix=fix)

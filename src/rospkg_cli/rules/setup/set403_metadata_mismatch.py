@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.placeholders import is_placeholder
 from ...checks.setup.metadata import Metadata
 from ...edits.setup_py import replace_text
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
+from ...ros.licenses import spdx_id
 from ...rule import rule
 
 
-def example(right: str, wrong: str) -> Example:
+def example(right: str, wrong: str, fix: Safety = Safety.UNSAFE) -> Example:
     good = SETUP_PY.replace(f"'{wrong}'", f"'{right}'")
-    return Example(
-        bad={"setup.py": SETUP_PY.replace(f"'{right}'", f"'«{wrong}»'")}, good={"setup.py": good}, fix=Safety.SAFE
-    )
+    return Example(bad={"setup.py": SETUP_PY.replace(f"'{right}'", f"'«{wrong}»'")}, good={"setup.py": good}, fix=fix)
 
 
 @rule(
@@ -24,8 +24,8 @@ def example(right: str, wrong: str) -> Example:
     over=Metadata,
     severity=Severity.INFO,
     examples=(
-        example("Drives my robot", "TODO: Package description"),
-        example("Apache-2.0", "TODO: License declaration"),
+        example("Drives my robot", "TODO: Package description", Safety.SAFE),
+        example("Apache-2.0", "TODO: License declaration", Safety.SAFE),
         example("Ada", "Charles"),
         example("ada@example.org", "charles@example.org"),
     ),
@@ -43,15 +43,18 @@ def metadata_mismatch(metadata: Metadata) -> Iterator[Hit]:
     the one that ROS, bloom and the package index read.
 
     ## When it is quiet
-    Where a value is read from package.xml or can't be evaluated, and where one of several maintainers or licenses
-    fits.
+    Where a value is read from package.xml or can't be evaluated, where one of several maintainers or licenses fits, and
+    where package.xml has what a template left (XML104).
 
     ## Fix safety
-    There is no fix where setup.py names a license that has an SPDX id: which of two holds is for its owner to say.
+    It is safe where setup.py has what a template left; which of two other values holds is for their owner to say. There
+    is none where setup.py names a license that has an SPDX id.
     """
     for name, said, wanted, element in metadata.differing:
         edits = replace_text(said, wanted) if wanted else ()
-        fix = Fix(f"write `{wanted}`", edits) if edits else None
+        is_left = is_placeholder(said.text.strip())
+        sure = is_left and (name != "license" or spdx_id(wanted) is not None)
+        fix = Fix(f"write `{wanted}`", edits, Safety.SAFE if sure else Safety.UNSAFE) if edits else None
         shown = wanted or metadata.manifest.source.slice(metadata.manifest.span(element))
         other = " ".join(shown.split())
         advice = f"write `{wanted}`" if wanted else "make them one"

@@ -1,0 +1,195 @@
+"""Fixes that a maintainer merges as they stand: in the file's layout, and with no value that a template left."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.engine.fixing.fix import fix_all
+from rospkg_cli.engine.fixing.fix_results import FixResults
+from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.example import BACKDROPS, CMAKE, SETUP_PY, existing_files, manifest, scripts, setup_py
+from rospkg_cli.finding import Safety
+from rospkg_cli.rules.cmake import cmk005_removed_command as cmk005
+from rospkg_cli.rules.launch import lch009_unquoted_robot_description as lch009
+from rospkg_cli.testing import lint_files
+from rospkg_cli.tree import MemoryTree
+
+PYTHON = existing_files(BACKDROPS["ament_python"])
+CMAKE_FILES = existing_files(BACKDROPS["ament_cmake"])
+NODE = "import rclpy\n\n\ndef main():\n    rclpy.init()\n\n\nif __name__ == '__main__':\n    main()\n"
+EVERY = (Safety.SAFE, Safety.UNSAFE)
+
+
+def run(files: dict[str, str], *codes: str, safety: tuple[Safety, ...] = EVERY) -> FixResults:
+    session = Session(MemoryTree.of(files), Scope(("",), frozenset({""}), ""), frozenset(codes))
+    return fix_all(session, safety)
+
+
+def fixed(files: dict[str, str], path: str, *codes: str, safety: tuple[Safety, ...] = EVERY) -> str:
+    """Return a file after all fixes of some rules."""
+    entry = run(files, *codes, safety=safety).changes.get(path)
+    return entry.text.text if entry else files[path]
+
+
+def test_data_files_that_were_not_there_stand_on_lines_of_their_own() -> None:
+    start, end = SETUP_PY.index("    data_files=["), SETUP_PY.index("    install_requires")
+    text = SETUP_PY[:start] + SETUP_PY[end:]
+    after = fixed({**PYTHON, "setup.py": text}, "setup.py", "SET201", "SET203")
+    assert after == text.removesuffix(")\n") + (
+        "    data_files=[\n"
+        "        ('share/ament_index/resource_index/packages', ['resource/' + package_name]),\n"
+        "        ('share/' + package_name, ['package.xml']),\n"
+        "    ],\n)\n"
+    )
+
+
+@pytest.mark.parametrize("gap", ["\n", ""])
+def test_export_at_the_end_is_parted_as_the_others_are(gap: str) -> None:
+    text = manifest("  <depend>rclcpp</depend>\n", "ament_cmake")
+    start, end = text.index("  <export>"), text.index("</package>")
+    head = text[:start].rstrip().replace("\n\n", "\n").replace("  <buildtool", f"{gap}  <buildtool")
+    head = head.replace("  <depend>", f"{gap}  <depend>") + "\n"
+    after = fixed({**CMAKE_FILES, "package.xml": head + text[end:]}, "package.xml", "XML301")
+    assert after == head + gap + text[start:]
+
+
+@pytest.mark.parametrize(
+    ("name", "theirs", "ours", "safety"),
+    [
+        ("maintainer_email", "ada@example.org", "ada@todo.todo", "safe"),
+        ("maintainer_email", "ada@example.org", "adda@example.org", "unsafe"),
+        ("maintainer_email", "you@example.com", "ada@example.org", None),
+        ("maintainer", "Ada", "your_name", "safe"),
+        ("maintainer", "Ada", "Your Name", "safe"),
+        ("maintainer", "Ada", "Charles", "unsafe"),
+        ("maintainer", "Your Name", "Charles", None),
+        ("license", "Apache-2.0", "TODO: License declaration", "safe"),
+        ("license", "License declaration", "TODO: License declaration", "unsafe"),
+        ("license", "Apache-2.0", "see the file", "unsafe"),
+    ],
+)
+def test_no_value_of_a_template_and_none_of_two_real_ones_unasked(
+    name: str, theirs: str, ours: str, safety: str | None
+) -> None:
+    right = {"maintainer_email": "ada@example.org", "maintainer": "Ada", "license": "Apache-2.0"}[name]
+    files = {"package.xml": manifest(), "setup.py": SETUP_PY}
+    files["package.xml"] = (
+        files["package.xml"].replace(f'"{right}"', f'"{theirs}"').replace(f">{right}<", f">{theirs}<")
+    )
+    files["setup.py"] = files["setup.py"].replace(f"{name}='{right}'", f"{name}='{ours}'")
+    found = lint_files({**PYTHON, **files}, ["SET403"]).findings
+    assert [each.fix.safety.value for each in found if each.fix] == ([safety] if safety else [])
+    assert len(found) == (safety is not None)
+
+
+def test_quotes_are_those_of_the_neighbours() -> None:
+    files = {**PYTHON, "my_pkg/listener.py": NODE, "my_pkg/talker.py": NODE}
+    text = setup_py(scripts("talker = my_pkg.talker:main")).replace("'talker = my_pkg.talker:main'", "'a'")
+    text = text.replace("'a'", '"talker=my_pkg.talker:main"').replace(
+        "    zip_safe", "    tests_require=['pytest'],\n    zip_safe"
+    )
+    after = fixed({**files, "setup.py": text}, "setup.py", "SET106", "SET304")
+    assert '"listener=my_pkg.listener:main"' in after
+    assert "extras_require={'test': ['pytest']}" in after
+
+
+def test_a_module_that_cannot_be_named_gets_no_entry_point() -> None:
+    files = {
+        **PYTHON,
+        "my_pkg/talker.py": NODE,
+        "my_pkg/new talker.py": NODE,
+        "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+    }
+    assert fixed(files, "setup.py", "SET106") == files["setup.py"]
+
+
+NAMES = [f"interfaces_of_part_{number}_msgs" for number in range(4)]
+TARGETS = [f"${{{name}_TARGETS}}" for name in NAMES]
+
+
+@pytest.mark.parametrize(
+    ("call", "after"),
+    [
+        (f"(talker {' '.join(NAMES)})", "(talker PUBLIC" + "".join(f"\n  {each}" for each in TARGETS) + ")"),
+        (
+            f"(talker\n  {' '.join(NAMES)})",
+            f"(talker PUBLIC\n  {' '.join(TARGETS[:2])}\n  {' '.join(TARGETS[2:])})",
+        ),
+        (f"(talker\n  {NAMES[0]}\n  {NAMES[1]})", f"(talker PUBLIC\n  {TARGETS[0]}\n  {TARGETS[1]})"),
+    ],
+)
+def test_links_that_are_longer_than_the_packages_are_spread(call: str, after: str) -> None:
+    text = cmk005.ONE.replace("«ament_target_dependencies»(talker rclcpp std_msgs)", f"ament_target_dependencies{call}")
+    made = fixed({**CMAKE_FILES, **cmk005.FILES, "CMakeLists.txt": text}, "CMakeLists.txt", "CMK005")
+    assert made == text.replace(f"ament_target_dependencies{call}", f"target_link_libraries{after}")
+
+
+def test_a_bracket_stands_alone_where_others_do() -> None:
+    files = "install(FILES\n  a\n  DESTINATION share/a\n)\nament_package"
+    text = cmk005.ONE.replace("«ament_target_dependencies»", "ament_target_dependencies")
+    text = text.replace("talker rclcpp std_msgs", f"talker {' '.join(NAMES)}").replace("ament_package", files)
+    made = fixed({**CMAKE_FILES, **cmk005.FILES, "CMakeLists.txt": text}, "CMakeLists.txt", "CMK005")
+    assert f"\n  {TARGETS[-1]}\n)\n" in made
+
+
+LONG = "description_of_a_robot_with_two_arms"
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        (
+            '    robot = {"robot_description": LONG}\n',
+            '    robot = {\n        "robot_description": ParameterValue(LONG, value_type=str)\n    }\n',
+        ),
+        (
+            '    robot = {\n        "robot_description": xacro_LONG\n    }\n',
+            '    robot = {\n        "robot_description": ParameterValue(\n'
+            "            xacro_LONG, value_type=str\n        )\n    }\n",
+        ),
+    ],
+)
+def test_a_value_is_wrapped_as_black_would(before: str, after: str) -> None:
+    start = lch009.GOOD.index("    description = ")
+    head = lch009.GOOD[:start].replace("from launch_ros.parameter_descriptions import ParameterValue\n", "")
+    name = "xacro_LONG" if "xacro_LONG" in before else "LONG"
+    rest = (
+        f"    {name} = {lch009.COMMAND}\n{before}"
+        '    return LaunchDescription(\n        [Node(package="robot_state_publisher", '
+        'executable="robot_state_publisher", parameters=[robot])]\n    )\n'
+    )
+    files = {**PYTHON, "urdf/robot.urdf.xacro": lch009.ROBOT, "launch/a.launch.py": (head + rest).replace("LONG", LONG)}
+    made = fixed(files, "launch/a.launch.py", "LCH009")
+    assert after.replace("LONG", LONG) in made
+    compile(made, "a.launch.py", "exec")
+
+
+def test_what_is_needed_for_more_is_declared_once() -> None:
+    cmake = CMAKE.replace("ament_package", "find_package(joy REQUIRED)\nament_package")
+    files = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": cmake}
+    files["launch/a.launch.xml"] = '<launch>\n  <node pkg="joy" exec="x"/>\n  <node pkg="rviz2" exec="x"/>\n</launch>\n'
+    found = run({**CMAKE_FILES, **files}, "DEP103", "DEP104", "XML202")
+    assert sorted(each.fix.title for each in found.applied if each.fix) == [
+        "add <depend>joy</depend>",
+        "add <exec_depend>rviz2</exec_depend>",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("folder", "user", "safety"),
+    [
+        ("speech", "", "safe"),
+        ("examples", "", "unsafe"),
+        ("examples", "import my_pkg.examples.words\n", "safe"),
+    ],
+)
+def test_examples_are_not_installed_unasked(folder: str, user: str, safety: str) -> None:
+    files = {**PYTHON, f"my_pkg/{folder}/words.py": "GREETING = 'hello'\n", "my_pkg/talker.py": user}
+    (finding,) = lint_files(files, ["SET301"]).findings
+    assert finding.fix is not None
+    assert finding.fix.safety.value == safety
+
+
+def test_gazebo_is_what_serves_to_build_with_it() -> None:
+    cmake = CMAKE.replace("ament_package", "find_package(gazebo REQUIRED)\nament_package")
+    assert "<depend>gazebo_dev</depend>" in fixed({**CMAKE_FILES, "CMakeLists.txt": cmake}, "package.xml", "DEP104")
