@@ -52,6 +52,13 @@ def related(places: Iterable[tuple[str, Span]]) -> tuple[Related, ...]:
     return tuple(Related(path, span, "and here") for path, span in [*places][1 : MAX_RELATED + 1])
 
 
+def where_absent(declared: DeclaredDependencies, name: str) -> str:
+    """Return where what is not declared is missing; colcon builds all of a workspace unless it is asked for a part."""
+    if declared.workspace.named(name) is None:
+        return "on a clean machine"
+    return f"after `colcon build --packages-up-to {declared.facts.name}`"
+
+
 def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
     """Return what to do about a missing dependency."""
     match source_of(declared, name):

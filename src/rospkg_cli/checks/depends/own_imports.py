@@ -18,9 +18,9 @@ from ...ros.imports import STANDARD
 from ...ros.interfaces import KINDS
 from ...source import Span
 from ...suggest import nearest
+from ..installed_modules import InstalledModules
+from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
-from .installed_modules import InstalledModules
-from .reached_modules import ReachedModules
 
 REQUIREMENTS = regex(r"requirements[^/]*\.txt")
 README = regex(r"README[^/]*")
@@ -53,14 +53,8 @@ class OwnImports:
     files: PackageFiles
     run: RunImports
     table: InstallTable
-
-    @cached_property
-    def installed(self) -> InstalledModules:
-        return InstalledModules(self.files, self.run.modules, self.table)
-
-    @cached_property
-    def reached(self) -> ReachedModules:
-        return ReachedModules(self.installed, self.run, self.table)
+    installed: InstalledModules
+    reached: ReachedModules
 
     @cached_property
     def is_generated_of(self) -> bool:

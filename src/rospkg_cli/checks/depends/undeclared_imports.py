@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role
 from ...package.python.python_imports import PackageImports
-from ...ros.implied_dependencies import IN_TESTS, implied_by
+from ...ros.implied_dependencies import IN_TESTS, LAUNCH, implied_by
 from ...source import Span
+from ..reached_modules import ReachedModules
 from ..ros1_import import ROS1, ros1_import
 from .brought_dependencies import COLCON, ROSDEP, Bringer
 from .declared_dependencies import DeclaredDependencies
@@ -48,6 +49,17 @@ class ImportDependencies:
     declared: DeclaredDependencies
     python: PackageImports
     files: PackageFiles
+    reached: ReachedModules | None = None
+
+    def is_left(self, places: Iterable[ImportUse]) -> bool:
+        """Return whether all places are in modules that nothing starts or imports, beside programs."""
+        reached = self.reached
+        return reached is not None and all(reached.is_left(path) for path in {each.path for each in places})
+
+    def is_for_launch(self, missing: UndeclaredImport) -> bool:
+        """Return whether it is a part of launch, in modules that only launch files import."""
+        paths = {each.path for each in missing.places}
+        return missing.name in LAUNCH and self.reached is not None and all(map(self.reached.is_for_launch, paths))
 
     def ros1_leftovers(self) -> Iterator[ImportUse]:
         """Yield the first import in each installed file that only ROS 1 can serve: nothing behind it runs."""

@@ -10,6 +10,7 @@ from ...light_dataclasses import dataclass
 from ...package.workspace import Workspace
 from ...ros.interfaces import KINDS
 from ...source import Span
+from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
 from .known_interfaces import KnownInterfaces
 
@@ -28,6 +29,8 @@ class WrongInterfaceImport:
     meant: str
     """`package.kind.Name`, or `package.kind` where the module is not there; "" where nothing is near."""
     is_local: bool
+    is_left: bool
+    """Whether it is in a module that nothing starts or imports, beside programs."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +38,7 @@ class InterfaceImports:
     known: KnownInterfaces
     run: RunImports
     workspace: Workspace
+    reached: ReachedModules | None = None
 
     def wrong(self) -> Iterator[WrongInterfaceImport]:
         for file, each in self.run.certain:
@@ -78,4 +82,5 @@ class InterfaceImports:
     def hit(
         self, file: PythonFile, each: Import, span: Span, package: str, kind: str, name: str, meant: str
     ) -> WrongInterfaceImport:
-        return WrongInterfaceImport(file.path, span, package, kind, name, meant, each.is_local)
+        is_left = self.reached is not None and self.reached.is_left(file.path)
+        return WrongInterfaceImport(file.path, span, package, kind, name, meant, each.is_local, is_left)

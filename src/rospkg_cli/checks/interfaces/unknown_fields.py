@@ -12,6 +12,7 @@ from ...ros.interface_fields import ros1_fields
 from ...ros.interfaces import KINDS
 from ...source import Span
 from ...suggest import near_names, nearest
+from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
 from .known_interfaces import KnownInterfaces
 from .message_classes import MessageClasses, names_interfaces
@@ -40,6 +41,7 @@ class UnknownField:
 class FieldUses:
     known: KnownInterfaces
     run: RunImports
+    reached: ReachedModules | None = None
 
     def unknown(self) -> Iterator[UnknownField]:
         """Yield the unknown fields of each file, in the order of its text."""
@@ -48,6 +50,10 @@ class FieldUses:
                 classes = MessageClasses(file)
                 found = {each.span: each for each in self.in_file(file, classes)}
                 yield from (found[span] for span in sorted(found))
+
+    def is_left(self, path: str) -> bool:
+        """Return whether a file is a module that nothing starts or imports, beside programs."""
+        return self.reached is not None and self.reached.is_left(path)
 
     def in_file(self, file: PythonFile, classes: MessageClasses) -> Iterator[UnknownField]:
         for body, variables in MessageScopes(file, classes, self.known.fields).bodies():

@@ -5,8 +5,8 @@ from __future__ import annotations
 from .package_references import PackageReference
 
 
-def ends_with(use: PackageReference, name: str) -> str:
-    """Return what happens on a machine that lacks a package."""
+def ends_with(use: PackageReference, name: str, where: str) -> str:
+    """Return what happens `where` a package is missing."""
     if use.only_with:
         return f"with `{use.only_with}` it must be there"
     match use.fails:
@@ -24,4 +24,4 @@ def ends_with(use: PackageReference, name: str) -> str:
             ends = "`ros2` does not know the command"
         case "process":
             ends = "the process does not start"
-    return f"on a clean machine {ends}"
+    return f"{where} {ends}"

@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_left_out
-from ...checks.depends.undeclared_imports import ImportDependencies, UndeclaredImport
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
+from ...checks.depends.undeclared_imports import ImportDependencies, ImportUse, UndeclaredImport
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
 from ...finding import Hit, Related, Safety, Severity
 from ...rule import rule
 
-RUN = "rosdep does not install it, and the import raises ModuleNotFoundError"
-BUILD = "rosdep does not install it, and `colcon build` stops with ModuleNotFoundError"
+RUN = "the import raises ModuleNotFoundError"
+BUILD = "`colcon build` stops with ModuleNotFoundError"
 
 BAD = "import rclpy\nfrom «trajectory_msgs.msg» import JointTrajectory\n"
+ONLY_LAUNCH = "only launch files need it, and `ros2 launch` brings it"
+LEFT = "; nothing starts or imports this module"
 
 
 @rule(
@@ -23,8 +25,8 @@ BAD = "import rclpy\nfrom «trajectory_msgs.msg» import JointTrajectory\n"
     over=ImportDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment, and "
-        "where only PyPI has it"
+        Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment, "
+        "where only PyPI has it, and where nothing but launch files, or nothing at all, imports the module"
     },
     examples=(
         Example(
@@ -62,7 +64,9 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     declared dependency certainly installs, be it for tests or the build, can't be missing where `rosdep install` ran,
     nor can what rosdep itself needs (PyYAML): that is one info, which names who brings it. What may come with a
     declared one is another: with a package that is neither here nor in the table of what is installed with what,
-    anything may come. Left out are optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition
+    anything may come. A module that no entry point and no other file of the package names or imports, beside others
+    that start, is an info; so is what `ros2 launch` brings, where only launch files import the module. Left out are
+    optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition
     on the machine, or one that asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that
     never run. So are files that nothing installs, and the package's own modules.
 
@@ -84,24 +88,32 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
                 yield undeclared(imports, missing, kind, ends)
     yield from left_to_others(imports.declared, brought, "imported")
     if leftovers := list(imports.ros1_leftovers()):
-        first, *others = leftovers
-        files, end = (f"this file and {len(others)} more", "end") if others else ("this file", "ends")
-        message = (
-            f"`{first.module}` is a module of ROS 1: {files} {end} with ModuleNotFoundError before anything else; port "
-            f"{'them' if others else 'it'} to rclpy, or do not install {'them' if others else 'it'}"
-        )
-        places = tuple(Related(each.path, each.span, "and here") for each in others)
-        yield Hit(first.path, first.span, message, related=places)
+        yield ros1_leftover(imports, leftovers)
+
+
+def ros1_leftover(imports: ImportDependencies, places: list[ImportUse]) -> Hit:
+    first, *others = places
+    files, end = (f"this file and {len(others)} more", "end") if others else ("this file", "ends")
+    them = "them" if others else "it"
+    message = (
+        f"`{first.module}` is a module of ROS 1: {files} {end} with ModuleNotFoundError before anything else; port "
+        f"{them} to rclpy, or do not install {them}"
+    )
+    is_left = imports.is_left(places)
+    also = tuple(Related(each.path, each.span, "and here") for each in others)
+    told = f"{message}{LEFT}" if is_left else message
+    return Hit(first.path, first.span, told, Severity.INFO if is_left else None, also)
 
 
 def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str, ends: str) -> Hit:
     first, declared = missing.places[0], imports.declared
+    is_left, is_launch = imports.is_left(missing.places), imports.is_for_launch(missing)
     shown = "" if missing.name == first.module.partition(".")[0] else f" here as `{first.module}`"
-    message = (
-        f"`{missing.name}` is imported{shown} and not declared: on a clean machine {ends}; "
-        f"{advice(declared, kind, missing.name)}"
-    )
+    lacks = "" if declared.workspace.named(missing.name) else "rosdep does not install it, and "
+    what = ONLY_LAUNCH if is_launch else f"{where_absent(declared, missing.name)} {lacks}{ends}"
+    todo = f"{advice(declared, kind, missing.name)}{LEFT if is_left else ''}"
+    message = f"`{missing.name}` is imported{shown} and not declared: {what}; {todo}"
     places = related((place.path, place.span) for place in missing.places)
-    mild = is_left_out(declared, missing.name)
+    mild = is_left or is_launch or is_left_out(declared, missing.name)
     fix = declaration(declared, kind, missing.name)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)

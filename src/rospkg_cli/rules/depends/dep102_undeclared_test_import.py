@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_left_out
 from ...checks.depends.undeclared_imports import ImportDependencies
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule
@@ -64,8 +64,8 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
         brings = ", ".join(f"`{name}`" for name in missing.also_provides)
         others = f", which brings {brings} as well" if brings else ""
         message = (
-            f"`{missing.name}` is imported by tests and not declared: on a clean machine `colcon test` fails with "
-            f"ModuleNotFoundError; {advice(declared, 'test_depend', missing.name)}{others}"
+            f"`{missing.name}` is imported by tests and not declared: {where_absent(declared, missing.name)} "
+            f"`colcon test` fails with ModuleNotFoundError; {advice(declared, 'test_depend', missing.name)}{others}"
         )
         places = related((place.path, place.span) for place in missing.places)
         level = Severity.INFO if is_left_out(declared, missing.name) else None

@@ -10,7 +10,7 @@ from ...checks.enumeration import enumerated
 from ...checks.launch.absent_package import ends_with
 from ...checks.launch.package_references import PackageReference
 from ...edits.manifest import add_dependency
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...ros.implied_dependencies import LAUNCH
@@ -117,7 +117,7 @@ def undeclared(
         fix = Fix(f"write `{meant}`", (Edit(first.path, first.span, meant),), Safety.UNSAFE)
         fix_or_none = fix if launch.is_written(first) else None
     else:
-        ends = ends_with(first, name)
+        ends = ends_with(first, name, where_absent(declared, name))
         message = f"`{name}` is not declared, and {who} {first.does} it: {ends}; {advice(declared, tag, name)}"
         fix_or_none = declaration(declared, tag, name)
     is_meant = meant is None and (is_left_out(declared, name) or launch.is_told(name))

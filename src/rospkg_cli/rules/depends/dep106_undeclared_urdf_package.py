@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_left_out
 from ...checks.depends.robot_uses import RobotUse, RobotUses
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule
@@ -93,7 +93,7 @@ def undeclared(robots: RobotUses, tag: str, name: str, uses: list[RobotUse]) -> 
     declared, first = robots.declared, uses[0]
     meant = declared.facts.name if robots.has_files_of(name) else robots.launch.meant(name)
     todo = f"did you mean `{meant}`?" if meant else advice(declared, tag, name)
-    message = f"`{name}` is not declared, {first.usage}: on a clean machine {first.consequence}; {todo}"
+    message = f"`{name}` is not declared, {first.usage}: {where_absent(declared, name)} {first.consequence}; {todo}"
     fix = None if meant else declaration(declared, tag, name)
     mild = is_left_out(declared, name) or all(use.is_optional for use in uses)
     places = related((use.path, use.span) for use in uses)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_left_out
 from ...checks.looked_up_packages import LookedUpPackages
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule
@@ -64,8 +64,8 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
             brought.append(BroughtUse(name, bringer, "exec_depend", first.path, first.span))
             continue
         message = (
-            f"`{name}` is not declared, and this looks for files of it: on a clean machine the node ends with "
-            f"PackageNotFoundError; {advice(declared, 'exec_depend', name)}"
+            f"`{name}` is not declared, and this looks for files of it: {where_absent(declared, name)} the node "
+            f"ends with PackageNotFoundError; {advice(declared, 'exec_depend', name)}"
         )
         level = Severity.INFO if is_left_out(declared, name) else None
         places_beside = related((each.path, each.span) for each in places)

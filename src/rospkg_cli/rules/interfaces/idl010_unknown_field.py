@@ -26,12 +26,15 @@ class Listener(rclpy.node.Node):
 """
 TALKER = "from std_msgs.msg import String\n\n\ndef words():\n    msg = String()\n    msg.{} = 'hello'\n    return msg\n"
 
+LEFT = "; nothing starts or imports this module"
+
 
 @rule(
     "IDL010",
     "unknown-field",
     over=FieldUses,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "nothing starts or imports the module"},
     examples=(
         Example(
             bad={"package.xml": manifest(DEPENDS), "my_pkg/listener.py": NODE.format("«dat»")},
@@ -63,7 +66,8 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     Where a variable may hold something else, or its type or attributes are asked for; where an AttributeError is
     caught; for what an action client is handed, a message around the feedback or result (`.feedback`), which
     annotations often take for it; for packages outside of the workspace, unless the name is near a field or was one in
-    ROS 1; in files that nothing installs.
+    ROS 1; in files that nothing installs. A module that no entry point and no other file of the package names or
+    imports, beside others that start, is a warning.
 
     ## Fix safety
     The intended field is a guess.
@@ -76,7 +80,9 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
             fix = Fix(f"write `{first.near}`", edits, Safety.UNSAFE)
         related = tuple(Related(each.path, each.span, "and here") for each in others)
         names = [field[0].name for field in fields]
-        yield Hit(first.path, first.span, message(first, names), related=related, fix=fix)
+        is_left = uses.is_left(first.path)
+        told = f"{message(first, names)}{LEFT if is_left else ''}"
+        yield Hit(first.path, first.span, told, Severity.WARNING if is_left else None, related, fix)
 
 
 def together(uses: Iterable[UnknownField]) -> Iterable[Sequence[Sequence[UnknownField]]]:

@@ -19,7 +19,9 @@ GOOD = "from std_msgs.msg import String\n\nprint(String)\n"
     "unknown-interface-import",
     over=InterfaceImports,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it is in a function, which may not be called"},
+    levels={
+        Severity.WARNING: "it is in a function, which may not be called, or in a module that nothing starts or imports"
+    },
     examples=(
         Example(
             bad={**NEEDS_STD_MSGS, "my_pkg/talker.py": GOOD.replace("import String", "import «Sting»")},
@@ -48,13 +50,14 @@ def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
     ## When it is quiet
     Where the package is not in the workspace, unless one of its messages has a near name or the name is that of a
     service or action of it; where it makes its interfaces while it is built, or has a Python module of that name; for
-    optional imports, and in files that nothing installs.
+    optional imports, and in files that nothing installs. A module that no entry point and no other file of the package
+    names or imports, beside others that start, is a warning.
 
     ## Fix safety
     The intended name is a guess.
     """
     for wrong in imports.wrong():
-        level = Severity.WARNING if wrong.is_local else None
+        level = Severity.WARNING if wrong.is_local or wrong.is_left else None
         fix = None
         if wrong.kind not in NAMES:
             fix = Fix(f"write `{wrong.meant}`", (Edit(wrong.path, wrong.span, wrong.meant),), Safety.UNSAFE)

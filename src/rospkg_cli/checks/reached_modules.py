@@ -5,11 +5,15 @@ from __future__ import annotations
 import re
 from functools import cached_property
 
-from ...languages.python.file import Import
-from ...light_dataclasses import dataclass
-from ...package.install_table import InstallTable
-from ..run_imports import RunImports
+from ..languages.python.file import Import
+from ..light_dataclasses import dataclass
+from ..package.file_role import Role, role_of
+from ..package.install_table import InstallTable
 from .installed_modules import InstalledModules
+from .run_imports import RunImports
+
+PAGES = (".md", ".rst", ".sh")
+"""Files that may tell how a module is started by its path."""
 
 NAMING = (".py", ".cfg", ".toml", ".xml", ".yaml", ".yml", ".urdf", ".xacro", ".txt", ".launch")
 """Files that name modules: entry points, plugins, launch files."""
@@ -44,25 +48,48 @@ class ReachedModules:
         name = self.installed.names.get(path)
         return name is None or name in self.all
 
+    def is_left(self, path: str) -> bool:
+        """Return whether a file is a module that nothing of the package starts, imports or names, beside programs."""
+        if self.has(path) or self.is_library or not self.table.knows("executable"):
+            return False
+        name = path.rpartition("/")[2]
+        pages = (each for each in self.installed.files.paths if each.endswith((*PAGES, *NAMING)))
+        return not any(name in self.installed.files.readable_text(each) for each in pages if each != path)
+
+    def is_for_launch(self, path: str) -> bool:
+        """Return whether a file is a module that only launch files import or name, at first or second hand."""
+        name = self.installed.names.get(path, "")
+        return name in self.all and name not in self.without_launch
+
     @cached_property
     def all(self) -> frozenset[str]:
-        """The installed modules that other files import or name, and those that these import.
+        """The installed modules that other files import or name, and those that these import."""
+        return self.reached_from(("run", "launch", "test"))
+
+    @cached_property
+    def without_launch(self) -> frozenset[str]:
+        """Those of them that are reached from another file than a launch file."""
+        return self.reached_from(("run", "test"))
+
+    def reached_from(self, roles: tuple[Role, ...]) -> frozenset[str]:
+        """Return the installed modules that files of some roles import or name, and those that these import.
 
         On its way to a module Python runs the `__init__.py` of each package that it is in.
         """
         names, programs = self.installed.names, {row.source for row in self.table.of("executable")}
-        waiting = [name for name in self.installed.sources if "." not in name or self.is_named(name)]
-        for file in self.run.running:
-            if file.path not in names or file.path in programs:
+        waiting = [name for name in self.installed.sources if "." not in name or self.is_named(name, roles)]
+        for role, file in self.run.files:
+            if role in roles and (file.path not in names or file.path in programs):
                 for each in file.imports:
                     waiting += self.imported_by(each, file.path)
         return self.imported_from(waiting, around=True)
 
-    def is_named(self, module: str) -> bool:
+    def is_named(self, module: str, roles: tuple[Role, ...]) -> bool:
         """Return whether a text of the package that is no installed module names one."""
         word, files = re.compile(rf"(?<![\w.]){re.escape(module)}(?!\w)"), self.installed.files
         paths = (path for path in files.paths if path.endswith(NAMING) and path not in self.installed.names)
-        return any(word.search(files.readable_text(path)) for path in paths)
+        texts = (files.readable_text(path) for path in paths if role_of(path) in (*roles, "aside"))
+        return any(map(word.search, texts))
 
     def imported_by(self, each: Import, path: str) -> list[str]:
         inner = self.installed.absolute(each, path)

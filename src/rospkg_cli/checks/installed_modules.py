@@ -5,13 +5,13 @@ from __future__ import annotations
 import posixpath
 from functools import cached_property
 
-from ...files import PackageFiles
-from ...languages.python.file import Import
-from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
-from ...package.install_table import PYTHON, InstallTable
-from ...package.python_modules import PythonModules
-from ...package.read_install_table import module_name
+from ..files import PackageFiles
+from ..languages.python.file import Import
+from ..lazy_regex import regex
+from ..light_dataclasses import dataclass
+from ..package.install_table import PYTHON, InstallTable
+from ..package.python_modules import PythonModules
+from ..package.read_install_table import module_name
 
 MADE = regex(r"_.*|.*_pb2(?:_grpc)?|ui_.*|.*_(?:ui|rc)|version")
 """Names of modules that builds write."""

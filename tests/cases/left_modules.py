@@ -1,0 +1,63 @@
+"""Levels of what is in a Python module that nothing starts, imports or names, and in one that only launch files do."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import INTERFACES_CMAKE, SETUP_PY, Example, manifest, scripts, setup_py
+
+from .setups import python
+
+OTHER = {"CMakeLists.txt": INTERFACES_CMAKE.replace("my_pkg", "other_ifs"), "msg/Status.msg": "float32 battery\n"}
+SHARE = "from ament_index_python.packages import get_package_share_directory\n"
+DEEP = "from .inner.deep import A\n"
+MAIN = "def main():\n    print(A)\n"
+LAUNCH = {"launch/a.launch.py": "from my_pkg.inner.deep import A\n"}
+STARTED = {
+    "package.xml": manifest("  <exec_depend>std_msgs</exec_depend>\n"),
+    "setup.py": setup_py(scripts("talker = my_pkg.talker:main", "b = my_pkg.other:main")),
+    "my_pkg/talker.py": MAIN,
+    "my_pkg/other.py": MAIN,
+    "my_pkg/inner/__init__.py": "",
+}
+
+
+def deep(text: str, files: dict[str, str | None] | None = None) -> Example:
+    """A package that starts two modules, with what stands in a third."""
+    return python({**STARTED, "my_pkg/inner/deep.py": text, **(files or {})})
+
+
+def each(text: str) -> tuple[Example, ...]:
+    """Return the packages that reach the module: by nothing; another module; a page; a launch file; none starts."""
+    return (
+        deep(text),
+        deep(text, {"my_pkg/talker.py": DEEP + MAIN}),
+        deep(text, {"README.md": "Run `python3 my_pkg/inner/deep.py`.\n"}),
+        deep(text, LAUNCH),
+        deep(text, {"setup.py": SETUP_PY}),
+        deep(text, {"setup.py": setup_py("entry_points=entries(),")}),
+    )
+
+
+def in_workspace(files: dict[str, str | None]) -> Example:
+    """A package that uses another one of its workspace."""
+    mine = {f"a/{path}": each for path, each in python(files).bad_files().items()}
+    others = {"b/package.xml": manifest("", "cmake", "other_ifs"), **{f"b/{p}": t for p, t in OTHER.items()}}
+    return Example(on="", bad={**mine, **others}, good={})
+
+
+CASES = {
+    "IDL010": each("from std_msgs.msg import String\n\nmsg = String()\nmsg.datta = ''\n"),
+    "IDL011": (deep("from std_msgs.msg import Strin\n"), deep("from std_msgs.msg import Strin\n", LAUNCH)),
+    "DEP101": (
+        *each("import cv2\n"),
+        deep("import cv2\n", {"my_pkg/talker.py": f"import cv2\n{MAIN}"}),
+        deep("import rospy\n"),
+        deep("import rospy\n", {"my_pkg/talker.py": DEEP + MAIN}),
+        deep("import cv2\nimport launch\nimport launch_ros\n", LAUNCH),
+        deep("import launch\n", {**LAUNCH, "test/test_a.py": "import my_pkg.inner.deep\n"}),
+        deep("import launch\n", {**LAUNCH, "my_pkg/talker.py": f"import launch\n{MAIN}"}),
+        in_workspace({"my_pkg/talker.py": "from other_ifs.msg import Status\n"}),
+    ),
+    "DEP102": (in_workspace({"test/test_a.py": "from other_ifs.msg import Status\n"}),),
+    "DEP103": (in_workspace({"launch/a.launch.xml": '<launch><node pkg="other_ifs" exec="a"/></launch>\n'}),),
+    "DEP116": (in_workspace({"my_pkg/talker.py": SHARE + "get_package_share_directory('other_ifs')\n"}),),
+}
