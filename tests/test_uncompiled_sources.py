@@ -47,6 +47,7 @@ def test_what_a_file_holds(source: str, said: str) -> None:
         ("third_party/spare.cpp", 0),
         ("src/node_template.cpp", 0),
         ("src/spare-old.cpp", 0),
+        ("src/spare_new.cpp", 0),
         ("src/goldfish.cpp", 1),
     ],
 )

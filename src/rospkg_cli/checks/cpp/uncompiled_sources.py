@@ -26,7 +26,7 @@ MACROS = {"RCLCPP_COMPONENTS_REGISTER_NODE": "component", "PLUGINLIB_EXPORT_CLAS
 ASIDE = frozenset(
     "example examples demo demos sample samples benchmark benchmarks old backup deprecated scripts".split()
 )
-LEFT = frozenset("template templates old backup bak deprecated copy".split())
+LEFT = frozenset("template templates old new backup bak orig deprecated copy tmp wip unused".split())
 """Words of a file's name that say that it is kept and not built."""
 WORD = regex(r"[A-Za-z]+")
 
