@@ -167,6 +167,22 @@ def test_included_and_added_files() -> None:
     assert [file.path for file in found.files] == ["CMakeLists.txt", "cmake/x.cmake", "sub/CMakeLists.txt"]
 
 
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        ("list(APPEND CMAKE_MODULE_PATH ${PROJECT_SOURCE_DIR}/cmake)\ninclude(Own)", "1"),
+        ("set(CMAKE_MODULE_PATH /usr/share/cmake ${PROJECT_SOURCE_DIR}/cmake)\ninclude(Own)", "1"),
+        ("list(APPEND CMAKE_MODULE_PATH ${PROJECT_SOURCE_DIR}/cmake)\ninclude(CTest)", "0"),
+        ("list(APPEND CMAKE_MODULE_PATH ${elsewhere_DIR})\ninclude(Own)", "0"),
+        ("include(Own)", "0"),
+    ],
+)
+def test_own_modules_are_found_through_their_path(lines: str, expected: str) -> None:
+    found = read_files({"CMakeLists.txt": f"{HEAD}set(b 0)\n{lines}\necho(${{b}})", "cmake/Own.cmake": "set(b 1)"})
+    assert shown(found.named("echo")) == [expected]
+    assert found.reads_unknown_files is (expected == "0" and "Own" in lines)
+
+
 def test_a_package_below_is_read_where_it_is_added() -> None:
     found = read_files({
         "CMakeLists.txt": HEAD + "add_subdirectory(lib)\nfile(GLOB g lib/*.cpp)\necho(${g})",

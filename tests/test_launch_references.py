@@ -450,3 +450,17 @@ def test_a_macro_of_elsewhere_may_make_all_programs(own: str, expected: list[str
     launch = '<launch><node pkg="my_pkg" exec="talker"/></launch>\n'
     lines = INSTALL.replace("ament_package", f"{own}include(${{TEAM}}/all.cmake)\nteam_begin(core)\nament_package")
     assert said({**BASE, "CMakeLists.txt": lines, "launch/a.launch.xml": launch}, "LCH002") == expected
+
+
+@pytest.mark.parametrize(
+    ("path", "found"),
+    [
+        ("os.path.join(os.getcwd(), 'src', 'my_pkg', 'config', 'none.yaml')", 0),
+        ("os.path.join(os.path.abspath('src/my_pkg'), 'config', 'none.yaml')", 0),
+        ("str(pathlib.Path.cwd() / 'config' / 'none.yaml')", 0),
+        ("os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'config', 'none.yaml')", 1),
+    ],
+)
+def test_where_a_launch_is_started_is_not_known(path: str, found: int) -> None:
+    text = python(f"    return LaunchDescription([Node(package='my_pkg', executable='a', parameters=[{path}])])")
+    assert len(said({**BASE, "launch/a.launch.py": f"import pathlib\n{text}"}, "LCH003")) == found

@@ -295,6 +295,21 @@ def test_interfaces_of_tests_need_no_runtime() -> None:
     assert ["group" in f.message for f in results.findings] == [True]
 
 
+def test_interfaces_of_a_package_below_are_its_own() -> None:
+    below = {f"msgs/{path}": text for path, text in INTERFACES.items()}
+    added = CMAKE.replace("ament_package", "add_subdirectory(msgs)\nament_package")
+    files = {"package.xml": manifest(build_type="ament_cmake"), "CMakeLists.txt": added, **below}
+    inner = manifest(
+        "  <buildtool_depend>rosidl_default_generators</buildtool_depend>\n"
+        "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
+        "  <member_of_group>rosidl_interface_packages</member_of_group>\n",
+        "ament_cmake",
+        "msgs",
+    )
+    assert lint_files({**files, "msgs/package.xml": inner}, ["IDL006", "XML305"]).findings == ()
+    assert len(lint_files(files, ["XML305"]).findings) == 3
+
+
 def test_a_group_in_format_2_brings_format_3_with_it() -> None:
     text = manifest(build_type="ament_cmake").replace('format="3"', 'format="2"').replace("format3", "format2")
     findings = lint_files({"package.xml": text, **INTERFACES}, ["XML305"]).findings

@@ -157,6 +157,8 @@ CASES = {
         python({**SPEECH, "my_pkg/speech/initial.py": ""}),
         python({**SPEECH, ".gitignore": "__init__.py\n"}),
         python({"my_pkg/old/words.py": "A = 1\n"}),
+        python({**SPEECH, "setup.py": SETUP_PY.replace(set302.FOUND, "[package_name]")}),
+        python({**SPEECH, "setup.py": LISTED}),
         *(
             python({"my_pkg/tests/__init__.py": "", f"my_pkg/{at}/words.py": "A = 1\n",
                     "my_pkg/tests/conftest.py": f"from my_pkg.{at.replace('/', '.')}.words import A\n"})

@@ -118,7 +118,7 @@ class RosidlTargets:
         made, files = MadePaths(self.cmake), self.cmake.package_files
         for each in self.listed:
             path = each.path if each.word.is_known and not each.word.maybe and not each.target.call.maybe else ""
-            if path and not (files.exists(path) or files.absent.is_expected(path) or made.is_made(path)):
+            if path and not (files.has_file(path) or files.absent.is_expected(path) or made.is_made(path)):
                 yield each
 
     @cached_property

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator, Mapping
 
+from ...languages.python.constant_truth import unreached_nodes
 from ...languages.python.file import Import, PythonFile
 from ...languages.python.guarded_nodes import guarded_nodes
 from ...light_dataclasses import dataclass
@@ -62,9 +63,10 @@ class FieldUses:
     def in_body(
         self, file: PythonFile, body: Bindings, variables: Environment, classes: MessageClasses
     ) -> Iterator[UnknownField]:
-        caught = set(guarded_nodes((node for node in body.nodes if isinstance(node, ast.Try)), CATCHES))
+        passed_over = set(guarded_nodes((node for node in body.nodes if isinstance(node, ast.Try)), CATCHES))
+        passed_over.update(unreached_nodes(body.nodes, file.constants))
         for node in body.nodes:
-            if id(node) in caught:
+            if id(node) in passed_over:
                 continue
             if isinstance(node, ast.Attribute):
                 message = held_by(node.value, variables, classes, self.known.fields)

@@ -27,8 +27,14 @@ class InterfacePackage:
 
     @cached_property
     def installed(self) -> tuple[EvaluatedCommand, ...]:
-        """The calls that generate interfaces for others than the package itself; what may skip that is left out."""
-        calls = self.cmake.named(GENERATE)
+        """The calls that generate interfaces for others than the package itself; what may skip that is left out.
+
+        In a folder with a package.xml of its own, rosidl reads that one.
+        """
+        there = self.cmake.package_files.has_file
+        calls = [
+            call for call in self.cmake.named(GENERATE) if not (call.folder and there(f"{call.folder}/package.xml"))
+        ]
         return tuple(call for call in calls if SKIP_INSTALL not in call.texts)
 
     @property

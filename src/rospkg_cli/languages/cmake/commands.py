@@ -60,13 +60,21 @@ def run_find_package(interpreter: Interpreter, call: EvaluatedCommand) -> None:
 
 def run_include(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     """Run a file of the package; CMake's own modules (`include(CTest)`) set no variable that matters here."""
-    if not call.words or NAME.fullmatch(call.texts[0]):
+    if not call.words:
         return
-    path = interpreter.path(call.texts[0])
+    is_module = NAME.fullmatch(call.texts[0]) is not None
+    path = own_module(interpreter, call.texts[0]) if is_module else interpreter.path(call.texts[0])
     if path is not None and interpreter.files.has_file(path):
         interpreter.file(path)
-    else:
+    elif not is_module or any(place.endswith(f"/{call.texts[0]}.cmake") for place in interpreter.places):
         interpreter.reads_unknown_files = True
+
+
+def own_module(interpreter: Interpreter, name: str) -> str | None:
+    """Return the package's own module of a name, which CMake finds through CMAKE_MODULE_PATH."""
+    folders = interpreter.value_if_set("CMAKE_MODULE_PATH") or ()
+    paths = (interpreter.path(f"{folder.text}/{name}.cmake") for folder in folders)
+    return next((path for path in paths if path is not None and interpreter.files.has_file(path)), None)
 
 
 def run_add_subdirectory(interpreter: Interpreter, call: EvaluatedCommand) -> None:

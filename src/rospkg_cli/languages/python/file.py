@@ -10,6 +10,7 @@ from weakref import ref
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...source import Source, Span
+from .constant_truth import constant_truth
 from .nodes import children_of, nodes_of, nodes_of_kind
 from .syntax import PythonSyntax, parse
 
@@ -214,23 +215,6 @@ def names_in(node: ast.expr) -> set[str]:
     """Return the names and attributes in an expression."""
     names = {each.id for each in nodes_of(node) if isinstance(each, ast.Name)}
     return names | {each.attr for each in nodes_of(node) if isinstance(each, ast.Attribute)}
-
-
-def constant_truth(test: ast.expr, names: Mapping[str, bool]) -> bool | None:
-    """Return what a condition always is, None where that is unknown: `if False:`; of some names it is known."""
-    match test:
-        case ast.Constant(value=value):
-            return bool(value)
-        case ast.Name(id=name):
-            return names.get(name)
-        case ast.UnaryOp(op=ast.Not(), operand=operand):
-            inside = constant_truth(operand, names)
-            return None if inside is None else not inside
-        case ast.BoolOp(op=operator, values=values):
-            decides = isinstance(operator, ast.Or)
-            found = [constant_truth(each, names) for each in values]
-            return decides if decides in found else None if None in found else not decides
-    return None
 
 
 def asked(test: ast.expr) -> frozenset[str]:

@@ -49,7 +49,14 @@ def as_path(machine: EvaluationState, call: Call) -> Value | None:
 def passed_on(machine: EvaluationState, call: Call) -> Value | None:
     """os.path.realpath and the like: of a path that is known only in part, the same path."""
     first = call.positional[0] if call.positional else None
+    if isinstance(first, Text) and not first.text.startswith("/") and not call.callee.endswith("normpath"):
+        return current_folder(machine, call)
     return first if isinstance(first, Call | PartialText) else PATH_FUNCTIONS[call.callee](machine, call)
+
+
+def current_folder(machine: EvaluationState, call: Call) -> Value | None:
+    """os.getcwd: the folder that the launch is started in, as a rule that of the workspace."""
+    return machine.unknown(call.span, "it depends on the folder that the launch is started in")
 
 
 def joined(receiver: PartialText, call: Call) -> Value | None:
@@ -82,6 +89,8 @@ PATHS = {
     "os.path.abspath": passed_on,
     "os.path.realpath": passed_on,
     "os.path.normpath": passed_on,
+    "os.getcwd": current_folder,
+    "pathlib.Path.cwd": current_folder,
     "os.environ.get": with_default,
     "os.getenv": with_default,
     "str": as_text,

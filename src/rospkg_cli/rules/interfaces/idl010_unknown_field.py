@@ -66,8 +66,8 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     Where a variable may hold something else, or its type or attributes are asked for; where an AttributeError is
     caught; for what an action client is handed, a message around the feedback or result (`.feedback`), which
     annotations often take for it; for packages outside of the workspace, unless the name is near a field or was one in
-    ROS 1; in files that nothing installs. A module that no entry point and no other file of the package names or
-    imports, beside others that start, is a warning.
+    ROS 1; under a condition that is for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A module that no
+    entry point and no other file of the package names or imports, beside others that start, is a warning.
 
     ## Fix safety
     The intended field is a guess.

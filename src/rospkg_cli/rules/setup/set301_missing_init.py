@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.module_tree import ModuleTree
+from ...edits.setup_py import add_packages
 from ...example import Example
-from ...finding import Create, Fix, Hit, Move, Safety, Severity
+from ...finding import Create, Edit, Fix, Hit, Move, Safety, Severity
 from ...lazy_regex import regex
 from ...package.file_role import role_of
 from ...rule import rule
@@ -73,7 +74,17 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
         if wrong is not None:
             message, fix = f"{start}; rename `{wrong}`", Fix(f"rename {wrong} to __init__.py", (Move(wrong, init),))
         else:
-            message, fix = f"{start}; create an empty one", Fix(f"create {init}", (Create(init, ""),), safety)
+            listing, also = listed_too(tree, name)
+            message = f"{start}; create an empty one{also}"
+            fix = Fix(f"create {init}{also}", (Create(init, ""), *listing), safety)
         is_fatal = imported and not tree.linking
         mild = Severity.INFO if tree.is_set_aside(folder) and not imported else Severity.WARNING
         yield Hit(inside[0], Span(0, 0), message, None if is_fatal else mild, fix=fix)
+
+
+def listed_too(tree: ModuleTree, name: str) -> tuple[tuple[Edit, ...], str]:
+    """Return how a package gets into a `packages` that is a list, and the words for it."""
+    listed = {each.text.replace("/", ".") for each in tree.setup.packages}
+    if tree.setup.searches or name in listed or not tree.setup.argument("packages"):
+        return (), ""
+    return add_packages(tree.setup, name), f", and list `{name}` in `packages`"

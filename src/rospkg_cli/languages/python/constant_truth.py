@@ -1,0 +1,56 @@
+"""Conditions of Python code that are always true or never, and the code that is never reached for them."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable, Iterator, Mapping
+
+from .nodes import nodes_of
+
+ROS_VERSION = frozenset({"ROS_VERSION", "ros_version", "get_ros_version"})
+"""How the number 1 or 2 is called of the ROS that a file for both runs in: a variable, or a function of the package."""
+
+
+def constant_truth(test: ast.expr, names: Mapping[str, bool]) -> bool | None:
+    """Return what a condition always is, None where that is unknown: `if False:`; of some names it is known."""
+    match test:
+        case ast.Constant(value=value):
+            return bool(value)
+        case ast.Name(id=name):
+            return names.get(name)
+        case ast.Compare(left=asked, ops=[ast.Eq() | ast.NotEq() as operator], comparators=[ast.Constant(value=value)]):
+            is_equal = str(value) == "2"
+            return (
+                is_equal is isinstance(operator, ast.Eq) if asks_for_ros(asked) and str(value) in ("1", "2") else None
+            )
+        case ast.UnaryOp(op=ast.Not(), operand=operand):
+            inside = constant_truth(operand, names)
+            return None if inside is None else not inside
+        case ast.BoolOp(op=operator, values=values):
+            decides = isinstance(operator, ast.Or)
+            found = [constant_truth(each, names) for each in values]
+            return decides if decides in found else None if None in found else not decides
+    return None
+
+
+def asks_for_ros(value: ast.expr) -> bool:
+    """Return whether a value is the number of the ROS: `ROS_VERSION`, `int(os.environ['ROS_VERSION'])`."""
+    match value:
+        case ast.Name(id=name) | ast.Attribute(attr=name):
+            return name in ROS_VERSION
+        case ast.Subscript(slice=ast.Constant(value=name)):
+            return name in ROS_VERSION
+        case ast.Call(func=function, args=arguments):
+            named = [*arguments, function]
+            return any(
+                asks_for_ros(each) or (isinstance(each, ast.Constant) and each.value in ROS_VERSION) for each in named
+            )
+    return False
+
+
+def unreached_nodes(body: Iterable[ast.AST], names: Mapping[str, bool]) -> Iterator[int]:
+    """Yield the identity of each node in a branch that is never taken."""
+    for node in body:
+        if isinstance(node, ast.If) and (always := constant_truth(node.test, names)) is not None:
+            never = node.orelse if always else node.body
+            yield from (id(inner) for each in never for inner in nodes_of(each))
