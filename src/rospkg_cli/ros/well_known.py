@@ -70,6 +70,12 @@ def packages_with_program(name: str) -> tuple[str, ...]:
     return tuple(package for package, names in rows(TABLE, "programs").items() if name in names)
 
 
+def packages_with_plugin(name: str) -> tuple[str, ...]:
+    """Return the packages that have a plugin."""
+    found = name.replace(" ", "%20")
+    return tuple(package for package, names in rows(TABLE, "plugins").items() if found in names)
+
+
 @cache
 def every_plugin() -> frozenset[str]:
     """Return the names of all plugins; the table has `%20` for a blank, as in the names of panels of RViz."""

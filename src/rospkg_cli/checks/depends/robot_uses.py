@@ -11,7 +11,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import LAUNCH, role_of
 from ...package.install_table import InstallTable
-from ...package.launch.uncommented import uncommented
+from ...package.launch.text import uncommented
 from ...package.package_facts import PluginUse
 from ...package.urdf.robot_file import ResourceReference, RobotFile
 from ...ros.implied_dependencies import IN_PARAMETERS, NAVIGATION, implied_by

@@ -7,6 +7,7 @@ from functools import cached_property
 
 from ...languages.yaml.nodes import ScalarNode, YamlNode
 from ...languages.yaml.nodes import SequenceNode as YamlSequence
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.params.declared_parameter import DeclaredParameter, type_named
@@ -23,6 +24,9 @@ ALMOST = 0.8
 """The same, where it is about what a block does not set."""
 MOST = 0.7
 """The share of what a source file needs that a block has to give to be taken for its file."""
+
+PLACEHOLDER = regex(r"<.*>|[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+|.*[{}@%].*")
+"""A text that a launch file replaces before the node gets it."""
 
 
 @dataclass(frozen=True)
@@ -160,7 +164,8 @@ def is_its_own(name: str) -> bool:
 def given_type(value: YamlNode) -> str:
     """Return the type that rcl gives a value; "" where it has none, or it is filled in later."""
     if isinstance(value, ScalarNode):
-        return "" if "$(" in value.text or (value.is_plain and not value.text) else type_of(value)
+        is_open = "$(" in value.text or (value.is_plain and (not value.text or PLACEHOLDER.fullmatch(value.text)))
+        return "" if is_open else type_of(value)
     if isinstance(value, YamlSequence) and value.items:
         types = {given_type(item) for item in value.items}
         only = types.pop() if len(types) == 1 else ""

@@ -11,6 +11,7 @@ from ...package.workspace import Workspace
 from ...source import Span
 from ...suggest import near_names, same_words
 from .declaring_packages import ENOUGH, is_its_own
+from .known_given import GivenValue, KnownGroup, KnownNodes
 from .launch_parameters import LaunchParameters, NodeArguments
 
 SHORTEST, WORDY = 4, 6
@@ -18,6 +19,8 @@ SHORTEST, WORDY = 4, 6
 SMALL = frozenset({"number", "num", "count", "of", "use", "enable", "is", "has"})
 """Words before a name that change little of what it means: `ransac_` before `height` makes another height of it."""
 DIGITS = regex(r"\d")
+SIM_TIME = "use_sim_time"
+"""A parameter of every node."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +59,8 @@ class LaunchedNames:
                 known = sum(other in declared for other in others)
                 if not is_its_own(name) or name in declared or len(name) < SHORTEST or known < ENOUGH * len(others):
                     continue
-                near = near_names(name, free, 2 if others else 1) or same_words(name, free)
+                bare = [name[1:]] if name[0] == "/" and name[1:] in free else []
+                near = bare or near_names(name, free, 2 if others else 1) or same_words(name, free)
                 near = near or with_another_word(name, free)
                 if len(near) == 1 and DIGITS.sub("", near[0]) != DIGITS.sub("", name):
                     yield LaunchedName(each.launch.path, text.span, facts.name, name, near[0])
@@ -66,3 +70,54 @@ def with_another_word(name: str, names: Iterable[str]) -> list[str]:
     """Return the names that say the same with small words before it: `number_of_wheels` for `wheels`."""
     before = {each: each.removesuffix(f"_{name}") for each in names if each.endswith(f"_{name}")}
     return [each for each, words in before.items() if len(name) >= WORDY and SMALL.issuperset(words.split("_"))]
+
+
+def mistyped_sim_time(launched: LaunchParameters) -> Iterator[tuple[str, Span, str]]:
+    """Yield path, place and name of what is nearly `use_sim_time`, and is declared by no package here."""
+    given = [
+        (each.launch.path, name.span, name.literal)
+        for each in launched.node_arguments
+        for entry in each.node.parameters
+        for name, _ in entry.values
+        if name.literal
+    ]
+    for file in launched.files:
+        given += [(file.path, each.key.span, each.name) for block in file.blocks for each in block.parameters]
+    for path, span, name in given:
+        if near_names(name, [SIM_TIME]) or name == f"/{SIM_TIME}":
+            packages = launched.workspace.packages
+            if not any(each.fits(name) for facts in packages for each in facts.parameters):
+                yield path, span, name
+
+
+def unknown_to_known(nodes: KnownNodes) -> Iterator[LaunchedName]:
+    """Yield the names that a well-known package does not declare, where it declares one near name that is not given."""
+    for group in nodes.groups():
+        unknown = [each for each in group.values if not any(one.fits(each.name) for one in group.declared)]
+        is_owner = len(unknown) <= (1 - ENOUGH) * len(group.values) or len(group.values) == 1
+        for each in unknown:
+            if is_owner or each.name[0] == "/":
+                near = list(meant(each, group))
+                if len(near) == 1:
+                    yield LaunchedName(group.path, each.key, group.packages[0], each.name, near[0])
+
+
+def meant(value: GivenValue, group: KnownGroup) -> Iterator[str]:
+    """Yield the names that a value may be for: those of a group are compared by their last pieces."""
+    given = {each.name for each in group.values}
+    before, dot, last = value.name.rpartition(".")
+    ends = {one.name.lstrip(".") for one in group.declared if one.is_tail} if dot else set[str]()
+    names = {one.name for one in group.declared if not one.is_tail} | {f"{before}.{end}" for end in ends}
+    for name in sorted(names - given):
+        end = name.removeprefix(f"{before}.") if dot else name
+        if f"/{name}" == value.name or (len(last) >= SHORTEST and is_slip(last, end)):
+            yield name
+
+
+def is_slip(word: str, right: str) -> bool:
+    """Return whether one word of a name is misspelt, or the words are joined or in another order."""
+    if word.replace("_", "").lower() == right.replace("_", "").lower() or same_words(word, [right]):
+        return True
+    pairs = [(a, b) for a, b in zip(word.split("_"), right.split("_"), strict=False) if a != b]
+    is_one = len(word.split("_")) == len(right.split("_")) and len(pairs) == 1
+    return is_one and min(map(len, pairs[0])) >= SHORTEST and bool(near_names(*pairs[0][:1], pairs[0][1:], 2))

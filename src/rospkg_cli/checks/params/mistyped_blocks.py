@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Iterator
 from ...languages.yaml.nodes import ScalarNode
 from ...light_dataclasses import dataclass
 from ...package.params.parameter_file import NodeBlock, ParameterFile
-from ...ros.node_names import known_nodes
+from ...ros.known_nodes import known_nodes
 from ...suggest import near_names
 
 MANAGER = "controller_manager"

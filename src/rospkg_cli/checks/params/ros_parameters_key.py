@@ -10,7 +10,7 @@ from ...files import PackageFiles
 from ...languages.yaml.nodes import MappingNode, ScalarNode
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.launch.uncommented import uncommented
+from ...package.launch.text import uncommented
 from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import KEY, ParameterFile, is_key
 from ...package.workspace import Workspace

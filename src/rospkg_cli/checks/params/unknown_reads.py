@@ -17,6 +17,7 @@ from ...package.workspace import Workspace
 from ...source import Source, Span
 from ...suggest import near_names, nearest
 from .declaring_packages import ParameterContext, is_its_own
+from .known_given import KnownNodes
 from .launched_names import LaunchedNames
 
 ALLOWED = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
@@ -98,6 +99,7 @@ class UnknownParameters:
     given: ParameterContext
     reads: ParameterReads
     launched: LaunchedNames
+    known: KnownNodes
 
 
 def allows_any(source: Source) -> bool:

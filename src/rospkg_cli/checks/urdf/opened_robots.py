@@ -9,7 +9,7 @@ from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
-from ...package.launch.uncommented import uncommented
+from ...package.launch.text import uncommented
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 

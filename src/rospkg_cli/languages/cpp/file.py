@@ -16,7 +16,7 @@ INCLUDED = regex(r'<([^>\n"]+)>|"([^"\n]+)"')
 DEFINED = regex(r"\w+")
 VARIABLE = regex(r"[\s>&*]*(?P<variable>[A-Za-z_]\w*)?\s*")
 WANTED = regex(
-    r"\w*(REGISTER|EXPORT)\w*|ClassLoader|\w*declare_parameter\w*|declare_or_get_parameter|get_parameter(?:_or)?"
+    r"\w*(REGISTER|EXPORT)\w*|ClassLoader|\w*declare_parameter\w*|declare_or_get_parameter|declareParameter|get_parameter(?:_or)?"
 )
 MAX_FOLLOWED = 500_000
 FOLLOWED_AGAIN = 10

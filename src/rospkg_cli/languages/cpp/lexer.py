@@ -25,10 +25,10 @@ TOKEN = regex(
 """A comment, a raw string, a string, a character, a directive. Each begins with a literal, so that `re` skips ahead."""
 
 NAME = regex(
-    r"(?:[A-Z][A-Z0-9]*_[A-Z0-9_]+|ClassLoader|\w*declare_parameter\w*|declare_or_get_parameter|get_parameter(?:_or)?)"
+    r"(?:[A-Z][A-Z0-9]*_[A-Z0-9_]+|ClassLoader|\w*declare_parameter\w*|declare_or_get_parameter|declareParameter|get_parameter(?:_or)?)"
     r"(?=\s*([<(]))"
 )
-WORDS = ("REGISTER", "EXPORT", "ClassLoader", "declare_parameter", "get_parameter")
+WORDS = ("REGISTER", "EXPORT", "ClassLoader", "declare_parameter", "declareParameter", "get_parameter")
 """Each name of interest has one of them."""
 
 DIRECTIVE = regex(r"#[ \t]*(\w+)[ \t]*")

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Span
 
 UNKNOWN = "?"
 """The name of an unknown substitution."""
+IN_XML = regex(r"<!--(?:(?!-->)[\s\S]){0,5000}-->")
+OTHERS = regex(r"#[^\n]*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,3 +83,8 @@ def plain_text(text: str, span: Span) -> LaunchText:
 
 def unknown_text(span: Span) -> LaunchText:
     return LaunchText(span, (Substitution(UNKNOWN, (), span),))
+
+
+def uncommented(path: str, text: str) -> str:
+    """Return a text without comments; in Python and YAML a `#` in a string counts as the beginning of one."""
+    return (IN_XML if path.endswith((".xml", ".launch")) else OTHERS).sub("", text)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 
 from ...files import ReaderInput
 from ...languages.cpp.file import read_cpp
@@ -18,7 +19,7 @@ from .declared_parameter import DeclaredParameter
 from .parameter_file import ParameterFile
 from .parameter_library import defined_parameters
 
-DECLARES = regex("declare_parameter|declare_or_get_parameter")
+DECLARES = regex("declare_parameter|declare_or_get_parameter|declareParameter")
 DYNAMIC = "dynamic_typing"
 """Where a descriptor allows this, a parameter takes values of any type."""
 
@@ -42,12 +43,26 @@ def in_cpp(reading: ReaderInput) -> Iterator[DeclaredParameter]:
 
 def in_python(reading: ReaderInput) -> Iterator[DeclaredParameter]:
     modules = reading.parts(PythonModules).only
-    for path in reading.files.paths:
-        if modules and path.endswith(".py") and role_of(path) == "run":
-            for source in text_of(reading, path):
-                if "declare_parameter" in source.text and (file := modules.at(path)):
-                    found = python.declared_in(file)
-                    yield from (map(untyped, found) if DYNAMIC in source.text else found)
+    paths = [path for path in reading.files.paths if path.endswith(".py") and role_of(path) == "run"] if modules else []
+
+    @cache
+    def constant(name: str) -> str:
+        """Return the type of a constant that modules or their classes bind to values of one type."""
+        return next(iter(constants().get(name, ()))) if len(constants().get(name, ())) == 1 else ""
+
+    @cache
+    def constants() -> dict[str, set[str]]:
+        found: dict[str, set[str]] = {}
+        for file in (modules.at(path) for path in paths) if modules else ():
+            for name, kind in python.constants_in(file) if file else ():
+                found.setdefault(name, set()).add(kind)
+        return found
+
+    for path in paths:
+        for source in text_of(reading, path):
+            if "declare_parameter" in source.text and modules and (file := modules.at(path)):
+                found = python.declared_in(file, constant)
+                yield from (map(untyped, found) if DYNAMIC in source.text else found)
 
 
 def given_parameters(reading: ReaderInput) -> tuple[frozenset[str], ...]:

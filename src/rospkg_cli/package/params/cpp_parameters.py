@@ -13,15 +13,23 @@ from ...lazy_regex import regex
 from ...source import Source
 from .declared_parameter import DeclaredParameter
 
-NAMED = regex(r"declare_parameter|declare_parameter_if_not_declared|(?:get_or_declare|declare_or_get)_parameter")
+NAMED = regex(
+    r"declare_parameter|declareParameter|declare_parameter_if_not_declared|(?:get_or_declare|declare_or_get)_parameter"
+)
 """Functions of rclcpp, nav2 and autoware that declare one parameter."""
+OF_LAYER = "declareParameter"
+"""A function of nav2_costmap_2d::Layer: it puts the name of the layer before that of the parameter."""
+SEVERAL = "declare_parameters"
+PAIR = regex(r'\{\s*"(?P<name>[^"\\]+)"\s*,')
 NODE = regex("node|parent|shared_from_this", re.IGNORECASE)
 """What is in the name of a first argument that is the node, where the function is none of its own."""
 MAX_LENGTH = 500
 """Of a name, a type or a value, in characters; a longer one is unknown."""
 
 WRAPPED = regex(r'std::string\s*[({]\s*("[^"]*")\s*[)}]')
-TAIL = regex(r'(?P<before>[^"]*\+\s*)?"(?P<text>[^"\\]*)"')
+TAIL = regex(r'(?P<before>(?:.*[^"\s]\s*|)\+\s*)?(?P<text>"[^"\\]*"(?:\s*\+\s*"[^"\\]*")*)', re.DOTALL)
+"""A name, or what stands behind the last part of one that is computed: `name + "." + "rate"`."""
+JOINT = regex(r'"\s*\+\s*"|^"|"$')
 NUMBER = regex(r"-?\s*(?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+[eE])[0-9eE.+-]*[fFlL]?|-?\s*[0-9]+[eE.]?[fF]")
 WHOLE = regex(r"-?\s*(?:0[xX][0-9a-fA-F]+|[0-9']+)[uUlLzZ]*")
 TEXT = regex(r'(?:R?"[^"]*"\s*)+s?|std::string\s*[({].*[)}]')
@@ -56,6 +64,8 @@ def declared_in(file: CppFile, type_of: TypeOf) -> Iterator[DeclaredParameter]:
     certain = unconditional_calls(file)
     for call in file.calls:
         arguments = call.arguments or ()
+        if call.name == SEVERAL and not call.variable:
+            yield from several(call, file.path)
         if not NAMED.fullmatch(call.name) or call.variable:
             continue
         free = call.name != "declare_parameter" and arguments and is_node(arguments[0].text)
@@ -68,7 +78,16 @@ def declared_in(file: CppFile, type_of: TypeOf) -> Iterator[DeclaredParameter]:
             kind = typed(call.template) or (inferred(rest[0].text, type_of) if rest else "")
             required = bool(call.template) and not rest and not call.is_conditional
             required = required and call.span.start in certain
-            yield DeclaredParameter(name[0], name[1], kind, required, file.path)
+            yield DeclaredParameter(name[0], name[1] or call.name == OF_LAYER, kind, required, file.path)
+
+
+def several(call: CppCall, path: str) -> Iterator[DeclaredParameter]:
+    """Yield the parameters of one name space that a call declares together: `("gains", {{"p", 1.0}, {"i", 0.1}})`."""
+    space, values, *_ = (*(call.arguments or ()), None, None)
+    if space and values and space.literal is not None and values.text.startswith("{"):
+        prefix = f"{space.literal}." if space.literal else ""
+        for pair in PAIR.finditer(values.text):
+            yield DeclaredParameter(prefix + pair.group("name"), False, typed(call.template), False, path)
 
 
 def unconditional_calls(file: CppFile) -> set[int]:
@@ -100,9 +119,8 @@ def name_in(argument: CppArgument) -> tuple[str, bool] | None:
     if len(argument.text) > MAX_LENGTH:
         return None
     found = TAIL.fullmatch(WRAPPED.sub(r"\1", argument.text))
-    if found is None or not found.group("text").strip("."):
-        return None
-    return found.group("text"), found.group("before") is not None
+    text = JOINT.sub("", found.group("text")) if found else ""
+    return (text, found.group("before") is not None) if found and text.strip(".") else None
 
 
 def typed(text: str) -> str:

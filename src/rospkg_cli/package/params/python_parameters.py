@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
@@ -17,26 +17,47 @@ RCL_TYPES = {
 READS = frozenset({"get_parameter", "get_parameter_or"})
 PLAIN_TYPES = {bool: "bool", int: "int", float: "double", str: "string"}
 
+TypeOf = Callable[[str], str]
+"""The type of a constant by its name, "" where it is unknown."""
 
-def declared_in(file: PythonFile) -> Iterator[DeclaredParameter]:
+
+def unknown(_: str) -> str:
+    return ""
+
+
+def constants_in(file: PythonFile) -> Iterator[tuple[str, str]]:
+    """Yield the names that a module or a class of it binds, with the type of the value."""
+    bodies = [file.tree.body, *(each.body for each in nodes_of_kind(file.tree, ast.ClassDef))]
+    for statement in (each for body in bodies for each in body):
+        match statement:
+            case (
+                ast.Assign(targets=[ast.Name(id=name)], value=value)
+                | ast.AnnAssign(target=ast.Name(id=name), value=ast.expr() as value)
+            ):
+                yield name, type_of(value)
+
+
+def declared_in(file: PythonFile, constant: TypeOf = unknown) -> Iterator[DeclaredParameter]:
     """Yield what a file declares under literal names."""
     for call in nodes_of_kind(file.tree, ast.Call):
         if isinstance(call.func, ast.Attribute):
-            yield from declared_by(file, call, call.func.attr)
+            yield from declared_by(file, call, call.func.attr, constant)
 
 
-def declared_by(file: PythonFile, call: ast.Call, method: str) -> Iterator[DeclaredParameter]:
+def declared_by(
+    file: PythonFile, call: ast.Call, method: str, constant: TypeOf = unknown
+) -> Iterator[DeclaredParameter]:
     """Yield what one call declares under literal names."""
     if method == "declare_parameter":
         given = {keyword.arg: keyword.value for keyword in call.keywords}
         name = call.args[0] if call.args else given.get("name")
         value = call.args[1] if len(call.args) > 1 else given.get("value")
-        yield from declaration(file, "", name, value)
+        yield from declaration(file, "", name, value, constant)
     elif method == "declare_parameters":
-        yield from several(file, call)
+        yield from several(file, call, constant)
 
 
-def several(file: PythonFile, call: ast.Call) -> Iterator[DeclaredParameter]:
+def several(file: PythonFile, call: ast.Call, constant: TypeOf) -> Iterator[DeclaredParameter]:
     given = {keyword.arg: keyword.value for keyword in call.keywords}
     space = call.args[0] if call.args else given.get("namespace")
     listed = listed_in(call)
@@ -44,7 +65,8 @@ def several(file: PythonFile, call: ast.Call) -> Iterator[DeclaredParameter]:
         prefix = f"{space.value}." if space.value else ""
         for each in listed.elts:
             if isinstance(each, ast.Tuple | ast.List) and each.elts:
-                yield from declaration(file, prefix, each.elts[0], each.elts[1] if len(each.elts) > 1 else None)
+                value = each.elts[1] if len(each.elts) > 1 else None
+                yield from declaration(file, prefix, each.elts[0], value, constant)
 
 
 def listed_in(call: ast.Call) -> ast.expr | None:
@@ -80,26 +102,30 @@ def has_computed_names(file: PythonFile) -> bool:
 
 
 def declaration(
-    file: PythonFile, prefix: str, name: ast.expr | None, value: ast.expr | None
+    file: PythonFile, prefix: str, name: ast.expr | None, value: ast.expr | None, constant: TypeOf
 ) -> Iterator[DeclaredParameter]:
     if isinstance(name, ast.Constant) and isinstance(name.value, str) and name.value:
-        kind = type_of(value) if value is not None else ""
+        kind = type_of(value, constant) if value is not None else ""
         yield DeclaredParameter(prefix + name.value, False, kind, False, file.source.path)
 
 
-def type_of(value: ast.expr) -> str:
+def type_of(value: ast.expr, constant: TypeOf = unknown) -> str:
     """Return the type of parameter that a default value makes; "" where it is unknown."""
     match value:
         case ast.Constant(value=plain):
             return PLAIN_TYPES.get(type(plain), "")
         case ast.UnaryOp(op=ast.USub() | ast.UAdd(), operand=inner):
-            return type_of(inner)
+            return type_of(inner, constant)
         case ast.List(elts=[first, *others]) | ast.Tuple(elts=[first, *others]):
             kinds = {type_of(each) for each in (first, *others)}
             kind = kinds.pop()
             return f"{kind}[]" if kind and not kinds and "[" not in kind else ""
         case ast.Attribute(attr=name, value=ast.Attribute(attr="Type") | ast.Name(id="ParameterType")):
             return RCL_TYPES.get(name.removeprefix("PARAMETER_"), "")
+        case ast.Name(id=name) if name.isupper():
+            return constant(name)
+        case ast.Attribute(value=ast.Name(id=owner), attr=name) if owner[0].isupper():
+            return constant(name)
         case ast.JoinedStr():
             return "string"
         case ast.Call(func=ast.Name(id="str" | "float" | "int" | "bool" as name)):

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.declaring_packages import ParameterContext, given_type
-from ...example import Example
+from ...checks.params.declaring_packages import given_type
+from ...checks.params.known_given import MistypedValue, MistypedValues, mistyped_known
+from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...languages.yaml.nodes import ScalarNode, SequenceNode
 from ...lazy_regex import regex
 from ...package.params.parameter_file import Parameter
 from ...rule import rule
+from ...source import Span
 
 NODE = """\
 class Talker : public rclcpp::Node
@@ -31,6 +33,16 @@ talker:
 """
 
 
+INSTALL = "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})"
+LAUNCH = """\
+<launch>
+  <node pkg="joy" exec="joy_node">
+    <param name="deadzone" value="{}"/>
+  </node>
+</launch>
+"""
+
+
 def example(bad: str, good: str, fix: Safety | None = None) -> Example:
     files = {"include/my_pkg/talker.hpp": NODE, "config/robot.yaml": GOOD.replace(good, bad)}
     return Example(on="config", bad=files, good={"config/robot.yaml": GOOD}, fix=fix)
@@ -39,19 +51,30 @@ def example(bad: str, good: str, fix: Safety | None = None) -> Example:
 @rule(
     "PRM006",
     "parameter-type-mismatch",
-    over=ParameterContext,
+    over=MistypedValues,
     severity=Severity.WARNING,
     examples=(
         example("rate: «50»", "rate: 50.0", Safety.SAFE),
         example("frames: «odom»", "frames: [odom]"),
+        Example(
+            on="ament_cmake",
+            bad={
+                "CMakeLists.txt": CMAKE.replace("ament_package()", f"{INSTALL}\nament_package()"),
+                "package.xml": manifest("  <exec_depend>joy</exec_depend>\n", "ament_cmake"),
+                "launch/joy.launch.xml": LAUNCH.format("«0»"),
+            },
+            good={"launch/joy.launch.xml": LAUNCH.format("0.0")},
+            fix=Safety.SAFE,
+        ),
     ),
 )
-def parameter_type_mismatch(scope: ParameterContext) -> Iterator[Hit]:
+def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     """
     ## What it does
     Finds values in a parameter file whose type differs from the declared type.
     Types are declared by `declare_parameter` and its like in C++ and Python, and by definitions for
-    generate_parameter_library.
+    generate_parameter_library. Those of packages that everybody uses (nav2, ros2_control, slam_toolbox,
+    robot_localization and others) are known without their sources, for values in launch files as well.
 
     ## Why is this bad?
     A parameter never changes its type. `50` is an integer, and a node that declared a double stops when it starts:
@@ -60,15 +83,24 @@ def parameter_type_mismatch(scope: ParameterContext) -> Iterator[Hit]:
     ## When it is quiet
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
     three names. Where declarations differ, a type is not known, or a launch file fills the value in, nothing is said.
+    So it is where the releases of a well-known package differ.
     """
-    for group in scope.groups():
+    told = set()
+    for group in scope.given.groups():
         for parameter in group.parameters:
             given, wanted = given_type(parameter.value), group.wanted_type(parameter)
             if wanted is not None and given and given != wanted[0]:
                 message = f"`{parameter.name}` is declared as {wanted[0]} in `{wanted[1].path}`"
                 fix = as_double(group.file.path, parameter) if (given, wanted[0]) in INTEGERS else None
                 what = f"{message}: {article(given)} stops the node when it starts; write {article(wanted[0])}"
+                told.add((group.file.path, parameter.value.span))
                 yield Hit(group.file.path, parameter.value.span, what, fix=fix)
+    for each in mistyped_known(scope.known):
+        if (each.path, each.value.value) not in told:
+            message = f"`{each.value.name}` is declared as {each.wanted} by `{each.package}`"
+            fix = known_as_double(each) if (each.value.type, each.wanted) in INTEGERS else None
+            given = f"{article(each.value.type)} stops the {each.kind} when it starts"
+            yield Hit(each.path, each.value.value, f"{message}: {given}; write {article(each.wanted)}", fix=fix)
 
 
 def article(kind: str) -> str:
@@ -90,3 +122,11 @@ def as_double(path: str, parameter: Parameter) -> Fix | None:
         return None
     edits = tuple(Edit(path, number.span, f"{number.text}.0") for number in numbers)
     return Fix("write it with `.0`", edits)
+
+
+def known_as_double(each: MistypedValue) -> Fix | None:
+    """Put `.0` behind whole numbers for a well-known node."""
+    if each.value.written is not None:
+        return as_double(each.path, each.value.written)
+    place = Span(each.value.value.end, each.value.value.end)
+    return Fix("write it with `.0`", (Edit(each.path, place, ".0"),)) if DECIMAL.fullmatch(each.value.text) else None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.declaring_packages import ParameterGroup, given_type
+from ...checks.params.launched_names import SIM_TIME, mistyped_sim_time, unknown_to_known
 from ...checks.params.unknown_reads import UnknownParameters, UnknownRead
 from ...edits.plain_names import only_plain_names
 from ...example import Example, manifest
@@ -78,7 +79,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     Finds values for parameters that no code declares, where a similar name is declared.
     The package that declares the other parameters of the block declares the similar one, and the block does not give
     it. Names in launch files are compared with what the node's package declares; `wheels` for `number_of_wheels` is
-    similar there. In code `get_parameter` is checked
+    similar there. What packages that everybody uses declare is known without their sources, and `use_sim_time` is of
+    every node. In code `get_parameter` is checked
     likewise: a name that is not declared, in a file that declares a similar one without getting it.
 
     ## Why is this bad?
@@ -101,9 +103,14 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
             message = f"{start}: the value is dropped; did you mean `{last}`?"
             fix = only_plain_names(renamed(group, parameter, meant), last)
             yield Hit(group.file.path, parameter.key.span, message, fix=fix)
-    for named in scope.launched.unknown():
+    for named in (*scope.launched.unknown(), *unknown_to_known(scope.known)):
         message = f"`{named.package}` declares no parameter `{named.name}`: the value is dropped"
         yield Hit(named.path, named.span, f"{message}; did you mean `{named.meant}`?")
+    for path, span, name in mistyped_sim_time(scope.known.launched):
+        message = f"no node has a parameter `{name}`: the value is dropped, and the node runs on the wall clock"
+        yield Hit(
+            path, span, f"{message}; write `{SIM_TIME}`", fix=Fix(f"write `{SIM_TIME}`", (Edit(path, span, SIM_TIME),))
+        )
     for read in (*scope.reads.in_cpp(), *scope.reads.in_python()):
         message = f"nothing declares the parameter `{read.name}`: {ending(read)}; this file declares"
         hit = f"{message} `{read.suggestion}` and never gets it"

@@ -1,0 +1,45 @@
+"""The nodes of well-known packages by name, and the parameters that these and their plugins declare."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from ..light_dataclasses import dataclass
+from .read_table import rows
+
+NAMES = "node_names.txt"
+TABLE = "well_known_parameters.txt"
+TYPES = {"b": "bool", "d": "double", "i": "int", "s": "string"}
+TAIL = "*"
+
+
+@dataclass(frozen=True, slots=True)
+class KnownParameter:
+    name: str
+    """Where `is_tail`, what follows a part that is known at run time only, with the sign between them."""
+    is_tail: bool
+    type: str
+    """bool, int, double or string, with `[]` for a list of them; "" where it is unknown, or releases differ."""
+
+    def fits(self, name: str) -> bool:
+        """Return whether a parameter of this name is this one."""
+        if not self.is_tail:
+            return name == self.name
+        return name.endswith(self.name if self.name[0] in "._" else f".{self.name}")
+
+
+def known_nodes() -> dict[str, tuple[str, ...]]:
+    """Return the names of the nodes that everybody gives parameters to, with their packages."""
+    return rows(NAMES)
+
+
+@cache
+def known_parameters(package: str) -> tuple[KnownParameter, ...]:
+    """Return what a well-known package declares; nothing for any other."""
+    return tuple(map(known_parameter, rows(TABLE).get(package, ())))
+
+
+def known_parameter(word: str) -> KnownParameter:
+    name, _, kind = word.partition(":")
+    brackets = kind[1:]
+    return KnownParameter(name.removeprefix(TAIL), name.startswith(TAIL), TYPES[kind[0]] + brackets if kind else "")

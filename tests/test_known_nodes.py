@@ -1,0 +1,165 @@
+"""Values for nodes, controllers and plugins of well-known packages, whose sources are not here."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.languages.cpp.file import read_cpp
+from rospkg_cli.languages.python.file import parse_python
+from rospkg_cli.package.params import cpp_parameters as cpp
+from rospkg_cli.package.params import python_parameters as python
+from rospkg_cli.ros.known_nodes import KnownParameter, known_parameters
+from rospkg_cli.source import Source
+from rospkg_cli.testing import lint_files
+
+LAUNCH = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+from launch_ros.parameter_descriptions import ParameterValue
+
+RATE = 15
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='{}', executable='x', name='x', parameters=[{}])])
+"""
+MANAGER = (
+    "controller_manager:\n  ros__parameters:\n    arm: {type: joint_trajectory_controller/JointTrajectoryController}\n"
+)
+
+
+def package(launch: str, values: str, others: dict[str, str]) -> dict[str, str]:
+    files = {
+        "src/my_pkg/package.xml": manifest("", "ament_cmake"),
+        "src/my_pkg/CMakeLists.txt": CMAKE.replace(
+            "ament_package", "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package"
+        ),
+        "src/my_pkg/launch/a.launch.py": launch,
+        "src/my_pkg/config/a.yaml": values,
+    }
+    return files | others
+
+
+def said(launch: str = "", values: str = "", **others: str) -> list[str]:
+    found = lint_files(package(launch, values, others), ["PRM006", "PRM007"]).findings
+    return [f"{each.code} {each.message}" for each in found]
+
+
+@pytest.mark.parametrize(
+    "values, starts",
+    [
+        ("{'deadzone': 0}", ["PRM006 `deadzone` is declared as double by `joy`: an int stops the node"]),
+        ("{'deadzone': '0'}", ["PRM006 `deadzone` is declared as double"]),
+        ("{'deadzone': 0.0, 'device_id': 1.5}", ["PRM006 `device_id` is declared as int by `joy`: a double"]),
+        ("{'sticky_buttons': 1}", ["PRM006 `sticky_buttons` is declared as bool"]),
+        ("{'sticky_buttons': True, 'device_name': 'pad'}", []),
+        ("{'deadzone': ParameterValue(0, value_type=float)}", []),
+        ("{'deadzone': [0]}", []),
+        ("{'deadzone': RATE}", []),
+        ("{'other': 1}", []),
+        ("{'deadzon': 0.1}", ["PRM007 `joy` declares no parameter `deadzon`: the value is dropped; did you mean"]),
+        ("{'/deadzone': 0.1}", ["PRM007 `joy` declares no parameter `/deadzone`"]),
+        ("{'autorepeatrate': 0.1}", ["PRM007 `joy` declares no parameter `autorepeatrate`"]),
+        ("{'deadzon': 0.1, 'deadzone': 0.1}", []),
+        ("{'deadzon': 0.1, 'one': 1, 'two': 2}", []),
+        ("{'use_sime_time': True}", ["PRM007 no node has a parameter `use_sime_time`: the value is dropped"]),
+        ("{'/use_sim_time': True}", ["PRM007 no node has a parameter `/use_sim_time`"]),
+        ("{'use_sim_time': True}", []),
+    ],
+)
+def test_values_in_launch_files(values: str, starts: list[str]) -> None:
+    for text, start in zip(said(LAUNCH.format("joy", values)), starts, strict=True):
+        assert text.startswith(start)
+
+
+def test_nothing_is_said_of_a_package_whose_sources_are_here() -> None:
+    own = {"src/joy/package.xml": manifest("", "ament_cmake", "joy")}
+    assert said(LAUNCH.format("joy", "{'deadzone': 0, 'deadzon': 0.1}"), **own) == []
+
+
+@pytest.mark.parametrize(
+    "values, starts",
+    [
+        (MANAGER + "arm:\n  ros__parameters:\n    constraints: {goal_time: 0.5, tip: {trajectory: 1}}\n",
+         ["PRM006 `constraints.tip.trajectory` is declared as double by `joint_trajectory_controller`: an int stops "
+          "the controller when it starts; write a double"]),
+        ("arm:\n  ros__parameters:\n    constraints: {goal_time: 0.5, tip: {trajectory: 1}}\n", []),
+        ("map_saver:\n  ros__parameters:\n    save_map_timeout: 5000\n", ["PRM006 `save_map_timeout` is declared"]),
+        ("/robot/map_saver:\n  ros__parameters:\n    save_map_timeout: <TIMEOUT>\n", []),
+        ("map_saver:\n  ros__parameters:\n    save_map_timeout: SAVE_TIMEOUT\n", []),
+        ("map_saver:\n  ros__parameters:\n    save_map_timeout: ten\n", ["PRM006 `save_map_timeout` is declared"]),
+        ("planner_server:\n  ros__parameters:\n    Grid:\n      plugin: nav2_navfn_planner::NavfnPlanner\n"
+         "      tolerance: 1\n", ["PRM006 `Grid.tolerance` is declared as double by `nav2_navfn_planner`: an int"]),
+        ("planner_server:\n  ros__parameters:\n    Grid:\n      plugin: nav2_navfn_planner::NavfnPlanner\n"
+         "      tolerence: 1.0\n", ["PRM007 `nav2_navfn_planner` declares no parameter `Grid.tolerence`"]),
+        ("planner_server:\n  ros__parameters:\n    Grid:\n      plugin: my_pkg::Planner\n      tolerance: 1\n", []),
+        ("joystick:\n  ros__parameters:\n    use_sim_tim: true\n", ["PRM007 no node has a parameter `use_sim_tim`"]),
+    ],
+)  # fmt: skip
+def test_values_in_parameter_files(values: str, starts: list[str]) -> None:
+    for text, start in zip(said("", values), starts, strict=True):
+        assert text.startswith(start)
+
+
+@pytest.mark.parametrize(
+    "package, given, found", [("joy", "x", 1), ("joy", "y", 0), ("joy", "/**", 1), ("my_pkg", "x", 0)]
+)
+def test_the_launch_file_says_whose_block_it_is(package: str, given: str, found: int) -> None:
+    launch = (
+        "<launch>\n  <node pkg='{}' exec='x' name='x'>\n    <param from='$(find-pkg-share my_pkg)/config/a.yaml'/>\n"
+    )
+    files = {"src/my_pkg/launch/b.launch.xml": launch.format(package) + "  </node>\n</launch>\n"}
+    assert len(said("", f"{given}:\n  ros__parameters:\n    deadzone: 0\n", **files)) == found
+
+
+def test_a_parameter_that_a_package_here_declares_is_no_slip_of_the_clock() -> None:
+    code = {"src/my_pkg/src/a.cpp": 'void f() { declare_parameter("use_sim_times", true); }\n'}
+    assert said("", "x:\n  ros__parameters:\n    use_sim_times: true\n", **code) == []
+
+
+def test_parameters_of_a_table_fit_names() -> None:
+    (trajectory,) = (each for each in known_parameters("joint_trajectory_controller") if each.name == "trajectory")
+    assert trajectory == KnownParameter("trajectory", True, "double")
+    assert trajectory.fits("constraints.a.trajectory")
+    assert not trajectory.fits("trajectory")
+    assert KnownParameter("_config", True, "bool[]").fits("odom0_config")
+    assert known_parameters("nobody_knows_it") == ()
+
+
+def test_several_parameters_declared_at_once() -> None:
+    text = 'void f() { declare_parameters<double>("gains", {{"p", 1.0}, {"i", 0.1}}); }'
+    found = cpp.declared_in(read_cpp(Source("a.cpp", text)), lambda _: "")
+    assert [(each.name, each.type) for each in found] == [("gains.p", "double"), ("gains.i", "double")]
+    text = 'void f() { declare_parameters("", {{"p", 1.0}}); declare_parameters(space, {{"i", 1}}); }'
+    found = cpp.declared_in(read_cpp(Source("a.cpp", text)), lambda _: "")
+    assert [(each.name, each.type) for each in found] == [("p", "")]
+
+
+@pytest.mark.parametrize(
+    "name, found",
+    [
+        ('name_ + "." + "rate"', [(".rate", True)]),
+        ('name_ + "." + id + ".rate"', [(".rate", True)]),
+        ('"a." "b"', []),
+        ('is_fast ? "a" : "b"', []),
+    ],
+)
+def test_names_that_are_put_together(name: str, found: list[tuple[str, bool]]) -> None:
+    declared = cpp.declared_in(read_cpp(Source("a.cpp", f"void f() {{ declare_parameter({name}, 1); }}")), lambda _: "")
+    assert [(each.name, each.tail) for each in declared] == found
+
+
+def test_a_layer_puts_its_name_before_that_of_a_parameter() -> None:
+    text = 'void f() { declareParameter("enabled", rclcpp::ParameterValue(true)); }'
+    (found,) = cpp.declared_in(read_cpp(Source("a.cpp", text)), lambda _: "")
+    assert (found.name, found.tail, found.type) == ("enabled", True, "bool")
+
+
+def test_constants_as_defaults() -> None:
+    file = parse_python(Source("a.py", "RATE = 1.5\nclass Talker:\n    size: int = 3\n    def f(self): pass\n"))
+    types = dict(python.constants_in(file))
+    assert types == {"RATE": "double", "size": "int"}
+    code = "".join(f"self.declare_parameter('a', {each})\n" for each in ("RATE", "Talker.size", "self.size"))
+    found = python.declared_in(parse_python(Source("a.py", code)), lambda name: types.get(name, ""))
+    assert [each.type for each in found] == ["double", "int", ""]
