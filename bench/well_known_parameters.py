@@ -19,11 +19,11 @@ from rospkg_cli.package.package_facts import PackageFacts
 from rospkg_cli.package.params.declared_parameter import DeclaredParameter, type_named
 
 TABLE = "well_known_parameters.txt"
-ABOUT = (
-    "Parameters that well-known packages declare in the supported distributions: package, then each name, with its "
-    "type behind `:` where all declarations of it agree (b bool, d double, i int, s string, `[]` a list). Behind `*` "
-    "stands what follows a part that is known at run time only."
-)
+ABOUT = {
+    TABLE: "Parameters that well-known packages declare in the supported distributions: package, then each name, with "
+    "its type behind `:` where all declarations of it agree (b bool, d double, i int, s string, `[]` a list). Behind "
+    "`*` stands what follows a part that is known at run time only."
+}
 ORIGIN = Origin(
     "calls that declare parameters and definitions for generate_parameter_library in the repositories that "
     "bench/well_known_renames.py lists, their branches from Humble on",
@@ -49,7 +49,7 @@ def main(folder: Path) -> None:
             for facts in facts_in(mirror, branch):
                 if not any(word in facts.name for word in ASIDE):
                     add(found.setdefault(facts.name, {}), facts)
-    write(TABLE, ABOUT, rows(found), ORIGIN, Revision(", ".join(commits), newest))
+    write(TABLE, ABOUT[TABLE], rows(found), ORIGIN, Revision(", ".join(commits), newest))
 
 
 def add(names: Names, facts: PackageFacts) -> None:

@@ -19,6 +19,7 @@ from bench import (
     ros1_packages,
     runtime_dependencies,
     well_known,
+    well_known_parameters,
 )
 from bench.tables import Origin, Revision, header
 from rospkg_cli.ros.read_table import FOLDER, lines, marked, pairs, phrases, rows, sets, unfolded, words
@@ -37,6 +38,7 @@ GENERATED: dict[str, tuple[str, Origin]] = {
         ros1_packages,
         runtime_dependencies,
         well_known,
+        well_known_parameters,
     )
     for name, about in script.ABOUT.items()
 }
