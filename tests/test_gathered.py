@@ -60,6 +60,65 @@ def test_a_metapackage_of_a_part_of_the_repository() -> None:
     assert left_out(package("lidar"), names=NAMED[:3]) == []
 
 
+def of_family(names: str, *others: str, own: str = "acme", body: str = "") -> list[str]:
+    """Return what is told of a package that names some of the others of its repository, which have a header each."""
+    body += "".join(f"  <depend>{name}</depend>\n" for name in names.split())
+    files = REPOSITORY | package(own, body)
+    for name in others:
+        files |= package(name) | {f"{name}/include/{name}/{name}.hpp": "#pragma once\n"}
+    return [finding.message.partition(" not named")[0] for finding in lint_files(files, ["DEP205"]).findings]
+
+
+def test_the_only_metapackage_of_a_family() -> None:
+    assert of_family("acme_arm", "acme_arm", "acme_base") == ["`acme_base` is"]
+    assert of_family("acme_arm", "acme_arm", "acme_base", "acme_cam", "acme_tf") == [
+        "`acme_base` is", "`acme_cam` is", "`acme_tf` is",
+    ]  # fmt: skip
+    lacking = ["`acme_base`, `acme_cam`, `acme_lidar` and `acme_tf` are"]
+    assert of_family("acme_arm", "acme_arm", "acme_base", "acme_cam", "acme_lidar", "acme_tf") == lacking
+    assert of_family("acme_arm", "acme_arm", "acme_base", "acme_cam", "other") == [
+        "`acme_base` is", "`acme_cam` is", "`other` is",
+    ]  # fmt: skip
+
+
+def test_what_is_no_metapackage_of_a_family() -> None:
+    assert of_family("acme_arm", "acme_arm") == []
+    assert of_family("acme_arm", "acme_arm", "acme_base", "other") == []
+    assert left_out(package("robot_desktop", "  <depend>arm</depend>\n"), package("robot_base"), names=("arm",)) == []
+
+
+def test_an_empty_package_that_names_nothing() -> None:
+    family = ("acme_arm", "acme_base", "acme_cam")
+    lacking = ["`acme_arm` is", "`acme_base` is", "`acme_cam` is"]
+    assert of_family("", *family) == lacking
+    assert of_family("", *family, body="  <test_depend>ament_lint_auto</test_depend>\n") == lacking
+    assert of_family("", *family[:2]) == []
+    assert of_family("", *family, "other") == []
+    assert of_family("", *family, body="  <exec_depend>rclcpp</exec_depend>\n") == []
+    assert of_family("", *family, own="acme_driver") == []
+    assert lint_files(REPOSITORY | package("acme") | package("acme_arm") | package("acme_a"), ["DEP205"]).findings == ()
+
+
+def messages(name: str, body: str = "") -> dict[str, str]:
+    generated = (
+        "find_package(rosidl_default_generators REQUIRED)\nrosidl_generate_interfaces(${PROJECT_NAME} msg/A.msg)\n"
+    )
+    files = package(name, body)
+    lists = files[f"{name}/CMakeLists.txt"].replace("ament_package", f"{generated}ament_package")
+    return files | {f"{name}/CMakeLists.txt": lists.replace("my_pkg", name), f"{name}/msg/A.msg": "bool a\n"}
+
+
+@pytest.mark.parametrize("tag, found", [("exec_depend", ["a_msgs"]), ("depend", [])])
+def test_a_package_of_messages_that_names_its_siblings(tag: str, found: list[str]) -> None:
+    names = ("b_msgs", "c_msgs", "d_msgs", "e_msgs")
+    body = "".join(f"  <{tag}>{name}</{tag}>\n" for name in names)
+    files = REPOSITORY | messages("all_msgs", body) | messages("a_msgs")
+    for name in names:
+        files |= messages(name)
+    assert [each.message.split("`")[1] for each in lint_files(files, ["DEP205"]).findings] == found
+    assert lint_files(files | package("other"), ["DEP205"]).findings == ()
+
+
 def only_tests(files: dict[str, str]) -> list[str]:
     return [finding.message.split("`")[1] for finding in lint_files(files, ["DEP204"]).findings]
 

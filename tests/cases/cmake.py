@@ -158,6 +158,13 @@ CASES = {
         cmake("if(WITH_MORE)\n  install(FILES LICENSE DESTINTION share/x)\nendif()\n"),
         cmake("set(TO DESTINTION)\ninstall(FILES package.xml ${TO} share/x)\n"),
     ),
+    "CMK122": (
+        cmake(
+            "add_executable(talker src/talker.cpp)\ntarget_link_libraries(talker m)\n"
+            "if(OpenMP_FOUND)\n  target_link_libraries(talker PUBLIC OpenMP::OpenMP_CXX)\nendif()\n",
+            src__talker_DOT_cpp=MAIN,
+        ),
+    ),
     "CMK110": (
         cmake("find_package(rclcpp REQUIRED)\nfind_package(std_msgs REQUIRED)\n"
               "ament_export_dependencies(rclcppstd_msgs)\n",

@@ -19,7 +19,7 @@ ASKED_FOR = regex(r"EXISTS|IS_DIRECTORY|ROS_VERSION|ROS1|CATKIN|catkin|ROS_DISTR
 """What a condition tests for before it names what is not always there: the path itself, or ROS 1."""
 
 
-STOPPING = ("test", "subdirectory")
+STOPPING = ("test", "subdirectory", "extras")
 """What stops CMake at once, where it gets there, as sources do."""
 
 

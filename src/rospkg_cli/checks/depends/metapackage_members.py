@@ -19,6 +19,12 @@ LEFT_OUT_ON_PURPOSE = regex(
 MIN_NAMED = 4
 PARTS = 4
 """There are at least so many times as many names as are missing."""
+FEW = 2
+WITH_CONTENT = regex(
+    r".*_(?:msgs?|interfaces|srvs|actions?|bringup|launch|description|gazebo|sim|simulation|nav\w*|moveit\w*|drivers?|agent|"
+    r"config\w*|utils?|common|core|py|cpp|control|hardware|resources?|maps?|worlds?|cmake)"
+)
+"""Names of packages that have something, or will."""
 
 
 @dataclass(frozen=True)
@@ -26,13 +32,46 @@ class MetapackageMembers:
     declared: DeclaredDependencies
 
     def missing(self) -> list[PackageFacts]:
-        """Return the few packages that neither it nor what it names needs, where it names nearly all of the others."""
+        """Return the packages that neither it nor what it names needs, where it names nearly all of the others, or is
+        clearly there to name all."""
         named = [facts for facts in self.neighbours if facts.name in self.names]
-        if not self.has_no_content(self.declared.facts) or len(named) < MIN_NAMED:
+        if len(named) < MIN_NAMED and not self.stands_for_family:
             return []
         there = self.needed_by(self.names)
         found = [facts for facts in self.neighbours if facts.name not in there and not self.is_left_out(facts)]
-        return found if len(found) * PARTS <= len(named) else []
+        is_nearly_whole = len(found) * PARTS <= len(named) and (
+            self.has_no_content(self.declared.facts) or self.names_interfaces
+        )
+        return found if self.stands_for_family or is_nearly_whole else []
+
+    @cached_property
+    def stands_for_family(self) -> bool:
+        """Whether it has nothing of its own, as no other package of its repository, and nearly all of these begin with
+        the same word as its name does. One that names none of them may still wait for its content, among few."""
+        own, others = self.declared.facts, self.neighbours
+        first = own.name.partition("_")[0]
+        strangers = [facts for facts in others if facts.name.partition("_")[0] != first]
+        if own.name.endswith("_vendor") or any(facts.is_metapackage for facts in others):
+            return False
+        if own.is_metapackage and any(facts.name in self.names for facts in others):
+            return len(others) >= FEW and len(strangers) * PARTS <= len(others)
+        return self.is_blank and not strangers and len(others) > FEW and not any(map(self.has_no_content, others))
+
+    @property
+    def is_blank(self) -> bool:
+        """Whether it has nothing, not even a dependency of what it would run or build, nor a name of what will."""
+        own, needs = self.declared.facts, self.declared.manifest.dependencies
+        has_needs = any(each.tag not in ("buildtool_depend", "test_depend") for each in needs)
+        has_needs = has_needs or WITH_CONTENT.fullmatch(own.name) is not None
+        return own.build_type == "ament_cmake" and not has_needs and self.has_no_content(own)
+
+    @property
+    def names_interfaces(self) -> bool:
+        """Whether it and all others have interfaces, and it needs those that it names only to run."""
+        names = {facts.name for facts in self.neighbours}
+        kinds = {each.tag for each in self.declared.manifest.dependencies if each.name in names}
+        own = (self.declared.facts, *self.neighbours)
+        return kinds == {"exec_depend"} and all(facts.interfaces for facts in own)
 
     def has_no_content(self, facts: PackageFacts) -> bool:
         """Return whether a package is a metapackage, or installs nothing of its own but an empty Python package."""
@@ -52,8 +91,9 @@ class MetapackageMembers:
 
     @property
     def tag(self) -> str:
-        """The tag under which it names most."""
-        return Counter(each.tag for each in self.declared.manifest.dependencies).most_common(1)[0][0]
+        """The tag under which it names most of what it needs to run."""
+        tags = [each.tag for each in self.declared.manifest.dependencies if each.tag in ("depend", "exec_depend")]
+        return Counter(tags or ["exec_depend"]).most_common(1)[0][0]
 
     @cached_property
     def neighbours(self) -> tuple[PackageFacts, ...]:

@@ -1,4 +1,4 @@
-"""Files that the commands of ament_cmake_gtest, launch_testing and the like need to exist."""
+"""Files that the commands of ament_cmake, its tests, launch_testing and the like need to exist."""
 
 from __future__ import annotations
 
@@ -21,9 +21,15 @@ MANY = ("APPEND_ENV", "APPEND_LIBRARY_DIRS", "ENV")
 STARTED = {"ament_add_pytest_test": 1, "ament_add_ros_isolated_pytest_test": 1, "add_launch_test": 0, "add_ros_test": 0}
 """Commands that stop where the file of a test does not exist, and which argument names it."""
 PARAMETERS = frozenset({"generate_parameter_library", "generate_parameter_module"})
+ENDS = frozenset({"ament_package", "ament_auto_package", "autoware_ament_auto_package"})
+"""Commands that hand .cmake files on to the users of the package, and stop where one does not exist."""
+EXTRAS = ("CONFIG_EXTRAS", "CONFIG_EXTRAS_POST")
+OF_ENDS = ("INSTALL_TO_PATH", "USE_SCOPED_HEADER_INSTALL_DIR")
+
+Need = Literal["source", "test", "parameters", "extras"]
 
 
-def needed_files(call: EvaluatedCommand) -> Iterator[tuple[Literal["source", "test", "parameters"], Sequence[Word]]]:
+def needed_files(call: EvaluatedCommand) -> Iterator[tuple[Need, Sequence[Word]]]:
     """Yield what a command needs, and for what: none where an argument before it can't be evaluated."""
     if call.name in COMPILED:
         yield "source", flags_and_values(call.words[1:], FLAGS, ONE, MANY)[2]
@@ -32,3 +38,7 @@ def needed_files(call: EvaluatedCommand) -> Iterator[tuple[Literal["source", "te
         yield "test", call.words[at : at + 1]
     if call.name in PARAMETERS and all(word.is_known and not word.maybe for word in call.words[:2]):
         yield "parameters", call.words[1:2]
+    if call.name in ENDS:
+        _, values, _ = flags_and_values(call.words, OF_ENDS, (), (*EXTRAS, "INSTALL_TO_SHARE"))
+        for keyword in EXTRAS:
+            yield "extras", values.get(keyword, [])

@@ -15,7 +15,7 @@ from .cmake_project import CMake
 from .made_paths import MadePaths
 from .needed_files import needed_files
 
-Use = Literal["source", "install", "folder", "test", "parameters", "subdirectory", "include"]
+Use = Literal["source", "install", "folder", "test", "parameters", "subdirectory", "include", "extras"]
 
 
 @dataclass(frozen=True)

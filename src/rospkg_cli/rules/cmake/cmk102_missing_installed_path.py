@@ -25,6 +25,7 @@ TEST = CMAKE.replace(
     "if(BUILD_TESTING)\n  find_package(ament_cmake_pytest REQUIRED)\n"
     "  ament_add_pytest_test(test_hello «test/test_helo.py»)\nendif()\n\nament_package",
 )
+EXTRAS = CMAKE.replace("ament_package()", "ament_package(CONFIG_EXTRAS «cmake/my_pkg_extras.cmake»)")
 
 
 @rule(
@@ -56,6 +57,11 @@ TEST = CMAKE.replace(
             good={"CMakeLists.txt": TEST.replace("«test/test_helo.py»", "test/test_hello.py")},
             on="ament_cmake",
         ),
+        Example(
+            bad={"CMakeLists.txt": EXTRAS, "cmake/my_pkg-extras.cmake": "set(MY_PKG_WORD hello)\n"},
+            good={"CMakeLists.txt": EXTRAS.replace("«cmake/my_pkg_extras.cmake»", "cmake/my_pkg-extras.cmake")},
+            on="ament_cmake",
+        ),
     ),
 )
 def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
@@ -63,9 +69,8 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     ## What it does
     Finds files and folders that CMake reads, installs or compiles and that do not exist.
     It reads `install()`, `add_executable()` and `add_library()`, tests (`ament_add_gtest()`, `ament_add_pytest_test()`,
-    `add_launch_test()` and the like), the YAML of `generate_parameter_library()`, and what `add_subdirectory()` and
-    `include()` read. What CMake or the build writes
-    itself is left alone.
+    `add_launch_test()` and the like), the YAML of `generate_parameter_library()`, what `add_subdirectory()` and
+    `include()` read, and the CONFIG_EXTRAS of `ament_package()`. What CMake or the build writes itself is left alone.
 
     ## Why is this bad?
     CMake stops: at once for a missing source, and only after everything was compiled for a missing folder ("file
@@ -104,6 +109,8 @@ def consequence(named: ReferencedPath) -> str:
             return "`add_subdirectory` stops CMake; name a folder with a CMakeLists.txt"
         case "include":
             return "`include` stops CMake; name an existing file"
+        case "extras":
+            return f"`{named.call.name}` stops CMake; name an existing file, or take it out of CONFIG_EXTRAS"
         case "parameters":
             return "the build stops, since nothing makes it; name an existing file of parameters"
         case "folder":

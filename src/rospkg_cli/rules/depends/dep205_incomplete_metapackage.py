@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.metapackage_members import MetapackageMembers
+from ...checks.enumeration import in_ticks
 from ...edits.manifest import add_dependency
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import Profile, rule
 
+SEVERAL = 3
+"""What lacks beyond that is told together."""
 PARTS = ("arm", "base", "camera", "driver", "msgs")
 FILES = {f"acme_{part}/package.xml": manifest("", "ament_cmake", f"acme_{part}") for part in PARTS} | {
     f"acme_{part}/CMakeLists.txt": CMAKE.replace("my_pkg", f"acme_{part}") for part in (*PARTS, "robot")
@@ -47,8 +50,8 @@ def incomplete_metapackage(metapackage: MetapackageMembers) -> Iterator[Hit]:
     """
     ## What it does
     Finds metapackages that name nearly all packages of their repository and leave one out.
-    None of the others needs that package. Tests, examples, demos and other metapackages are left alone, and so are
-    packages that need the metapackage.
+    None of the others needs that package. Of the only metapackage of a repository whose packages share the first word
+    of their names, it finds all that it leaves out, also where it is an empty package that names none.
 
     ## Why is this bad?
     Users who install the metapackage to have everything lack a package; mostly it was forgotten when that package was
@@ -62,11 +65,17 @@ def incomplete_metapackage(metapackage: MetapackageMembers) -> Iterator[Hit]:
     The package may be left out on purpose.
     """
     manifest, facts = metapackage.declared.manifest, metapackage.declared.facts
-    for each in metapackage.missing():
-        line = f"<{metapackage.tag}>{each.name}</{metapackage.tag}>"
+    missing, tag = metapackage.missing(), metapackage.tag
+    if len(missing) > SEVERAL:
+        names = in_ticks(each.name for each in missing)
+        message = f"{names} are not named by the metapackage `{facts.name}`: installing it does not install them"
+        yield Hit(manifest.path, facts.name_span, f"{message}; add a <{tag}> for each that users need")
+        return
+    for each in missing:
+        line = f"<{tag}>{each.name}</{tag}>"
         message = (
-            f"`{each.name}` is not named by the metapackage `{facts.name}`, and nearly all other packages of the "
-            f"repository are: installing `{facts.name}` does not install it; add {line}"
+            f"`{each.name}` is not named by the metapackage `{facts.name}`, which is there to bring the packages of "
+            f"this repository: installing `{facts.name}` does not install it; add {line}"
         )
-        fix = Fix(f"add {line}", (add_dependency(manifest, metapackage.tag, each.name),), Safety.UNSAFE)
+        fix = Fix(f"add {line}", (add_dependency(manifest, tag, each.name),), Safety.UNSAFE)
         yield Hit(manifest.path, facts.name_span, message, fix=fix)
