@@ -4,13 +4,19 @@ from __future__ import annotations
 
 import pytest
 
+from rospkg_cli.edits.cmake_export import append_names
+from rospkg_cli.edits.launch_file import import_name
 from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.fixing.fix_results import FixResults
 from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.example import BACKDROPS, CMAKE, SETUP_PY, existing_files, manifest, scripts, setup_py
+from rospkg_cli.files import PackageFiles
 from rospkg_cli.finding import Safety
+from rospkg_cli.languages.cmake.file import read_file
+from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.rules.cmake import cmk005_removed_command as cmk005
 from rospkg_cli.rules.launch import lch009_unquoted_robot_description as lch009
+from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import MemoryTree
 
@@ -193,3 +199,73 @@ def test_examples_are_not_installed_unasked(folder: str, user: str, safety: str)
 def test_gazebo_is_what_serves_to_build_with_it() -> None:
     cmake = CMAKE.replace("ament_package", "find_package(gazebo REQUIRED)\nament_package")
     assert "<depend>gazebo_dev</depend>" in fixed({**CMAKE_FILES, "CMakeLists.txt": cmake}, "package.xml", "DEP104")
+
+
+@pytest.mark.parametrize(
+    ("there", "after"),
+    [
+        ("(rclcpp)", "(rclcpp std_msgs)"),
+        (f"({NAMES[0]} {NAMES[1]} {NAMES[2]})", "(" + "".join(f"\n  {n}" for n in NAMES[:3]) + "\n  std_msgs\n)"),
+        (f"(\n  more_than_msgs {' '.join(NAMES[:3])})", f"(\n  more_than_msgs {' '.join(NAMES[:3])}\n  std_msgs)"),
+    ],
+)
+def test_exports_keep_to_the_width(there: str, after: str) -> None:
+    files = PackageFiles(MemoryTree.of({"CMakeLists.txt": f"ament_export_dependencies{there}\nament_package()\n"}))
+    file = read_file(files, "CMakeLists.txt")
+    source = file.source
+    edit = append_names(file, file.syntax.commands[0], ["std_msgs"])
+    text = source.text[: edit.span.start] + edit.text + source.text[edit.span.end :]
+    assert text == f"ament_export_dependencies{after}\nament_package()\n"
+
+
+def test_blanks_at_the_end_of_a_line_go_with_it() -> None:
+    text = manifest("  <depend>rclcpp</depend>  \n  <url>https://example.org</url>\n")
+    after = fixed({**PYTHON, "package.xml": text}, "package.xml", "XML002")
+    assert sorted(after.splitlines()) == sorted(text.splitlines())
+    assert after != text
+
+
+@pytest.mark.parametrize(("main", "is_repaired"), [(None, True), ("x = 1\n", False)])
+def test_an_entry_point_without_a_function_names_no_module_as_one(main: str | None, is_repaired: bool) -> None:
+    text = setup_py(scripts("talker = my_pkg.talker.main" if main is None else "talker = my_pkg.talker"))
+    files = {**PYTHON, "my_pkg/talker.py": main or NODE, "setup.py": text}
+    assert (fixed(files, "setup.py", "SET103") != text) == is_repaired
+
+
+def test_another_kind_stands_below_what_is_left_out() -> None:
+    there = "  <depend>rclcpp</depend>\n  <!-- <depend>jsoncpp</depend> -->\n  <test_depend>joy</test_depend>\n"
+    text = manifest(there, "ament_cmake")
+    for tag in ("buildtool_depend", "depend", "test_depend", "export"):
+        text = text.replace(f"\n  <{tag}>", f"\n\n  <{tag}>")
+    files = {
+        **CMAKE_FILES,
+        "package.xml": text,
+        "launch/a.launch.xml": '<launch>\n  <node pkg="rviz2" exec="x"/>\n</launch>\n',
+    }
+    after = fixed(files, "package.xml", "DEP103")
+    assert "-->\n\n  <exec_depend>rviz2</exec_depend>\n\n  <test_depend>" in after
+
+
+def test_a_destination_is_written_as_the_others_are() -> None:
+    other = "os.path.join('share', package_name, 'config')"
+    entries = f"({other}, ['config/a.yaml']),\n        ('config', ['config/b.yaml']),\n    ]"
+    text = SETUP_PY.replace("from setuptools", "import os\n\nfrom setuptools").replace(
+        "    ],\n    install", f"        {entries},\n    install"
+    )
+    files = {**PYTHON, "config/a.yaml": "", "config/b.yaml": "", "setup.py": text}
+    assert fixed(files, "setup.py", "SET208") == text.replace("('config', [", f"({other}, [")
+
+
+@pytest.mark.parametrize(
+    ("imports", "after"),
+    [
+        (("launch_ros.actions", "launch_ros.substitutions", "launch.conditions"), 1),
+        (("launch_ros.substitutions", "launch.conditions"), 0),
+        (("launch.conditions", "os"), 1),
+    ],
+)
+def test_an_import_stands_by_those_of_its_package(imports: tuple[str, ...], after: int) -> None:
+    lines = [f"from {module} import {letter}\n" for module, letter in zip(imports, "abc", strict=False)]
+    file = parse_python(Source("a.launch.py", "".join(lines)))
+    (edit,) = import_name(file, "launch_ros.parameter_descriptions", "ParameterValue")
+    assert edit.span.start == sum(map(len, lines[:after]))

@@ -220,8 +220,9 @@ def test_a_file_that_can_t_be_written_does_not_stop_the_others(packages: Path) -
     before = manifests(packages)
     (packages / "a/package.xml").chmod(0o444)
     done = rospkg(*FIX, cwd=packages)
-    assert done.returncode == 2
-    assert "`a/package.xml` can't be written: the file is read-only; 2 others written" in done.stderr
+    assert done.returncode == 1
+    assert "in a/package.xml was not made: `a/package.xml` is read-only" in done.stderr
+    assert "2 fixed" in done.stdout
     after = manifests(packages)
     assert [name for name in before if after[name] == before[name]] == ["a/package.xml"]
 

@@ -9,6 +9,7 @@ from ..languages.python.evaluate.values import GlobResult, Sequence, Symbol
 from ..lazy_regex import regex
 from ..package.setup.data_files import DataFile
 from ..package.setup.setup_py import SetupPy
+from ..package.setup.setup_text import SetupText
 from ..source import Span
 from . import python_list as commas
 from .setup_py import add_argument, add_item, import_module, name_code, own_arguments, quoted, replace_text
@@ -33,6 +34,16 @@ def share_code(setup: SetupPy, name: str, *below: str) -> str:
         start = f"{quoted(setup, 'share/')} + {own}"
         return f"{start} + {quoted(setup, rest)}" if rest else start
     return quoted(setup, f"share/{name}{rest}")
+
+
+def replace_destination(setup: SetupPy, name: str, said: SetupText, right: str) -> tuple[Edit, ...]:
+    """Write another destination: built as the others are, where it is a plain text and they are not."""
+    share, own, *below = [*right.split("/"), ""]
+    variable = name_before_entries(setup, name)
+    is_plain = said.literal is not None and said.literal.end - said.literal.start + 2 == said.span.end - said.span.start
+    if is_plain and (share, own) == ("share", name) and variable.isidentifier() and share_style(setup, variable):
+        return (Edit(said.path, said.span, share_code(setup, name, *filter(None, below))),)
+    return replace_text(said, right)
 
 
 def share_style(setup: SetupPy, own: str) -> str:

@@ -24,7 +24,7 @@ def repair_entry_point(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
         return separate_with_commas(setup, entry)
     if entry.fault == "no-attribute" and "." in entry.module:
         module, _, attribute = entry.module.rpartition(".")
-        path = setup.file_of(module)
+        path = setup.file_of(module) and not setup.file_of(entry.module)
         return rewrite_entry_point(entry, f"{entry.name} = {module}:{attribute}") if path else ()
     match = SLASHES.fullmatch(entry.text)
     if match is None:

@@ -16,15 +16,20 @@ CLOSING = regex(r"([)\]}]+),?[ \t\r]*")
 
 
 def import_name(file: PythonFile, module: str, name: str) -> tuple[Edit, ...]:
-    """Import a name, sorted by module among the imports; nothing where the file has the name."""
+    """Import a name, by the order of the modules among those of its top package, or else among all.
+
+    Nothing where the file has the name.
+    """
     if name in file.definitions:
         return ()
     every = [node for node in file.tree.body if isinstance(node, ast.Import | ast.ImportFrom)]
-    before = [node for node in every if module_of(node) < module or module_of(node) == "__future__"]
+    top = module.partition(".")[0]
+    alike = [node for node in every if module_of(node).partition(".")[0] == top] or every
+    before = [node for node in alike if module_of(node) < module or module_of(node) == "__future__"]
     text, line = file.source.text, f"from {module} import {name}"
     newline = "\r\n" if "\r\n" in text else "\n"
     if not before:
-        start = file.span(every[0]).start if every else 0
+        start = file.span(alike[0]).start if alike else 0
         return (Edit(file.path, Span(start, start), line + newline),)
     end = text.find("\n", file.span(before[-1]).end)
     at = len(text) if end == -1 else end + 1

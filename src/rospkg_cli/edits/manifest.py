@@ -11,7 +11,7 @@ from ..package.manifest import Dependency, Manifest
 from ..ros.manifest import ONLY_ROS_2
 from ..source import Span
 from .dependency_lines import in_order
-from .manifest_place import comment_above, gap_before, gap_behind, neighbour, start_with_heading
+from .manifest_place import behind_left_out, comment_above, gap_before, gap_behind, neighbour, start_with_heading
 from .manifest_tags import quoted
 
 FOR_ROS_2 = regex(r"""\$ROS_VERSION\s*==\s*["']?2["']?""")
@@ -59,6 +59,7 @@ def add_element(manifest: Manifest, tag: str, text: str, name: str = "") -> Edit
         at = anchor.span.start if anchor.tag == tag else start_with_heading(manifest, anchor)
         return Edit(manifest.path, Span(at, at), f"{text}\n{gap_before(manifest, tag, anchor)}{indent}")
     at = end_of_line(manifest, anchor)
+    at = at if tag == anchor.tag else behind_left_out(manifest, anchor, at)
     return Edit(manifest.path, Span(at, at), f"\n{gap_behind(manifest, tag, anchor, at)}{indent}{text}")
 
 

@@ -88,6 +88,18 @@ def comment_above(manifest: Manifest, node: Element | XmlComment) -> XmlComment 
     return above if not text[line.start : above.span.start].strip() else None
 
 
+def behind_left_out(manifest: Manifest, element: Element, end: int) -> int:
+    """Return where the comments right below an element end that leave out elements like it; `end` without one."""
+    nodes = manifest.root.nodes
+    place = next(place for place, each in enumerate(nodes) if each is element) + 1
+    for node in nodes[place:]:
+        is_next = LINE_BREAK.fullmatch(manifest.source.text[end : node.span.start]) is not None
+        if not isinstance(node, XmlComment) or not is_next or not node.text.strip().startswith("<"):
+            break
+        end = node.span.end
+    return end
+
+
 def start_with_heading(manifest: Manifest, element: Element) -> int:
     """Return where an element begins, with the comments right above it."""
     first: Element | XmlComment = element

@@ -98,9 +98,16 @@ def items_of(manifest: Manifest) -> list[Item]:
         while index < len(nodes) and trailing_comment(text, span.end, nodes[index]):
             span = Span(span.start, nodes[index].span.end)
             index += 1
+        span = Span(span.start, line_end(text, span.end))
         items.append(Item(element, span, text[end : span.start]))
         end = span.end
     return items
+
+
+def line_end(text: str, at: int) -> int:
+    """Return where blanks at the end of a line end; `at` where something else is behind it."""
+    end = len(text) - len(text[at:].lstrip(" \t"))
+    return end if text.startswith(("\n", "\r\n"), end) else at
 
 
 def trailing_comment(text: str, end: int, node: Element | XmlComment) -> bool:

@@ -81,7 +81,7 @@ def lint_to(options: LintOptions, stream: IO[str]) -> int:
             else nothing_found(session, options, located)
         )
     for finding, why in found.refused:
-        say(f"the fix of {finding.code} in {finding.location.path} was reverted: {why}")
+        say(f"the fix of {finding.code} in {finding.location.path} was not made: {why}")
     report = make_report(options, config, located, found, stream)
     if fixing.diff and located.scope.selected:
         return show_diff(session, found, options)

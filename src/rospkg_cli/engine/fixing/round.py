@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Collection, Iterable, Mapping, Sequence, Set
+from contextlib import suppress
 from zlib import crc32
 
 from ...checks.read_sentences import what_is_wrong
@@ -39,7 +40,7 @@ def one_round(
     So is one whose file is no longer the one that the rules read: `checksums` tell.
     """
     changed = changed_meanwhile(tree, checksums)
-    refused = [Refusal(each, why) for each in wanted if (why := stale(each, changed))]
+    refused = [Refusal(each, why) for each in wanted if (why := stale(each, changed) or read_only(tree, each))]
     left = without(wanted, [each.finding for each in refused])
     if not can_apply(tree, left):
         failing = [found for each in left if (found := cannot_apply(tree, each))]
@@ -84,6 +85,15 @@ def stale(finding: Finding, changed: Set[str]) -> str:
     """Return why a fix must not be made to files that have changed; "" where none has."""
     paths = sorted(o.path for o in finding.fix.operations if o.path in changed) if finding.fix else []
     return f"`{paths[0]}` was changed by someone else meanwhile; run again" if paths else ""
+
+
+def read_only(tree: Tree, finding: Finding) -> str:
+    """Return which file of a fix nobody may write; "" where there is none."""
+    for path in sorted({each.path for each in finding.fix.operations} if finding.fix else ()):
+        with suppress(OSError):
+            if not tree.entry(path).mode & 0o222:
+                return f"`{path}` is read-only"
+    return ""
 
 
 def can_apply(tree: Overlay, findings: Sequence[Finding]) -> bool:

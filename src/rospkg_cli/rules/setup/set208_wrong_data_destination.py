@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.data_destinations import DataDestinations
-from ...edits.setup_py import replace_text
+from ...edits.data_files import replace_destination
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -52,7 +52,8 @@ def wrong_data_destination(destinations: DataDestinations) -> Iterator[Hit]:
     """
     for entry, right, why in destinations.misplaced:
         assert entry.destination is not None
-        edits = replace_text(entry.destination, right)
+        package = destinations.shared.package
+        edits = replace_destination(package.setup, package.name, entry.destination, right)
         fix = Fix(f"install into {right}", edits) if edits else None
         level = Severity.ERROR if entry.destination.text.startswith("/") else None
         message = f"`{entry.destination.text}` {why}; write `{right}`"
