@@ -116,6 +116,7 @@ CASES = {
             cmake(cmk105.FILES, files={"scripts/hello.py": f"{cmk105.SHEBANG}\n\ndef a():\n    pass\n{end}"})
             for end in ("", "\n\nraise OSError\n")
         ),
+        cmake(cmk105.PROGRAMS, files={"scripts/hello.py": "def generate_launch_description():\n    ...\n\nprint()\n"}),
         cmake(cmk105.PROGRAMS, files={"scripts/hello.py": "import os\n\nif __name__ == '__main__':\n    os.abort()\n"}),
         cmake(cmk105.PROGRAMS, files={**HELLO, "launch/a.launch.py": "cmd=['python3', share + '/hello.py']\n"}),
         cmake(cmk105.PROGRAMS, files={**HELLO, "launch/a.launch.py": "cmd=['bash', share + '/hello.py']\n"}),

@@ -9,6 +9,8 @@ INSTALL = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION sha
 MESH = '<mesh filename="package://my_pkg/meshes/a.stl"/>'
 LACKS = f'<robot {XACRO} name="r">{MESH}</robot>\n'
 OPEN = f'<robot {XACRO} name="r">\n  <link name="a">\n</robot>\n'
+INCLUDES = f'<robot {XACRO} name="r"><xacro:include filename="$(find my_pkg)/urdf/none.xacro"/></robot>\n'
+NEEDED = "  <exec_depend>my_pkg</exec_depend>\n"
 LAUNCH = "MODEL = 'arm' + '.urdf'\n"
 
 
@@ -17,12 +19,13 @@ def robot(text: str, path: str = "urdf/arm.urdf.xacro", **more: str) -> Example:
     return Example(bad={"CMakeLists.txt": INSTALL, path: text, **named}, good={}, on="ament_cmake")
 
 
-def workspace(text: str, depends: str) -> Example:
+def workspace(text: str, depends: str, path: str = "urdf/arm.urdf.xacro", **more: str) -> Example:
     """A description package beside a package that starts robots."""
     files = {
         "my_pkg/package.xml": manifest(build_type="ament_cmake"),
         "my_pkg/CMakeLists.txt": INSTALL,
-        "my_pkg/urdf/arm.urdf.xacro": text,
+        f"my_pkg/{path}": text,
+        **{f"my_pkg/{name.replace('__', '/').replace('_DOT_', '.')}": content for name, content in more.items()},
         "bringup/package.xml": manifest("", "cmake", "bringup").replace("  <export>", f"{depends}  <export>"),
     }
     return Example(bad=files, good={}, on="")
@@ -37,7 +40,10 @@ USES = (
     robot(LACKS, urdf__whole_DOT_xacro=f'<robot {XACRO}><xacro:include filename="arm.urdf.xacro"/></robot>\n'),
     robot(LACKS, "urdf/my_pkg.urdf.xacro"),
     workspace(LACKS, ""),
-    workspace(LACKS, "  <exec_depend>my_pkg</exec_depend>\n"),
+    workspace(LACKS, NEEDED),
+    *(workspace(each, NEEDED, path="urdf/arm.urdf") for each in (LACKS, INCLUDES)),
+    workspace(INCLUDES, NEEDED),
+    workspace(INCLUDES, NEEDED, path="urdf/arm.urdf", launch__show_DOT_py=LAUNCH),
 )
 BROKEN = (
     robot(OPEN),

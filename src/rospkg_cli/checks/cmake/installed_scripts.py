@@ -26,6 +26,7 @@ Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit
 IMPORTED = regex(r"^[ \t]*(?:from|import)[ \t]+\.?(\w+)", re.MULTILINE)
 STARTS = regex(r"^(?:if[ \t(]+__name__|[A-Za-z_][\w.]*[ \t]*\(|(?:while|for|with|try|raise)\b)", re.MULTILINE)
 """A statement at the top level that does something."""
+ENTRY = "def generate_launch_description("
 FOR_ROS1 = regex(r"^[ \t]*(?:import|from)[ \t]+rospy\b", re.MULTILINE)
 DEFINES = regex(r"^(?:class|def|async def)\b", re.MULTILINE)
 IMPORTS = regex(r"^(?:from[ \t]+[\w.]+[ \t]+import[ \t(]|import[ \t]+[\w.]+[ \t]*$)", re.MULTILINE)
@@ -117,9 +118,9 @@ class InstalledScripts:
         return STARTS.search(self.package.cmake.package_files.readable_text(path)) is not None
 
     def is_no_program(self, path: str) -> bool:
-        """Return whether another installed script imports a file, or a launch file hands it to Python."""
+        """Return whether an installed script imports a file, launch loads it, or a launch file hands it to Python."""
         name = posixpath.basename(path)
-        if name.removesuffix(".py") in self.imported:
+        if name.removesuffix(".py") in self.imported or ENTRY in self.package.cmake.package_files.readable_text(path):
             return True
         return any(f"{name}'" in text for text in self.texts_with_python) or self.is_run_by_cmake(name)
 

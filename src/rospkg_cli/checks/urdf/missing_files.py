@@ -69,6 +69,11 @@ class RobotInWorkspace:
             return True
         return any(row.source == self.robot.path for row in self.table.rows)
 
+    @property
+    def may_be_read_as_it_is(self) -> bool:
+        """Whether it is no xacro by its name, and nothing in the package opens it: others may do so without xacro."""
+        return self.robot.path.endswith(".urdf") and not self.opened.is_named(self.robot.path)
+
     def weighed(self, fault: Fault) -> Fault:
         """Return a fault at the level of its place; a default that nothing reads, or all replace, does no harm."""
         for around in ancestors(self.robot.document.root, fault.span):

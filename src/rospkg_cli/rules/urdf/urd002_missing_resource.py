@@ -89,7 +89,8 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     reports that the folder is not installed, it says so alone. In a condition of xacro, in a file that is only included
     under one which the defaults of the arguments switch off, and in a `<gazebo>` or `<plugin>`, which Gazebo alone
     reads, it is a warning; so it is in a robot that no file of the package names, where no other package of the
-    workspace needs this one. In a macro that nothing here calls it is an info. The default of an argument is an info
+    workspace needs this one, and of an include of a `.urdf` that only another package may open, perhaps without xacro.
+    In a macro that nothing here calls it is an info. The default of an argument is an info
     where nothing reads the argument, or where each launch file that opens the robot gives another value.
     """
     for each in scope.missing():
@@ -108,6 +109,8 @@ def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity 
         best = softer(best, "warning", "where the robot is read from the source: it is not installed")
     elif best.level is None and not scope.opened.has(scope.robot.path):
         best = softer(best, "warning", "and no file of the package opens this robot")
+    elif best.level is None and missing.is_include and scope.may_be_read_as_it_is:
+        best = softer(best, "warning", "where xacro reads it")
     return Severity(best.level) if best.level else None, best.message + advice(missing)
 
 
