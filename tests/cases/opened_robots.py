@@ -19,16 +19,21 @@ def robot(text: str, path: str = "urdf/arm.urdf.xacro", **more: str) -> Example:
     return Example(bad={"CMakeLists.txt": INSTALL, path: text, **named}, good={}, on="ament_cmake")
 
 
+OTHERS = ("bringup/", "other/")
+"""Folders of other packages than the one with the robots."""
+
+
 def workspace(text: str, depends: str, path: str = "urdf/arm.urdf.xacro", **more: str) -> Example:
     """A description package beside a package that starts robots."""
     files = {
         "my_pkg/package.xml": manifest(build_type="ament_cmake"),
         "my_pkg/CMakeLists.txt": INSTALL,
         f"my_pkg/{path}": text,
-        **{f"my_pkg/{name.replace('__', '/').replace('_DOT_', '.')}": content for name, content in more.items()},
         "bringup/package.xml": manifest("", "cmake", "bringup").replace("  <export>", f"{depends}  <export>"),
     }
-    return Example(bad=files, good={}, on="")
+    named = {name.replace("__", "/").replace("_DOT_", "."): content for name, content in more.items()}
+    below = {name if name.startswith(OTHERS) else f"my_pkg/{name}": content for name, content in named.items()}
+    return Example(bad={**files, **below}, good={}, on="")
 
 
 USES = (
@@ -44,6 +49,39 @@ USES = (
     *(workspace(each, NEEDED, path="urdf/arm.urdf") for each in (LACKS, INCLUDES)),
     workspace(INCLUDES, NEEDED),
     workspace(INCLUDES, NEEDED, path="urdf/arm.urdf", launch__show_DOT_py=LAUNCH),
+    *(
+        workspace(LACKS, "", bringup__launch__show_DOT_launch_DOT_py=text)
+        for text in (
+            "OPENED = share('my_pkg') + '/urdf/arm.urdf.xacro'\n",
+            "OPENED = share('my_pkg') + f'/urdf/{name}.urdf.xacro'\n",
+            "OPENED = share('my_pkg') + f'/urdf/{name}.rviz', 'urdf'\n",
+            "OPENED = share(package) + '/urdf/arm.urdf.xacro'\n",
+            "OPENED = share(package) + f'/urdf/{name}.urdf.xacro'\n",
+            "OPENED = share('my_pkg') + '/urdf/leg.urdf.xacro'  # not 'arm'\n",
+            "OPENED = share('my_pkg') + '/urdf/arm.urdf'\n",
+        )
+    ),
+    workspace(LACKS, "", bringup__tests__show_DOT_py="OPENED = share('my_pkg') + '/urdf/arm.urdf.xacro'\n"),
+    workspace(
+        LACKS,
+        "",
+        bringup__launch__show_DOT_launch_DOT_py="OPENED = share('other') + '/urdf/arm.urdf.xacro'\n",
+        other__package_DOT_xml=manifest(build_type="ament_cmake", name="other"),
+        other__CMakeLists_DOT_txt=INSTALL.replace("my_pkg", "other"),
+        other__urdf__arm_DOT_urdf_DOT_xacro=f"<robot {XACRO} name='r'/>\n",
+    ),
+    robot(LACKS, launch__show_DOT_py="MODEL = 'arm.urdf'\n"),
+    robot(LACKS, urdf__whole_DOT_xacro=f"<robot {XACRO}><!-- arm.urdf.xacro --></robot>\n"),
+    robot(LACKS, launch__show_DOT_py='"""Once it showed urdf/arm.urdf.xacro."""\n'),
+    robot(LACKS, README_DOT_md="| `arm.urdf.xacro` | the arm |\n"),
+    robot(LACKS, README_DOT_md="ros2 launch urdf_launch display.launch.py path:=urdf/arm.urdf.xacro\n"),
+)
+COPY = {"urdf__arm_DOT_urdf": "<robot name='r'/>\n"}
+COPIES = (
+    robot(OPEN, "arm.urdf", launch__show_DOT_py="MODEL = 'urdf/arm.urdf'\n", **COPY),
+    robot(OPEN, "arm.urdf", launch__show_DOT_py="MODEL = 'arm.urdf'\n", **COPY),
+    robot(OPEN, "arm.urdf", urdf__README_DOT_md="xacro arm.xacro -o arm.urdf\n", **COPY),
+    robot(OPEN, "arm.urdf", README_DOT_md="xacro arm.xacro -o arm.urdf\n", **COPY),
 )
 BROKEN = (
     robot(OPEN),
@@ -79,7 +117,9 @@ JUDGED = (
     robot(REFUSED, launch__show_DOT_launch_DOT_yaml="launch:\n- arg: {name: model, default: arm-1}\n"),
     robot(REFUSED, "resource/arm.urdf"),
     robot(REFUSED, "resource/arm.urdf", launch__show_DOT_py=LAUNCH),
+    workspace(REFUSED, "  <exec_depend>my_pkg</exec_depend>\n"),
+    workspace(REFUSED, ""),
 )
 
 
-CASES = {"URD001": JUDGED, "URD002": USES, "RPK001": (*BROKEN, TAB, *DESCRIPTIONS)}
+CASES = {"URD001": JUDGED, "URD002": USES, "RPK001": (*BROKEN, *COPIES, TAB, *DESCRIPTIONS)}

@@ -28,6 +28,7 @@ from .plugins.plugin_uses import plugin_uses
 from .python.run_time_files import run_time_files
 from .read_install_table import installed_facts
 from .uninstalled_files import made_files, uninstalled_files
+from .urdf.robot_words import robot_words
 
 Part = Callable[[ReaderInput, Targets, Manifest], tuple[dict[str, Any], set[UnknownField]]]
 """Returns some fields of the facts of a package, and which of them are unknown."""
@@ -102,6 +103,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("started_nodes",): one("started_nodes", started_nodes),
     ("loaded_components",): one("loaded_components", loaded_components),
     ("parsed_yaml",): one("parsed_yaml", parsed_yaml),
+    ("robot_words",): one("robot_words", robot_words),
     ("launch_files",): one("launch_files", launch_signatures),
     ("launch_summaries",): one("launch_summaries", launch_summaries),
     ("given_parameters",): one("given_parameters", given_parameters),

@@ -11,6 +11,7 @@ from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.launch.text import uncommented
 from ...package.package_facts import PackageFacts
+from ...package.urdf.robot_words import ANY, words_of
 from ...package.workspace import Workspace
 
 ROBOTS = (".urdf", ".xacro", ".sdf", ".world")
@@ -18,6 +19,9 @@ OPENERS = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h
 LAUNCH = (".py", ".xml", ".launch", ".yaml", ".yml")
 LETTERS = regex(r"[^\W\d_]{2}")
 PAGES = (".md", ".rst", ".txt")
+COMMAND = r"(?:\b(?:ros2|xacro\w*|check_urdf|urdf_to_\w+|rviz2?|gz|gazebo|ign|python3?)[\s(]|:=)"
+"""What stands in a line of a page that tells how to open a robot; others only tell that it is there."""
+DOCSTRING = regex(r"\A(?:\s|#[^\n]*\n)*[ru]?(\"{3}|'{3})[\s\S]*?\1")
 
 
 @dataclass(frozen=True)
@@ -27,29 +31,61 @@ class OpenedRobots:
     workspace: Workspace
 
     def has(self, path: str) -> bool:
-        """Return whether a file may be opened: a text of the package names it, or another package needs this one.
+        """Return whether a file may be opened: a text of the package names it, or one of a package that names this.
 
-        Robots and pages name files in full; launch files and code often put the suffix behind a name, and such a name
-        has letters: `1` stands everywhere.
+        Robots name files in full; launch files and code often put the suffix behind a name.
         """
-        return self.is_named(path) or self.workspace.is_needed(self.package.name)
+        may_be = not self.is_copy(path) and (self.puts_together or self.is_named_elsewhere(path))
+        return may_be or self.is_named(path)
+
+    @cached_property
+    def puts_together(self) -> bool:
+        """Whether a launch file of the package puts the name of a robot together when it runs."""
+        return any(ANY in words_of(text) for other, text in self.texts if other.endswith(LAUNCH))
+
+    def is_copy(self, path: str) -> bool:
+        """Return whether a file in the package's own folder is called like another of the package, deeper down."""
+        return "/" not in path and any(each.endswith(f"/{path}") for each in self.files.paths)
 
     def is_named(self, path: str) -> bool:
         name = path.rpartition("/")[2]
-        word = re.escape(name.partition(".")[0])
-        stem = re.compile(rf"[\"'/]{word}[\"'./]")
-        plain = re.compile(rf"(?<![\w.-]){word}(?![\w-])")
+        word, full, is_copy = re.escape(name.partition(".")[0]), re.escape(name), self.is_copy(path)
+        before = r"(?<![\w./-])" if is_copy else ""  # what names the other has a folder before it
+        stem = re.compile(rf"[\"'{'' if is_copy else '/'}]{word}[\"'./]|{before}{full}")
+        plain = re.compile(rf"{before}(?<![\w.-]){word}(?![\w-])|{before}{full}")
+        typed = re.compile(rf"^(?=.*{COMMAND}).*{before}{full}", re.MULTILINE)
         for other, text in self.texts:
-            in_full = other.endswith(ROBOTS + PAGES) or not LETTERS.search(word)
-            how = None if in_full else plain if other.endswith((".yaml", ".yml")) else stem
-            if other != path and (name in text or (how is not None and how.search(text))):
+            how = plain if other.endswith((".yaml", ".yml")) else typed if other.endswith(PAGES) else stem
+            how = re.compile(before + full) if other.endswith(ROBOTS) else how
+            is_beside = not is_copy or "/" not in other or not other.endswith(PAGES)
+            if other != path and name.partition(".")[0] in text and is_beside and how.search(text):
                 return True
         return False
 
+    def is_named_elsewhere(self, path: str) -> bool:
+        """Return whether a text of another package names a file and this package, or none that has such a file."""
+        name, own = path.rpartition("/")[2], self.package.name
+        stem = name.partition(".")[0]
+        for facts in self.workspace.packages:
+            for words in facts.robot_words if facts.name != own else ():
+                if own in words and not words.isdisjoint((stem, ANY)):
+                    return True
+                if stem in words and not any(other in words for other in self.having(name)):
+                    return True
+        return False
+
+    def having(self, name: str) -> list[str]:
+        """Return the other packages that have a file of a name."""
+        others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
+        return [each.name for each in others if any(p.rpartition("/")[2] == name for p in each.share_files)]
+
     def is_passed_over(self, path: str) -> bool:
-        """Return whether the package opens robots, and not this one, and no other package may."""
-        opens = any(".urdf" in text or ".xacro" in text for other, text in self.texts if other.endswith(LAUNCH))
-        return opens and not self.has(path)
+        """Return whether the package or another opens robots of it, and not this one."""
+        own = any(".urdf" in text or ".xacro" in text for other, text in self.texts if other.endswith(LAUNCH))
+        others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
+        return (
+            own or any(self.package.name in words for each in others for words in each.robot_words)
+        ) and not self.has(path)
 
     def is_always_given(self, path: str, argument: str) -> bool:
         """Return whether each launch file that runs xacro and names a robot gives it an argument, and one does."""
@@ -60,8 +96,10 @@ class OpenedRobots:
         return bool(opening) and all(map(given.search, opening))
 
     def read(self, path: str) -> str:
+        """Return a text without comments, and without what a Python file tells of itself."""
         text = self.files.readable_text(path)
-        return uncommented(path, text) if path.endswith(LAUNCH) else text
+        text = DOCSTRING.sub("", text, 1) if path.endswith(".py") else text
+        return uncommented(path, text) if path.endswith(LAUNCH + ROBOTS) else text
 
     @cached_property
     def texts(self) -> tuple[tuple[str, str], ...]:

@@ -10,6 +10,7 @@ from ...source import Span
 
 UNKNOWN = "?"
 """The name of an unknown substitution."""
+MARKUP = (".xml", ".launch", ".urdf", ".xacro", ".sdf", ".world")
 IN_XML = regex(r"<!--(?:(?!-->)[\s\S]){0,5000}-->")
 OTHERS = regex(r"#[^\n]*")
 
@@ -86,5 +87,5 @@ def unknown_text(span: Span) -> LaunchText:
 
 
 def uncommented(path: str, text: str) -> str:
-    """Return a text without comments; in Python and YAML a `#` in a string counts as the beginning of one."""
-    return (IN_XML if path.endswith((".xml", ".launch")) else OTHERS).sub("", text)
+    """Return a text without comments; in Python, YAML and others a `#` in a string counts as the beginning of one."""
+    return (IN_XML if path.endswith(MARKUP) else OTHERS).sub("", text)

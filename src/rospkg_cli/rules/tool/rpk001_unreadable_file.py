@@ -58,7 +58,7 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     ## When it is quiet
     Files that neither the build, nor an installed file, nor a test by its name reads may be broken. A file of
     interfaces is reported by its own rules, a file that is too large by RPK007. A robot is a warning where no file of
-    the package names it, and where urdfdom reads past the fault: an undeclared prefix, or something behind the root
+    the workspace opens it, and where urdfdom reads past the fault: an undeclared prefix, or something behind the root
     element, in a plain `.urdf`; so are several `<library>` of a plugin description without a root, and a Python module
     that is no program and that no other file names. It is an info where only comments of a CMake file are not UTF-8,
     and where such a module is a snippet, whose first line is indented, or is laid aside (`old/`, `a_backup.py`). A `<`

@@ -93,8 +93,8 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     transmission or an SRDF. A macro is expanded only where it is called, a property evaluated only where `${…}` reads
     it, what is in `<xacro:if>` only for some: there the level is lower. Where a file may be a part of a robot, or
     something that it includes is not here, names that it lacks are reported only where a near one is there, or one with
-    a prefix (`${prefix}hand` for `hand`) that is no joint's child. Of a robot that no launch file, code or page of its
-    package names, a fault is a warning, if the package opens others, or does not install it, and no other needs it.
+    a prefix (`${prefix}hand` for `hand`) that is no joint's child. Of a robot that no launch file, code or command of a
+    page names, a fault is a warning, if its package opens others, does not install it, or others name the package.
 
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py
