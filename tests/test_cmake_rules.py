@@ -236,6 +236,8 @@ def test_what_may_be_called_by_its_name_is_not_moved_safely() -> None:
     (finding,) = lint_files({**package(lines), **NODE, **readme}, ["CMK104"]).findings
     assert finding.fix is not None
     assert finding.fix.safety is Safety.SAFE
+    readme = {"README.md": "It needs root: `sudo install/my_pkg/bin/a`.\n"}
+    assert lint_files({**package(lines), **NODE, **readme}, ["CMK104"]).findings == ()
 
 
 def test_a_target_of_a_folder_is_installed_beside_its_like() -> None:

@@ -21,6 +21,7 @@ from .left_out_nodes import is_node
 ROS = regex(r"(rclcpp|rclcpp_\w+|\w+_(msgs|interfaces))(_TARGETS|_LIBRARIES)?")
 EXECUTABLE = regex(r"""\b(?:node_executable|executable|exec)\s*[=:]\s*["']?([\w.-]+)""")
 MAX_DEPTH = 4
+PAGES = (".md", ".rst", ".sh", ".service", ".bash")
 IMPORTS_ROS = regex(r"^[ \t]*(?:import|from)\s+rclpy\b", re.MULTILINE)
 
 
@@ -63,7 +64,8 @@ class MisplacedExecutables:
                 target = cmake.target(word.text) if rule.kind == "TARGETS" else None
                 if target is not None and target.is_executable:
                     place, name = artifacts.destination(rule, target), artifacts.file_name(target)
-                    if self.is_wrong(place) and not (place == "bin" and rule.call.testing):
+                    is_meant = place == "bin" and (rule.call.testing or f"/bin/{name}" in self.pages)
+                    if self.is_wrong(place) and not is_meant:
                         yield MisplacedExecutable(
                             word, name, place or "", rule, self.starts(name), self.uses_ros(target.name)
                         )
@@ -132,6 +134,12 @@ class MisplacedExecutables:
             for path in paths
             if LAUNCH.fullmatch(path.rpartition("/")[2])
         )
+
+    @cached_property
+    def pages(self) -> str:
+        """The texts that tell users, or machines, what to start by its path."""
+        files = self.package.cmake.package_files
+        return "\n".join(files.readable_text(path) for path in files.paths if path.endswith(PAGES))
 
     def starts(self, name: str) -> bool:
         return name in self.started

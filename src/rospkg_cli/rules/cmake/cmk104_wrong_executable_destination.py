@@ -81,9 +81,9 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
 
     ## When it is quiet
     Where another rule installs it into `lib/<package>` too, under a condition that can't be evaluated, and for what
-    tests put into bin/. For scripts that neither use rclpy nor are started by name, and for those that a launch file
-    runs by their path. In a folder whose CMakeLists.txt names a project of its own, where `lib/${PROJECT_NAME}` is
-    meant.
+    tests put into bin/, or a page or script of the package starts by its path (`…/bin/talker`). For scripts that
+    neither use rclpy nor are started by name, and for those that a launch file runs by their path. In a folder whose
+    CMakeLists.txt names a project of its own, where `lib/${PROJECT_NAME}` is meant.
 
     ## Fix safety
     What is in bin/, and is started by no launch file and by no README, may be called by its name alone: moving it is
