@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.checks.depends.brought_dependencies import Brought, brought, brought_by, brought_by_others
-from rospkg_cli.example import BACKDROPS, existing_files, manifest
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
 from rospkg_cli.finding import Finding, Safety
 from rospkg_cli.package.package_facts import ActiveDependency, PackageFacts
 from rospkg_cli.package.workspace import Workspace
@@ -80,9 +80,22 @@ def test_what_comes_with_others_for_certain_and_what_perhaps_is_one_info() -> No
 
 
 @pytest.mark.parametrize("tag, level", [("exec_depend", "info"), ("depend", "info"), ("build_export_depend", "info"),
-                                        ("build_depend", "warning"), ("test_depend", "warning")])  # fmt: skip
+                                        ("build_depend", "info"), ("test_depend", "warning")])  # fmt: skip
 def test_the_workspace_is_asked_before_the_table(tag: str, level: str) -> None:
     finding = around(declared("acme_tools"), "import cv2\n", acme_tools=declared("python3-opencv", tag=tag))
+    assert finding.severity.value == level
+
+
+@pytest.mark.parametrize(("name", "level"), [("acme_msgs", "info"), ("sensor_msgs", "warning")])
+def test_what_builds_a_package_that_is_nowhere_released_is_there(name: str, level: str) -> None:
+    cmake = CMAKE.replace("ament_package", "find_package(rosidl_default_generators REQUIRED)\nament_package")
+    files = {
+        "a/package.xml": manifest(declared(name), "ament_cmake"),
+        "a/CMakeLists.txt": cmake,
+        "b/package.xml": manifest(declared("rosidl_default_generators", tag="build_depend"), "ament_cmake", name),
+        "b/CMakeLists.txt": cmake.replace("my_pkg", name),
+    }
+    (finding,) = lint_files(files, ["DEP104"]).findings
     assert finding.severity.value == level
 
 

@@ -8,7 +8,7 @@ from functools import cache
 
 from ...light_dataclasses import dataclass
 from ...package.workspace import Workspace
-from ...ros.manifest import EXPORTED, RUNS
+from ...ros.manifest import BUILDS, EXPORTED, RUNS
 from ...ros.read_table import rows
 
 PASSED_ON = RUNS | EXPORTED
@@ -108,6 +108,22 @@ def brought_by(first: Iterable[str], workspace: Workspace) -> Mapping[str, str]:
                 found[need] = bringer
                 waiting.append((need, bringer))
     return found
+
+
+def brought_by_sources(there: Mapping[str, str], workspace: Workspace) -> dict[str, str]:
+    """Return what the builds of packages need that are there, and are nowhere to be had but as sources.
+
+    Each name comes with the one that `there` has as the bringer of the package. A package that is released may be
+    installed without what built it.
+    """
+    found: dict[str, str] = {}
+    for name, bringer in there.items():
+        facts = None if is_in_table(name) else workspace.named(name)
+        for need in facts.dependencies if facts is not None else ():
+            if need.tag in BUILDS and need.certain and need.name not in there:
+                found.setdefault(need.name, bringer)
+    closure = brought_by(found, workspace)
+    return {**{name: found[first] for name, first in closure.items() if first in found}, **found}
 
 
 def brought_by_others(names: Iterable[str], workspace: Workspace) -> dict[str, str]:

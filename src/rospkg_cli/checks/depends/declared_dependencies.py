@@ -16,7 +16,16 @@ from ...ros.manifest import BUILD_TYPES, CONDITIONAL_TAGS, DEPENDENCY_TAGS, EXPO
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
-from .brought_dependencies import COLCON, WITH_COLCON, WITH_ROSDEP, Bringer, Brought, brought, brought_by_others
+from .brought_dependencies import (
+    COLCON,
+    WITH_COLCON,
+    WITH_ROSDEP,
+    Bringer,
+    Brought,
+    brought,
+    brought_by_others,
+    brought_by_sources,
+)
 from .intended_names import intended_names, key_of_cmake_name
 
 MAX_DEPTH = 20
@@ -153,7 +162,8 @@ class DeclaredDependencies:
     def brought_to_build(self) -> Brought:
         """What is there where the package is built and tested, pytest included, which colcon needs itself."""
         found = self.brought_with({*DEPENDENCY_TAGS}.difference(("doc_depend", *RELATIONS)))
-        return replace(found, certain={**found.certain, **WITH_COLCON})
+        sources = brought_by_sources({**{name: name for name in self.names}, **found.certain}, self.workspace)
+        return replace(found, certain={**sources, **found.certain, **WITH_COLCON})
 
     def brought_with(self, tags: Collection[str]) -> Brought:
         """Return what comes with the dependencies of some tags."""
