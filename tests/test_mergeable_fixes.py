@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.edits.cmake_export import append_names
+from rospkg_cli.edits.cmake_install import in_block_of_package
 from rospkg_cli.edits.launch_file import import_name
 from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.fixing.fix_results import FixResults
@@ -14,6 +15,7 @@ from rospkg_cli.files import PackageFiles
 from rospkg_cli.finding import Safety
 from rospkg_cli.languages.cmake.file import read_file
 from rospkg_cli.languages.python.file import parse_python
+from rospkg_cli.ros.link_targets import link_targets
 from rospkg_cli.rules.cmake import cmk005_removed_command as cmk005
 from rospkg_cli.rules.launch import lch009_unquoted_robot_description as lch009
 from rospkg_cli.source import Source
@@ -121,13 +123,16 @@ TARGETS = [f"${{{name}_TARGETS}}" for name in NAMES]
             f"(talker\n  {' '.join(NAMES)})",
             f"(talker PUBLIC\n  {' '.join(TARGETS[:2])}\n  {' '.join(TARGETS[2:])})",
         ),
+        ("(talker \n  ${names})", f"(talker PUBLIC \n  {TARGETS[0]}\n  {TARGETS[1]})"),
         (f"(talker\n  {NAMES[0]}\n  {NAMES[1]})", f"(talker PUBLIC\n  {TARGETS[0]}\n  {TARGETS[1]})"),
     ],
 )
 def test_links_that_are_longer_than_the_packages_are_spread(call: str, after: str) -> None:
-    text = cmk005.ONE.replace("«ament_target_dependencies»(talker rclcpp std_msgs)", f"ament_target_dependencies{call}")
+    call = f"ament_target_dependencies{call}"
+    text = cmk005.ONE.replace("«ament_target_dependencies»(talker rclcpp std_msgs)", call)
+    text = text.replace("find_package(rclcpp", f"set(names {NAMES[0]} {NAMES[1]})\nfind_package(rclcpp")
     made = fixed({**CMAKE_FILES, **cmk005.FILES, "CMakeLists.txt": text}, "CMakeLists.txt", "CMK005")
-    assert made == text.replace(f"ament_target_dependencies{call}", f"target_link_libraries{after}")
+    assert made == text.replace(call, f"target_link_libraries{after}")
 
 
 def test_a_bracket_stands_alone_where_others_do() -> None:
@@ -269,3 +274,41 @@ def test_an_import_stands_by_those_of_its_package(imports: tuple[str, ...], afte
     file = parse_python(Source("a.launch.py", "".join(lines)))
     (edit,) = import_name(file, "launch_ros.parameter_descriptions", "ParameterValue")
     assert edit.span.start == sum(map(len, lines[:after]))
+
+
+@pytest.mark.parametrize(
+    ("comment", "shift"), [("# The next one\n", ""), ("  # Of it\n", "  "), ("\n# Two\n# lines\n", "")]
+)
+def test_a_comment_of_the_next_block_stays(comment: str, shift: str) -> None:
+    text = f"talker:\n  rate: 1.0\n{comment}listener:\n  ros__parameters:\n    rate: 1.0\n"
+    after = fixed({**PYTHON, "config/a.yaml": text}, "config/a.yaml", "PRM001")
+    assert after == text.replace("  rate: 1.0\n" + comment, f"  ros__parameters:\n    rate: 1.0\n{shift}{comment}", 1)
+
+
+@pytest.mark.parametrize("has_rule", [True, False])
+def test_a_rule_stands_in_the_branch_of_its_package(has_rule: bool) -> None:
+    rule = "  install(DIRECTORY launch\n    DESTINATION lib/a\n  )\n" if has_rule else ""
+    text = (
+        "cmake_minimum_required(VERSION 3.10)\nproject(my_pkg)\nfind_package(ros_environment)\n"
+        "if($ENV{ROS_VERSION} EQUAL 1)\n  install(DIRECTORY launch\n    DESTINATION lib/b\n  )\nelse()\n"
+        f"  find_package(ament_cmake REQUIRED)\n{rule}  ament_package()\nendif()"
+    )
+    files = PackageFiles(MemoryTree.of({**CMAKE_FILES, "CMakeLists.txt": text}))
+    edit = in_block_of_package(read_file(files, "CMakeLists.txt"), "install(DIRECTORY rviz\n  DESTINATION share/a\n)")
+    assert edit is not None
+    made = text[: edit.span.start] + edit.text + text[edit.span.end :]
+    added = "\n  install(DIRECTORY rviz\n    DESTINATION share/a\n  )\n" + ("" if has_rule else "\n")
+    assert made == text.replace("  ament_package", f"{added}  ament_package")
+
+
+def test_what_only_ros_2_has_is_for_ros_2_where_others_are() -> None:
+    condition = 'condition="$ROS_VERSION == 2"'
+    text = manifest(f"  <depend {condition}>rclpy</depend>\n", "ament_cmake")
+    nodes = '<launch>\n  <node pkg="ros_gz_sim" exec="x"/>\n  <node pkg="joy" exec="x"/>\n</launch>\n'
+    after = fixed({**CMAKE_FILES, "package.xml": text, "launch/a.launch.xml": nodes}, "package.xml", "DEP103")
+    assert f"<exec_depend {condition}>ros_gz_sim<" in after
+    assert "<exec_depend>joy<" in after
+
+
+def test_a_library_of_the_system_is_linked_by_what_its_find_module_sets() -> None:
+    assert link_targets("jsoncpp").targets == ("${jsoncpp_LIBRARIES}",)

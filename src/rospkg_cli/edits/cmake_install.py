@@ -140,7 +140,31 @@ def add_rule(cmake: CMake, lines: str, made: EvaluatedCommand | None = None) -> 
     if last is not None and runs_after(cmake, last, made):
         return add_after(root, last, f"\n{lines}")
     end = root.end
+    if end is None and (nested := in_block_of_package(root, lines)) is not None:
+        return nested
     return add_at_end(root, lines) if end is None else add_block_before(root, end, lines)
+
+
+def in_block_of_package(root: CMakeFile, lines: str) -> Edit | None:
+    """Put a rule into the block that holds ament_package(): below its last rule, else before that command."""
+    ends = [each for each in root.syntax.commands if each.name == "ament_package"]
+    if len(ends) != 1:
+        return None
+    indent = indent_of(root, ends[0])
+    shifted = "\n".join(f"{indent}{line}" if line else line for line in lines.split("\n"))
+    inside: list[CommandInvocation] = []
+    for each in root.syntax.commands[: root.syntax.commands.index(ends[0])]:
+        if len(indent_of(root, each)) < len(indent):
+            inside.clear()
+        elif each.name == "install" and indent_of(root, each) == indent:
+            inside.append(each)
+    return add_after(root, inside[-1], f"\n{shifted}") if inside else add_block_before(root, ends[0], shifted)
+
+
+def indent_of(root: CMakeFile, command: CommandInvocation) -> str:
+    """Return the blanks before a command, or all that is before it in its line."""
+    line = root.source.line_span(root.source.position(command.span.start)[0])
+    return root.source.text[line.start : command.span.start]
 
 
 def block(file: CMakeFile, kind: str, item: str, destination: str) -> str:

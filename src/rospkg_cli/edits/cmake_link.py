@@ -53,7 +53,8 @@ def link_arguments(removed: RemovedCommand, replacement: Replacement, added: int
         for text in texts:
             is_full = is_spread(removed) and column + len(text) + 1 >= AMENT_WIDTH
             is_alone = part.texts is not None and (each_alone or len(texts) > 2 or is_full)
-            glue = blanks if "\n" in blanks else wrap if is_alone else blanks or " "
+            is_alone = is_alone or (bool(made) and "\n" in blanks)
+            glue = wrap if is_alone and (made or "\n" not in blanks) else blanks or " "
             made += glue + text
             column = len(text) + (len(glue.rpartition("\n")[2]) if "\n" in glue else column + len(glue))
         if part.texts is not None:

@@ -35,6 +35,6 @@ def link_targets(package: str, exported: tuple[str, ...] = ()) -> LinkTargets:
         return LinkTargets(exported)
     if exported or MESSAGES.fullmatch(package):
         return LinkTargets((f"${{{package}_TARGETS}}",))
-    if ROS_NAME.fullmatch(package):
+    if ROS_NAME.fullmatch(package) and not rows("cmake.txt").get(package):  # a find module of a library sets no targets
         return LinkTargets((f"${{{package}_TARGETS}}",), certain=False)
     return LinkTargets((f"${{{package}_LIBRARIES}}",), (f"${{{package}_INCLUDE_DIRS}}",), certain=False)

@@ -127,7 +127,10 @@ BUILD_TOOLS = regex(
 )
 """Packages that take part in a build and are no part of what is built."""
 
-ONLY_ROS_2 = regex(r"(ament|rcl|rclc|rclcpp|rclpy|rmw|rosidl|launch|nav2)(_.*)?|rcutils|rcpputils|(rosbag2|ros2).*")
+ONLY_ROS_2 = regex(
+    r"(ament|rcl|rclc|rclcpp|rclpy|rmw|rosidl|launch|nav2|ros_gz)(_.*)?|rcutils|rcpputils|rosbag2.*|\w*ros2\w*"
+    r"|(sensor_msgs|tf2_ros)_py"
+)
 """Packages of which no distribution of ROS 1 has one of that name."""
 
 

@@ -23,6 +23,7 @@ from .rcl_validation import REFUSES
 STARTING = regex(r"\.(?:py|xml|launch|launch\.ya?ml|sh|bash|[ch]pp|cc|service)$")
 """Files that give parameter files to nodes."""
 PARSES = regex(r"\bYAML\s*\(|\byaml\.load|\b(?:safe|full|unsafe)_load\s*\(")
+COMMENT = regex(r"[ \t]*(?:#.*)?\r?")
 DOCS = regex(r"\.(?:md|rst|txt)$")
 TITLE = f"write `{KEY}:`"
 
@@ -101,5 +102,9 @@ def added_key(source: Source, key: ScalarNode, value: MappingNode) -> TextRepair
         return None
     end = first + len(text[first : value.span.end].rstrip())
     indent = text[start:first]
+    while (last := text.rfind("\n", start, end)) != -1 and COMMENT.fullmatch(text, last + 1, end):
+        if len(text[last + 1 : end]) - len(text[last + 1 : end].lstrip()) >= len(indent):
+            break  # a comment of the block
+        end = len(text[:last].rstrip())
     lines = [f"  {line}" if line.strip() else line for line in text[start:end].split("\n")]
     return TextRepair(TITLE, ((Span(start, end), "\n".join([f"{indent}{KEY}:", *lines])),), is_certain=False)
