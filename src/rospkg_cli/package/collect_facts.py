@@ -22,6 +22,7 @@ from .manifest import Manifest
 from .metapackage import is_metapackage
 from .package_facts import PackageFacts, UnknownField
 from .params.collect_declared import declared_parameters, given_parameters
+from .params.named_yaml import named_yaml
 from .params.node_sources import node_code
 from .plugins.plugin_facts import described_plugins, loaded_bases
 from .plugins.plugin_uses import plugin_uses
@@ -103,6 +104,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("started_nodes",): one("started_nodes", started_nodes),
     ("loaded_components",): one("loaded_components", loaded_components),
     ("parsed_yaml",): one("parsed_yaml", parsed_yaml),
+    ("named_yaml",): one("named_yaml", named_yaml),
     ("robot_words",): one("robot_words", robot_words),
     ("launch_files",): one("launch_files", launch_signatures),
     ("launch_summaries",): one("launch_summaries", launch_summaries),

@@ -85,6 +85,8 @@ class PackageFacts:
     """What its launch files load under literal names: package and class."""
     parsed_yaml: frozenset[str] = frozenset()
     """The names of the YAML files that its launch files parse themselves and give to no node by their path."""
+    named_yaml: frozenset[str] = frozenset()
+    """The YAML files that its texts name, without their suffix; `*` where a name is put together when it runs."""
     robot_words: tuple[frozenset[str], ...] = ()
     """The words by which each of its texts may name robots; `*` where a name is put together when it runs."""
     interfaces: frozenset[str] = frozenset()

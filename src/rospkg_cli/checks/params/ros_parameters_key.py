@@ -12,6 +12,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.text import uncommented
 from ...package.package_facts import PackageFacts
+from ...package.params.named_yaml import ANY
 from ...package.params.parameter_file import KEY, ParameterFile, is_key
 from ...package.workspace import Workspace
 from ...ros.share_layout import LAUNCH
@@ -53,11 +54,12 @@ class ParameterFileUse:
 
     @cached_property
     def is_unnamed(self) -> bool:
-        """Whether the package launches nodes and names it nowhere, and no other package may give it to one.
+        """Whether nodes are launched and nothing names it: not the package, and no other that may give it to one.
 
         A README names it where it tells to start a node with it.
         """
-        if not any(LAUNCH.fullmatch(path.rpartition("/")[2]) for path in self.files.paths):
+        launches = any(LAUNCH.fullmatch(path.rpartition("/")[2]) for path in self.files.paths)
+        if not launches and not any(facts.launch_files for facts in self.workspace.packages):
             return False
         name = self.file.path.rpartition("/")[2]
         stem = re.compile(rf"[\"'/]{re.escape(name.rpartition('.')[0])}[\"'.]")
@@ -66,7 +68,20 @@ class ParameterFileUse:
             wanted = stem if STARTING.search(path) else told if DOCS.search(path) else None
             if wanted is not None and wanted.search(self.read(path)):
                 return False
-        return not self.workspace.is_needed(self.package.name)
+        return not self.is_named_elsewhere(name.rpartition(".")[0])
+
+    def is_named_elsewhere(self, stem: str) -> bool:
+        """Return whether another package may give the file to a node: it needs this one and names the file, or puts
+        names together, or it names a file that it does not have itself."""
+        own, ends = self.package.name, (f"/{stem}.yaml", f"/{stem}.yml")
+        needing = {facts.name for facts in self.workspace.needing(own)}
+        for facts in (each for each in self.workspace.packages if each.name != own):
+            if facts.name in needing and not facts.named_yaml.isdisjoint((stem, ANY)):
+                return True
+            files = (*facts.share_files, *facts.uninstalled) if stem in facts.named_yaml else ends
+            if not any(f"/{path}".endswith(ends) for path in files):
+                return True
+        return False
 
     def read(self, path: str) -> str:
         text = self.files.readable_text(path)

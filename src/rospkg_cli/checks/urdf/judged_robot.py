@@ -5,12 +5,12 @@ from __future__ import annotations
 from ...light_dataclasses import dataclass, replace
 from ...package.install_table import InstallTable
 from ...package.urdf.robot_file import RobotFile
-from ..fault import Fault, once_each
+from ..fault import Fault, once_each, softer
 from .expanded_robots import ExpandedRobots
 from .macro_prefix import prefix_faults
 from .opened_robots import OpenedRobots
 from .validation import robot_faults
-from .xacro_calls import XacroCalls
+from .xacro_calls import XacroCalls, ancestors
 
 
 @dataclass(frozen=True)
@@ -37,6 +37,15 @@ class JudgedRobot:
         later = prefix_faults(self.robot.document.root) if self.robot.is_xacro else ()
         others = [fault for fault in later if fault.span not in told]
         found = once_each(sorted([*written, *made, *others], key=lambda fault: fault.span))
+        found = [self.weighed(fault) for fault in found]
         if all(fault.level for fault in found) or not self.is_idle:
             return found
         return [replace(fault, level=fault.level or "warning") for fault in found]
+
+    def weighed(self, fault: Fault) -> Fault:
+        """Return a fault, as an info where it is in a default that each launch file replaces: xacro never reads it."""
+        for around in ancestors(self.robot.document.root, fault.span) if fault.level is None else ():
+            name = around.get("name") or ""
+            if around.tag == "xacro:arg" and self.opened.is_always_given(self.robot.path, name):
+                return softer(fault, "info", f"where no `{name}:=` is given, which each launch file here gives")
+        return fault

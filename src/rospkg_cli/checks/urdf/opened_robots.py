@@ -92,8 +92,11 @@ class OpenedRobots:
         stem = re.compile(rf"\b{re.escape(path.rpartition('/')[2].partition('.')[0])}\b")
         given = re.compile(rf"\b{re.escape(argument)}:=|mappings\b[^)]{{0,500}}[\"']{re.escape(argument)}[\"']")
         names = [text for other, text in self.texts if other.endswith(LAUNCH) and "xacro" in text]
-        opening = [text for text in names if stem.search(text)]
-        return bool(opening) and all(map(given.search, opening))
+        gives = [given.search(text) is not None for text in names if stem.search(text)]
+        others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
+        wanted = {self.package.name, path.rpartition("/")[2].partition(".")[0]}
+        gives += [argument in words for each in others for words in each.robot_words if wanted <= words]
+        return bool(gives) and all(gives)
 
     def read(self, path: str) -> str:
         """Return a text without comments, and without what a Python file tells of itself."""

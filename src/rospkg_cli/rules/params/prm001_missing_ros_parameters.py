@@ -26,7 +26,7 @@ listener:
     "missing-ros-parameters",
     over=ParameterFileUse,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "a package that launches nodes names the file nowhere"},
+    levels={Severity.WARNING: "nodes are launched, and nothing names the file"},
     examples=(
         Example(
             on="config",
@@ -56,7 +56,7 @@ def missing_ros_parameters(use: ParameterFileUse) -> Iterator[Hit]:
     Only YAML files that hold a block of parameters (perhaps misspelt), begin with `/**:`, or are passed to a node by a
     launch file are read; those of tests, and templates, are not. Where a launch file parses the file itself
     (`yaml.safe_load`) and gives no node its path, a block without the key may be for something else. Of a file
-    that a package names nowhere, though it launches others, it is a warning.
+    that nothing of the workspace names, though nodes are launched, it is a warning.
 
     ## Fix safety
     The fix of the spelling is safe. A missing `ros__parameters:` is added above all that the block holds, which is

@@ -26,7 +26,10 @@ NONE = SETUP_PY.replace(f"    packages={FOUND},\n", "").replace("import find_pac
     "package-not-installed",
     over=ModuleTree,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "nothing that is installed imports it, or a newer setuptools finds it"},
+    levels={
+        Severity.WARNING: "nothing that is installed imports it, the workspace is built with `--symlink-install`, or a "
+        "newer setuptools finds it"
+    },
     examples=(
         Example(
             bad={**FILES, "setup.py": SETUP_PY.replace(FOUND, "«[package_name]»")},
@@ -57,7 +60,9 @@ def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
 
     ## When it is quiet
     Where `packages` can't be evaluated or is found by `find_packages()`, where setup.py may write files, in folders
-    of tests, where git ignores the folder, and below a submodule that is not checked out.
+    of tests, where git ignores the folder, and below a submodule that is not checked out. With `--symlink-install`
+    Python imports from the source folder: where a README, a build.sh or the like above the package builds that way, a
+    package that is left out is a warning.
     """
     setup = tree.setup
     if not tree.package.knows_installed_modules or setup.searches:
@@ -77,15 +82,16 @@ def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     used = [name for name in unlisted if tree.imports_from(setup.folder_of(name))]
     for names, level in ((used, None), ([name for name in unlisted if name not in used], Severity.WARNING)):
         if names:
-            yield left_out(setup, names, level)
+            yield left_out(setup, names, Severity.WARNING if tree.linking else level, tree.linking)
 
 
-def left_out(setup: SetupPy, names: Sequence[str], level: Severity | None) -> Hit:
+def left_out(setup: SetupPy, names: Sequence[str], level: Severity | None, linking: str) -> Hit:
     """Return what is wrong with a list that leaves some packages out."""
     are, them = ("are", "them") if len(names) > 1 else ("is", "it")
+    but = f", but for `--symlink-install` (`{linking}`)" if linking else ""
     message = (
         f"{in_ticks(names)} {are} not in `packages`: the build is green, and importing {them} raises "
-        f"ModuleNotFoundError; add {them}, or use `find_packages(exclude=['test'])`"
+        f"ModuleNotFoundError{but}; add {them}, or use `find_packages(exclude=['test'])`"
     )
     edits = add_packages(setup, *names)
     fix = Fix(f"add {in_ticks(names)} to `packages`", edits) if edits else None

@@ -41,6 +41,9 @@ def name_mismatch(package: PythonPackage) -> Iterator[Hit]:
     Where the names differ only in `-`, `_`, `.` or case, which setuptools takes for one, and where the name can't
     be evaluated.
 
+    A package without entry points that installs nothing but its marker and package.xml is a warning: colcon adds these
+    two itself.
+
     ## Fix safety
     Where the name is held by a variable that is used elsewhere, other things change with it.
     """
@@ -57,7 +60,15 @@ def name_mismatch(package: PythonPackage) -> Iterator[Hit]:
         f"setup.py calls the package `{said.text}`, package.xml `{package.name}`: ROS goes by package.xml, and {end}; "
         f"write `{package.name}`"
     )
-    yield Hit(said.path, said.shown, message, None if used else Severity.WARNING, related=related, fix=fix)
+    is_felt = used and installs_more(package)
+    yield Hit(said.path, said.shown, message, None if is_felt else Severity.WARNING, related=related, fix=fix)
+
+
+def installs_more(package: PythonPackage) -> bool:
+    """Return whether the package starts or installs more than marker and package.xml, which colcon adds itself."""
+    sources = {file.source or "" for file in package.setup.data_files}
+    more = {path for path in sources if path != package.manifest.path and not path.startswith("resource/")}
+    return bool(more or package.setup.entry_points) or "data_files" in package.setup.unknown
 
 
 def same(a: str, b: str) -> bool:

@@ -1,0 +1,23 @@
+"""The YAML files that the launch files, the code and the pages of a package name."""
+
+from __future__ import annotations
+
+from ...files import ReaderInput
+from ...lazy_regex import regex
+from ..file_role import role_of
+from ..launch.text import uncommented
+
+NAMING = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h", ".sh", ".bash", ".service", ".md")
+MARKS = (b".yaml", b".yml")
+ANY = "*"
+"""Stands for a name that is put together when the text is run."""
+FILE = regex(r"(?:^|[^\w.-])([\w.-]*)\.ya?ml\b")
+
+
+def named_yaml(reading: ReaderInput) -> frozenset[str]:
+    """Return the last part of each name of a YAML file, without its suffix, and `*` where one is put together."""
+    files, found = reading.files, set()
+    paths = (path for path in files.paths if path.endswith(NAMING) and role_of(path) not in ("test", "aside"))
+    for path in (path for path in paths if any(files.holds(path, mark) for mark in MARKS)):
+        found.update(FILE.findall(uncommented(path, files.readable_text(path))))
+    return frozenset(ANY if name[:1] in ("", ".", "_", "-") else name for name in found)

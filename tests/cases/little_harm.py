@@ -1,0 +1,69 @@
+"""Levels of what does harm where something else is there as well: a build without links, entry points, launch files."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest, scripts, setup_py
+from rospkg_cli.rules.params import prm001_missing_ros_parameters as prm001
+from rospkg_cli.rules.setup import set301_missing_init as set301
+from rospkg_cli.rules.setup import set302_package_not_installed as set302
+
+from .setups import OTHER_NAME, python
+
+INSTALL = CMAKE.replace("ament_package", "install(DIRECTORY config DESTINATION share/${PROJECT_NAME})\nament_package")
+WRONG = prm001.GOOD.replace("ros__parameters", "ros_parameters", 1)
+LIST = "limits:\n  ros__parameters:\n    limits: [1, 2.5]\n"
+MAIN = "def main():\n    print('hello')\n"
+SHARED = "        ('share/' + package_name, ['package.xml']),\n"
+
+
+def below(files: dict[str, str | None], above: dict[str, str]) -> Example:
+    """A package of a workspace whose root holds some files."""
+    return Example(on="", bad={**{f"src/a/{p}": t for p, t in python(files).bad_files().items()}, **above}, good={})
+
+
+def configured(text: str, other: dict[str, str], depends: str = "") -> Example:
+    """A package with parameters, beside another one."""
+    files = {
+        "a/package.xml": manifest(build_type="ament_cmake"),
+        "a/CMakeLists.txt": INSTALL,
+        "a/config/robot.yaml": text,
+        "b/package.xml": manifest("", "ament_cmake", "bringup").replace("  <export>", f"{depends}  <export>"),
+        "b/CMakeLists.txt": INSTALL.replace("config", "launch").replace("my_pkg", "bringup"),
+        **{f"b/{path}": each for path, each in other.items()},
+    }
+    return Example(on="", bad=files, good={})
+
+
+NEEDS = "  <exec_depend>my_pkg</exec_depend>\n"
+EMPTY = "<launch>{}</launch>\n"
+NAMED = '<node pkg="a" exec="b"><param from="$(find-pkg-share my_pkg)/config/{}.yaml"/></node>'
+FILES = (
+    ({}, ""),
+    ({"launch/a.launch.xml": EMPTY.format("")}, ""),
+    ({"launch/a.launch.xml": EMPTY.format(NAMED.format("robot"))}, ""),
+    ({"launch/a.launch.xml": EMPTY.format(NAMED.format("other"))}, NEEDS),
+    ({"launch/a.launch.xml": EMPTY.format(NAMED.format("$(var b)"))}, NEEDS),
+    ({"launch/a.launch.xml": EMPTY.format(NAMED.format("$(var b)"))}, ""),
+    ({"launch/a.launch.xml": EMPTY.format(""), "test/a.py": "A = 'config/robot.yaml'\n"}, ""),
+)
+LEFT_OUT = {**set302.FILES, "setup.py": setup_py().replace(set302.FOUND, "[package_name]")}
+PROGRAM = {**set301.FILES, "my_pkg/speech/words.py": "#!/usr/bin/env python3\nprint(1)\n"}
+CASES = {
+    "SET302": tuple(
+        below(LEFT_OUT, {"README.md": text}) for text in ("colcon build --symlink-install\n", "colcon build\n")
+    ),
+    "SET401": (
+        python({"setup.py": OTHER_NAME.replace("zip_safe", f"{scripts('a = my_pkg.talker:main')}\n    zip_safe"),
+                "my_pkg/talker.py": MAIN}),
+        python({"setup.py": OTHER_NAME.replace(SHARED, f"{SHARED}{SHARED.replace('package.xml', 'config/a.txt')}"),
+                "config/a.txt": ""}),
+        python({"setup.py": OTHER_NAME.replace("data_files=[", "data_files=found() + [")}),
+    ),
+    "SET301": (
+        python({**PROGRAM, "my_pkg/talker.py": ""}),
+        python({**PROGRAM, "my_pkg/talker.py": "", "my_pkg/speech/more.py": "A = 1\n"}),
+        python(PROGRAM),
+    ),
+    "PRM001": tuple(configured(WRONG, *each) for each in FILES),
+    "PRM004": tuple(configured(LIST, *each) for each in FILES[:2]),
+}  # fmt: skip
