@@ -163,3 +163,44 @@ def test_constants_as_defaults() -> None:
     code = "".join(f"self.declare_parameter('a', {each})\n" for each in ("RATE", "Talker.size", "self.size"))
     found = python.declared_in(parse_python(Source("a.py", code)), lambda name: types.get(name, ""))
     assert [each.type for each in found] == ["double", "int", ""]
+
+
+STARTED = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    file = {file}
+    return LaunchDescription([
+        Node(package='my_pkg', executable='talk', {talker}, parameters=[file]),
+        Node(package='my_pkg', executable='listen', name='listener', parameters=[file]),
+    ])
+"""
+SHARE = "[FindPackageShare('my_pkg'), '/config/a.yaml']"
+
+
+@pytest.mark.parametrize(
+    "key, talker, file, found",
+    [
+        ("talker", "name='talker', namespace='robot'", SHARE, "`talker` is no node: the one that"),
+        ("talker", "name='talker', namespace='/'", SHARE, ""),
+        ("talker", "name='talker'", SHARE, ""),
+        ("/other/talker", "name='talker', namespace='robot'", SHARE, "`/other/talker` is no node: the one that"),
+        ("/fleet/robot/talker", "name='talker', namespace='robot'", SHARE, ""),
+        ("robot/talker", "name='talker', namespace='robot'", SHARE, ""),
+        ("/**/talker", "name='talker', namespace='robot'", SHARE, ""),
+        ("/other/talker", "name='talker', namespace=file", SHARE, ""),
+        ("talk", "name='talker'", SHARE, "no node is called `talk`: the one that"),
+        ("shout", "name='talker'", SHARE, ""),
+        ("talk", "name='talker'", "'/home/me/src/my_pkg/config/a.yaml'", "no node is called `talk`: the one that"),
+        ("talk", "name='talker'", "'/home/me/src/other/config/a.yaml'", ""),
+    ],
+)
+def test_blocks_of_nodes_with_another_name(key: str, talker: str, file: str, found: str) -> None:
+    blocks = f"{key}:\n  ros__parameters:\n    a: 1\nlistener:\n  ros__parameters:\n    a: 1\n"
+    files = package(STARTED.format(talker=talker, file=file), blocks, {})
+    texts = [each.message for each in lint_files(files, ["PRM003"]).findings]
+    assert len(texts) == bool(found)
+    assert all(text.startswith(found) for text in texts)

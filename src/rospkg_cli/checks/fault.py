@@ -56,7 +56,8 @@ def joined(faults: Sequence[Fault], message: str, title: str) -> Fault:
 
 def once_each(faults: Iterable[Fault]) -> list[Fault]:
     """Return the faults of each kind as one: the same sentence, with the other places next to it."""
-    found: dict[tuple[str, Level | None], list[Fault]] = {}
+    found: dict[tuple[str, Level | None], dict[Span, Fault]] = {}
     for fault in faults:
-        found.setdefault((fault.message, fault.level), []).append(fault)
-    return [joined(same, same[0].message, same[0].repair.title if same[0].repair else "") for same in found.values()]
+        found.setdefault((fault.message, fault.level), {}).setdefault(fault.span, fault)
+    groups = [list(each.values()) for each in found.values()]
+    return [joined(same, same[0].message, same[0].repair.title if same[0].repair else "") for same in groups]

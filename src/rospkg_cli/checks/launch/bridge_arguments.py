@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...lazy_regex import regex
 from ...package.launch.text import LaunchText, Literal
 from ...ros.core_messages import CORE_MESSAGES
+from ...ros.interface_fields import known_interfaces
 from ...ros.names import NameKind
 from ...source import Span
 from ...suggest import near_names
@@ -44,7 +45,7 @@ def wrong_groups(scope: LaunchContext, package: str, kind: str | None, name: str
     facts = workspace.named(package)
     if facts is None and workspace.kind_of(package) is not NameKind.PACKAGE:
         known = {*CORE_MESSAGES, *(each.name for each in workspace.packages if each.interfaces)}
-        near = near_names(package, known)
+        near = near_names(package, known) or near_names(package, known_interfaces(), 1)
         if len(near) == 1:
             yield 1, near[0]
     elif kind is not None and kind not in KINDS:

@@ -15,6 +15,7 @@ from ..fault import Fault, softer
 from .argument_types import TYPE_CHECKS, action_list_faults
 from .idle_actions import contains, never_added
 from .python_truth import Truth, test_faults, truth_values, use_faults
+from .relative_parameter_files import values_as_files
 from .removed_arguments import renamed
 
 DESCRIBES = "generate_launch_description"
@@ -30,7 +31,7 @@ def call_faults(file: LaunchFile) -> list[Fault]:
         return []
     truths = truth_values(file.evaluated)
     found: dict[Span, Fault] = {}
-    for each in every_fault(file.evaluated, truths):
+    for each in (*every_fault(file.evaluated, truths), *values_as_files(file)):
         found.setdefault(each.span, each)
     whole = [span for span in found if span in truths]
     inside = {a for a in found for b in whole if a != b and b.start <= a.start and a.end <= b.end}

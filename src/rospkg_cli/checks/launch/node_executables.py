@@ -113,11 +113,13 @@ class NodeExecutables:
                 yield WellKnownUse(package, executable, name, wrong, *level_at(file, node.span))
 
     def blank(self) -> Iterator[tuple[LaunchText, str]]:
-        """Yield the executables and packages of nodes that hold nothing, each with what it is."""
-        for node in self.scope.file.nodes:
+        """Yield the executables and packages of nodes that hold nothing, and packages with a blank at an end."""
+        for node in self.scope.file.nodes if not self.scope.file.is_ros1 else ():
             for text, what in ((node.executable, "executable"), (node.package, "package")):
-                if text is not None and text.literal is not None and not text.literal.strip():
-                    yield text, what
+                if text is not None and text.literal is not None:
+                    bare = text.literal.strip()
+                    if not bare or (bare != text.literal and what == "package"):
+                        yield text, what
 
     def entry(self, node: ExecutableUse) -> str:
         """Return the only executable of this package that starts the module whose name a node has; "" for none."""

@@ -11,7 +11,7 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...package.launch.evaluated_launch import EvaluatedLaunch, SubstitutionUse
-from ...package.launch.launch_classes import is_condition, is_resolved_at_run_time, type_name
+from ...package.launch.launch_classes import class_of, is_condition, is_resolved_at_run_time, type_name
 from ...source import Span
 from ..fault import Fault
 
@@ -46,7 +46,7 @@ def truth_values(launch: EvaluatedLaunch) -> dict[Span, Truth]:
 
 def use_faults(use: SubstitutionUse, *, is_tested: bool) -> Iterator[Fault]:
     """Yield what happens where Python works on a substitution as on a string; launch refuses a bool as a condition."""
-    shown = next(type_name(each) for each in use.operands if is_resolved_at_run_time(each))
+    shown = next(shown_value(each) for each in use.operands if is_resolved_at_run_time(each))
     if use.kind == "function":
         better = "use PathJoinSubstitution" if use.name == "os.path.join" else "do it in an OpaqueFunction"
         yield Fault(use.span, f"`{use.name}` raises TypeError for {shown}: {AT_RUN_TIME}; {better}")
@@ -65,6 +65,14 @@ def use_faults(use: SubstitutionUse, *, is_tested: bool) -> Iterator[Fault]:
         better = "use EqualsSubstitution or PythonExpression, or compare in an OpaqueFunction"
         message = f"this is {outcome} true, since {AT_RUN_TIME}: it compares {shown} itself; {better}"
         yield Fault(use.span, message, None if is_tested else "warning")
+
+
+def shown_value(value: Value) -> str:
+    """Return what a value is, a launch configuration with its name."""
+    name = value.get("variable_name", 0) if isinstance(value, Call) else None
+    if isinstance(value, Call) and class_of(value) == "LaunchConfiguration" and isinstance(name, Text):
+        return f"`LaunchConfiguration('{name.text}')`"
+    return type_name(value)
 
 
 def is_plain(value: Value) -> bool:

@@ -10,8 +10,10 @@ from ...package.launch.argument_defaults import literal_defaults
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText, Substitution
 from ...source import Span
+from ..fault import Fault
 from .missing_references import LaunchContext, MissingReference
 
+PATH = regex(r"[/\\~]|\.(?:ya?ml|params?)$")
 RELATIVE = regex(r"\w[\w.-]*(?:/[\w.-]+)*\.ya?ml")
 
 
@@ -52,6 +54,17 @@ def given_files(file: LaunchFile) -> Iterator[tuple[LaunchText, bool]]:
                     yield default, True
             case _ if given.file is not None:
                 yield given.file, False
+
+
+def values_as_files(file: LaunchFile) -> Iterator[Fault]:
+    """Yield the arguments that stand among parameters, where launch_ros takes a file, and whose default is none."""
+    for text, is_default in given_files(file):
+        value = (text.literal or "").strip()
+        if is_default and value and not PATH.search(value):
+            names = {each.name.literal for each in file.arguments if each.default is text}
+            name = next(iter(names), None) or "name"
+            message = f"`{name}` stands among parameters, where launch_ros takes files; its default `{value}` is none"
+            yield Fault(text.span, f"{message}: the node does not get it; write `{{'{name}': …}}`", "warning")
 
 
 def is_for_nodes(scope: LaunchContext, missing: MissingReference) -> bool:

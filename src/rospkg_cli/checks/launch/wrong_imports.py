@@ -6,11 +6,11 @@ import ast
 from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of
+from ...languages.python.nodes import nodes_of, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...ros.launch_exports import EXPORTS, exporting_module
 from ...source import Span
-from ...suggest import nearest
+from ...suggest import near_names, nearest
 
 OPEN = frozenset({"launch_ros.parameter_descriptions", "ament_index_python.packages"})
 """Modules that are one file, with whatever it imports itself."""
@@ -26,6 +26,8 @@ class WrongImport:
     span: Span
     home: str = ""
     near: str = ""
+    is_attribute: bool = False
+    """Whether it is read from the module, and not imported: `launch.substitution.LaunchConfiguration`."""
 
 
 def wrong_imports(file: PythonFile) -> Iterator[WrongImport]:
@@ -42,6 +44,29 @@ def wrong_imports(file: PythonFile) -> Iterator[WrongImport]:
                 if home or meant:
                     start = file.span(alias).start
                     yield WrongImport(alias.name, module, Span(start, start + len(alias.name)), home, meant)
+
+
+def wrong_attributes(file: PythonFile) -> Iterator[WrongImport]:
+    """Yield the misspelt modules and names behind `import launch`, of `launch` and of its modules."""
+    tops = {top for each in file.imports if not each.names and (top := each.module.partition(".")[0]) in TOPS}
+    for node in nodes_of_kind(file.tree, ast.Attribute) if tops else ():
+        module = dotted(node.value)
+        if module.partition(".")[0] in tops and (module in TOPS or module in EXPORTS):
+            inside = {each[len(module) + 1 :] for each in EXPORTS if each.startswith(f"{module}.")}
+            known = {*EXPORTS.get(module, ()), *(each.partition(".")[0] for each in inside)}
+            alike = [each for each in known if each.islower() == node.attr.islower()]
+            near = near_names(node.attr, alike, 1) if node.attr not in known else []
+            if len(near) == 1:
+                end = file.span(node).end
+                yield WrongImport(node.attr, module, Span(end - len(node.attr), end), "", near[0], True)
+
+
+def dotted(node: ast.expr) -> str:
+    """Return the dotted name that an expression is; "" for anything else."""
+    if isinstance(node, ast.Attribute):
+        before = dotted(node.value)
+        return before and f"{before}.{node.attr}"
+    return node.id if isinstance(node, ast.Name) else ""
 
 
 def siblings(module: str) -> list[str]:

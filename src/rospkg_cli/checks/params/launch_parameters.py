@@ -36,6 +36,16 @@ class NodeArguments:
     def name(self) -> str | None:
         return self.node.name.literal if self.node.name else None
 
+    def starts(self, executable: str) -> bool:
+        """Return whether the node has an executable of this name, which is often that of a node without `name=`."""
+        return self.node.executable is not None and self.node.executable.literal == executable
+
+    @property
+    def full_name(self) -> str | None:
+        """The name with its namespace, where both are literal; others may be put before it, but for an absolute one."""
+        space = self.node.namespace.literal if self.node.namespace else None
+        return f"/{space.strip('/')}/{self.name}" if space and space.strip("/") and self.name else None
+
     def blocks(self) -> Iterator[NodeBlock]:
         """Yield the blocks that the node reads."""
         for file in self.files:
@@ -82,6 +92,8 @@ class LaunchParameters:
     def files_at(self, text: LaunchText, launch: LaunchFile) -> Iterator[ParameterFile]:
         """Yield the files of this package that a path may mean; what is unknown in it may be any name."""
         pattern = "".join(self.pattern(text, launch, 0))
+        if text.literal and text.literal.startswith("/"):
+            yield from (file for file in self.files if text.literal.endswith(f"/{self.package.name}/{file.path}"))
         if pattern.startswith(SHARE):
             path = re.compile(re.sub("/+", "/", pattern[len(SHARE) :]).lstrip("/"))
             for file in self.files:
@@ -122,7 +134,7 @@ class LaunchParameters:
             for block in file.blocks:
                 key = last(block)
                 if key not in started and key not in WILD and "$" not in key:
-                    found = [each for each in without_block if is_near(key, each.name or "")]
+                    found = [each for each in without_block if is_near(key, each.name or "") or each.starts(key)]
                     if not found and len(file.blocks) == 1 and self.is_only_for_named(file):
                         found = without_block
                     if found and len({each.name for each in found}) == 1:

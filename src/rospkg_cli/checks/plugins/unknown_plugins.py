@@ -92,9 +92,19 @@ class PluginReferences:
         for user, use in uses(self.selected):
             first = SEPARATOR.split(use.name)[0]
             is_here = self.workspace.named(first) is not None or self.is_owned(first)
-            wrong = None if is_here or self.is_described(use.name) else wrong_plugin(use.name)
+            wrong = None if is_here or self.is_described(use.name) else wrong_plugin(use.name) or self.slip(user, use)
             if wrong is not None:
                 yield WrongPlugin(user, use, wrong)
+
+    def slip(self, user: PackageFacts, use: PluginUse) -> WrongName | None:
+        """Return the name of a plugin with the package that its user depends on, where only that one is near."""
+        first, slash, rest = use.name.partition("/")
+        needed = {each.name for each in user.dependencies}
+        kind = self.workspace.kind_of(first)
+        if not slash or first in needed or kind in (NameKind.PACKAGE, NameKind.KEY) or first == user.name:
+            return None
+        near = [each for each in near_names(first, needed, 1) if re.sub(r"\d", "", each) != re.sub(r"\d", "", first)]
+        return WrongName(f"{near[0]}/{rest}", False) if len(near) == 1 else None
 
     def is_owned(self, first: str) -> bool:
         """Return whether the name of a described plugin begins with a piece."""

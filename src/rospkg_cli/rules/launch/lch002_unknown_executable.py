@@ -9,6 +9,7 @@ from ...checks.launch.without_package import NodesWithoutPackage, PathUse
 from ...edits.offers import node_command
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts
 from ...rule import rule
 
@@ -84,10 +85,17 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
             started.scope.file.path, known.executable.span, not_offered(known), severity, fix=other_name(started, known)
         )
     for text, what in started.blank():
-        yield Hit(started.scope.file.path, text.span, f"the {what} of this node is empty: the launch stops; name it")
+        yield blank_name(started.scope.file.path, text, what)
     for use in NodesWithoutPackage(started.scope).uses():
         level = Severity(use.level) if use.level else None
         yield Hit(started.scope.file.path, use.executable.span, without_package(use), level)
+
+
+def blank_name(path: str, text: LaunchText, what: str) -> Hit:
+    name = (text.literal or "").strip()
+    if not name:
+        return Hit(path, text.span, f"the {what} of this node is empty: the launch stops; name it")
+    return Hit(path, text.span, f"no package is called `{text.literal}`, with a blank: it is not found; write `{name}`")
 
 
 def not_offered(use: WellKnownUse) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.late_names import late_names
-from ...checks.launch.wrong_imports import wrong_imports
+from ...checks.launch.wrong_imports import wrong_attributes, wrong_imports
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...languages.python.file import PythonFile
@@ -80,8 +80,8 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     ## What it does
     Finds undefined names and wrong launch imports in Python launch files.
     A name is neither defined nor imported, a name of launch or launch_ros is imported from a module that does not have
-    it, or a local name is used above the one line of its function that assigns it. Files that import `*`, or run
-    strings as code, are left alone.
+    it or read from one (`launch.substitution.x`), or a local name is used above the one line of its function that
+    assigns it. Files that import `*`, or run strings as code, are left alone.
 
     ## Why is this bad?
     The launch stops with a NameError as soon as the name is used (often only for one value of an argument), or with an
@@ -110,9 +110,10 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
         message = f"`{late.name}` is used here and assigned in line {late.line}"
         message = f"{message}: {stops_with(file.python)} UnboundLocalError; assign it first"
         yield Hit(file.path, late.span, message, level)
-    for each in wrong:
+    for each in (*wrong, *wrong_attributes(file.python)):
         better = f"import it from `{each.home}`" if each.home else f"did you mean `{each.near}`?"
-        message = f"`{each.module}` has no `{each.name}`: {stops_with(file.python)} ImportError; {better}"
+        raised = "AttributeError" if each.is_attribute else "ImportError"
+        message = f"`{each.module}` has no `{each.name}`: {stops_with(file.python)} {raised}; {better}"
         yield Hit(file.path, each.span, message)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.launch_parameters import LaunchParameters
+from ...checks.params.launched_names import displaced_blocks
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -70,7 +71,8 @@ def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
     The block belongs to no node that the launch files here start, and a node that is given the file, and has no block
     in it, has a similar name; or the file has this block alone, and goes to no other node. It also finds blocks that
     have nearly the name of a controller that the same file gives `controller_manager`, or of a node that everybody uses
-    (`controller_manager`, those of nav2), and that has no block there.
+    (`controller_manager`, those of nav2), and that has no block there; blocks with the name of an executable that is
+    started under another name; and blocks of a node that is started in another namespace: `talker` is `/talker` alone.
 
     ## Why is this bad?
     rcl goes by the node's name, as the launch file gives it, and ignores all other blocks without a warning: the node
@@ -91,6 +93,10 @@ def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
         where = (Related(given.launch.path, given.node.span, "the node"),)
         what = f"{message}, and it never reads the block"
         yield Hit(file.path, block.key.span, what, related=where, fix=renaming(file, block, name))
+    for file, block, given in displaced_blocks(launched):
+        message = f"`{block.name}` is no node: the one that `{given.launch.path}` starts is `{given.full_name}`"
+        where = (Related(given.launch.path, given.node.span, "the node"),)
+        yield Hit(file.path, block.key.span, f"{message}, which never reads the block", related=where)
     for file, wrong in launched.mistyped():
         owner = (
             f"`{wrong.by}` starts `{wrong.meant}`"

@@ -1,0 +1,120 @@
+"""Slips in launch files: blanks in names, modules of launch, values among parameter files, types of a bridge."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import manifest
+from rospkg_cli.testing import lint_files
+
+HEAD = """\
+import launch
+import launch_ros.actions
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([{}])
+"""
+
+
+def said(path: str, text: str, code: str, **others: str) -> list[str]:
+    files = {"src/my_pkg/package.xml": manifest(others.pop("needs", "")), f"src/my_pkg/{path}": text, **others}
+    return [f"{each.severity.value}: {each.message}" for each in lint_files(files, [code, "RPK005"]).findings]
+
+
+def in_python(*actions: str, code: str) -> list[str]:
+    return said("launch/a.launch.py", HEAD.format(", ".join(actions)), code)
+
+
+@pytest.mark.parametrize(
+    "node, found",
+    [
+        (
+            "package='joy ', executable='joy_node'",
+            ["error: no package is called `joy `, with a blank: it is not found"],
+        ),
+        ("package='joy', executable=' joy_node'", ["error: `joy` has no executable ` joy_node`"]),
+        ("package=' ', executable='joy_node'", ["error: the package of this node is empty"]),
+        ("package='', executable='joy_node'", ["error: the package of this node is empty"]),
+        ("package='joy', executable='joy_node'", []),
+    ],
+)
+def test_blanks_at_the_end_of_a_name(node: str, found: list[str]) -> None:
+    for text, start in zip(in_python(f"Node({node})", code="LCH002"), found, strict=True):
+        assert text.startswith(start)
+
+
+@pytest.mark.parametrize(
+    "action, found",
+    [
+        ("launch.action.LogInfo(msg='x')", "`launch` has no `action`: the launch stops with AttributeError; did you"),
+        ("launch.actions.LogInf(msg='x')", "`launch.actions` has no `LogInf`"),
+        ("launch_ros.action.Node()", "`launch_ros` has no `action`"),
+        ("launch.substitution.LaunchConfiguration('a')", "`launch` has no `substitution`"),
+        ("launch.actions.LogInfo(msg='x')", ""),
+        ("launch.LaunchDescription([])", ""),
+        ("launch.utilities.perform(1)", ""),
+        ("launch.something.else_()", ""),
+    ],
+)  # fmt: skip
+def test_modules_of_launch_by_a_name_that_they_do_not_have(action: str, found: str) -> None:
+    texts = in_python(action, code="LCH013")
+    assert len(texts) == bool(found)
+    assert all(text.startswith(f"error: {found}") for text in texts)
+
+
+def test_a_name_that_is_no_module_has_any_attribute() -> None:
+    text = HEAD.replace("import launch\n", "from x import launch\n").format("launch.action.LogInfo()")
+    assert said("launch/a.launch.py", text, "LCH013") == []
+
+
+@pytest.mark.parametrize(
+    "default, found",
+    [("192.168.0.2", 1), ("12", 1), ("robot.yaml", 0), ("/etc/robot", 0), ("", 0), ("~params", 0), ("robot.params", 0)],
+)
+def test_a_value_that_stands_for_a_parameter_file(default: str, found: int) -> None:
+    node = "Node(package='p', executable='e', parameters=[LaunchConfiguration('address')])"
+    texts = in_python(f"DeclareLaunchArgument('address', default_value='{default}')", node, code="LCH014")
+    start = f"warning: `address` stands among parameters, where launch_ros takes files; its default `{default}` is none"
+    assert len(texts) == found
+    assert all(text.startswith(start) for text in texts)
+
+
+def test_what_is_compared_is_named() -> None:
+    (text,) = in_python("Node(package='p', executable='e') if LaunchConfiguration('mode') == 'x' else 1", code="LCH014")
+    assert "it compares `LaunchConfiguration('mode')` itself" in text
+
+
+@pytest.mark.parametrize("word, found", [("roz_gz_interfaces", 1), ("ros_gz_interfaces", 0), ("my_gz_types", 0)])
+def test_a_service_of_a_bridge_is_of_a_package(word: str, found: int) -> None:
+    node = f"Node(package='ros_gz_bridge', executable='parameter_bridge', arguments=['/x@{word}/srv/SpawnEntity'])"
+    assert len(in_python(node, code="LCH019")) == found
+
+
+def test_what_is_read_twice_is_told_once_and_mended_once() -> None:
+    """Substitutions in the condition of a group are found with the group, and with what is inside of it."""
+    text = '<launch>\n  <group if="$(arg on)">\n    <node pkg="p" exec="e"/>\n  </group>\n</launch>\n'
+    (found,) = said("launch/a.launch.xml", text, "LCH006")
+    assert found.startswith("error: `$(arg …)` is ROS 1's")
+
+
+@pytest.mark.parametrize(
+    "name, needed, found",
+    [
+        ("obotiq_controllers/Gripper", "robotiq_controllers", "write `robotiq_controllers/Gripper`"),
+        ("obotiq_controllers::Gripper", "robotiq_controllers", ""),
+        ("robotiq_controllers/Gripper", "robotiq_controllers", ""),
+        ("arm_controllers/Gripper", "robotiq_controllers", ""),
+        ("arm1_controllers/Gripper", "arm2_controllers", ""),
+        ("my_pkg/Gripper", "my_pkgs", ""),
+    ],
+)
+def test_a_plugin_of_nearly_a_package_that_is_depended_on(name: str, needed: str, found: str) -> None:
+    text = f"controller_manager:\n  ros__parameters:\n    gripper:\n      type: {name}\n"
+    texts = said("config/a.yaml", text, "PLG003", needs=f"  <exec_depend>{needed}</exec_depend>\n")
+    assert len(texts) == bool(found)
+    assert all(text.endswith(found) for text in texts)
