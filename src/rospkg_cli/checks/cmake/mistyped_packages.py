@@ -18,9 +18,9 @@ from ...ros.link_targets import ROS_NAME
 from ...ros.names import NameKind
 from .mistyped_links import nearest
 
-EXPORTED = "ament_export_dependencies"
+EXPORTED, HANDED = "ament_export_dependencies", "ament_target_dependencies"
 OF_PACKAGE = regex(r"\$\{(\w+?)_(LIBRARIES|LIBRARY|LIBS|TARGETS|INCLUDE_DIRS?)\}")
-TAKING = {"ament_target_dependencies": 1, "ament_export_dependencies": 0}
+TAKING = {HANDED: 1, EXPORTED: 0}
 """Commands that are given packages, and their first argument that is one."""
 KEYWORDS = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
 
@@ -29,7 +29,7 @@ KEYWORDS = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
 class MistypedPackage:
     word: Word
     call: EvaluatedCommand
-    kind: Literal["misspelt", "target", "variable", "own", "nowhere"]
+    kind: Literal["misspelt", "target", "variable", "own", "nowhere", "keyword"]
     near: str = ""
     """The package that is certainly intended, of one that is misspelt."""
     variable: str = ""
@@ -51,6 +51,19 @@ class MistypedPackages:
                 if (found := self.judged(word, call)) is not None:
                     yield found
         yield from self.libraries()
+        yield from self.keywords()
+
+    def keywords(self) -> Iterator[MistypedPackage]:
+        """Yield what `ament_target_dependencies` takes for a package: PRIVATE, and a keyword behind a package."""
+        for call in self.package.cmake.named(HANDED):
+            first = next(
+                (at for at, word in enumerate(call.words) if at and word.text not in KEYWORDS), len(call.words)
+            )
+            for at, word in enumerate(call.words[1:], 1):
+                is_misplaced = word.text in KEYWORDS and at > first and all(each.is_known for each in call.words[:at])
+                if (word.text == "PRIVATE" or is_misplaced) and not call.maybe and not word.maybe:
+                    yield MistypedPackage(word, call, "keyword")
+                    break
 
     def libraries(self) -> Iterator[MistypedPackage]:
         """Yield variables that hold libraries of a package, where a package belongs."""
@@ -84,7 +97,18 @@ class MistypedPackages:
             return MistypedPackage(word, call, "target")
         if (misspelt := self.misspelt(word, call, self.found | self.declared)) is not None:
             return misspelt
+        if (alike := self.alike(word.text)) is not None:
+            return MistypedPackage(word, call, "misspelt", alike)
         return MistypedPackage(word, call, "nowhere") if self.is_nowhere(word, call) else None
+
+    def alike(self, name: str) -> str | None:
+        """Return the one package found whose name differs in case and underscores, or is one of a vendor without the
+        words before it."""
+        plain = name.replace("_", "").replace("-", "").lower()
+        same = {each for each in self.found if each.replace("_", "").replace("-", "").lower() == plain}
+        vendors = {each for each in self.found if each.endswith("_vendor") and is_end(each, name)}
+        near = same or vendors
+        return near.pop() if len(near) == 1 else None
 
     def is_nowhere(self, word: Word, call: EvaluatedCommand) -> bool:
         """Return whether a package is exported that nobody knows, and that no other command and no file names."""
@@ -134,3 +158,8 @@ class MistypedPackages:
     def declared(self) -> frozenset[str]:
         """The packages that the manifest names, which `ament_auto_…` finds."""
         return frozenset(each.name for each in self.package.manifest.dependencies)
+
+
+def is_end(one: str, other: str) -> bool:
+    """Return whether one name is the other without the words before it."""
+    return one.endswith(f"_{other}") or other.endswith(f"_{one}")

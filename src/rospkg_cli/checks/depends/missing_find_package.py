@@ -66,8 +66,9 @@ class MissingFindPackages:
 
     def has_another_name(self, name: str) -> bool:
         """Return whether something is found that may be the same by CMake's name: `realsense2` for `librealsense2`."""
-        is_part = any(each.lower() in name for each in self.found if len(each) >= MIN_LETTERS)
-        return is_part or bool(self.misspelt and near_names(name, self.misspelt))
+        kind_of = self.declared.workspace.kind_of
+        others = (each for each in self.found if len(each) >= MIN_LETTERS and kind_of(each) is not NameKind.PACKAGE)
+        return any(each.lower() in name for each in others) or bool(self.misspelt and near_names(name, self.misspelt))
 
     @cached_property
     def misspelt(self) -> frozenset[str]:

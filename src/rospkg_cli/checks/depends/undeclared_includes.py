@@ -155,10 +155,16 @@ class IncludeDependencies:
         if keys := keys_of_header(header):
             return (() if self.is_at_hand(header) else keys), stem(header)
         facts = self.declared.workspace.named(folder)
-        known = self.declared.workspace.kind_of(folder) is NameKind.PACKAGE and folder not in SHARED
+        known = self.is_package(folder) and folder not in SHARED
         if not known or (facts is not None and facts.is_metapackage):
             return (), folder
         return (folder,), folder
+
+    def is_package(self, name: str) -> bool:
+        """Return whether a name is that of a package: a known one, or one that others of the workspace declare."""
+        kind = self.declared.workspace.kind_of(name)
+        is_declared = "_" in name and kind is not NameKind.KEY and bool(self.declared.workspace.needing(name))
+        return kind is NameKind.PACKAGE or is_declared
 
     def is_at_hand(self, name: str) -> bool:
         """Return whether a library of the system is declared by another of its names, or CMake gets it itself."""

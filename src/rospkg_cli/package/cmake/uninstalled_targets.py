@@ -22,8 +22,8 @@ MADE_BY = ("add_executable", "add_library", "ament_auto_add_executable", "ament_
 SETTERS = ("target_", "set_target_properties", "ament_target_dependencies", "rosidl_target_interfaces",
            "ament_export_", "install", "add_dependencies", "set_property", "ament_auto_add_")  # fmt: skip
 """Commands that name a target without using its file."""
-OF_PACKAGES = ("project", "find_package")
-"""Commands whose names are those of packages, one of which a target may share."""
+NAMING = ("project", "find_package", "set", "list", "foreach", "message")
+"""Commands whose names are those of packages, one of which a target may share, or that use nothing themselves."""
 
 RPATHS = frozenset({"CMAKE_INSTALL_RPATH", "INSTALL_RPATH"})
 MAX_PARTS = 5
@@ -189,7 +189,7 @@ def is_refused(target: Target) -> bool:
 def used_by(call: EvaluatedCommand) -> Iterator[str]:
     """Yield the names of targets of which a call uses what is built, if they are targets."""
     setter = call.name.startswith(SETTERS)
-    if (setter and call.name != "install") or call.name in OF_PACKAGES:
+    if (setter and call.name != "install") or call.name in NAMING:
         return
     for text in call.texts:
         if not setter:

@@ -25,6 +25,11 @@ def cmake(name: str) -> str:
     return CMAKE.replace("ament_package", LIBRARY.format(name) + "ament_package")
 
 
+def cmake_handed(keyword: str) -> str:
+    target = "target_link_libraries(core PUBLIC rclcpp::rclcpp)"
+    return cmake("rclcpp").replace(target, f"ament_target_dependencies(core {keyword}rclcpp)")
+
+
 @rule(
     "CMK117",
     "unknown-package",
@@ -40,6 +45,11 @@ def cmake(name: str) -> str:
             good={"CMakeLists.txt": cmake("rclcpp")},
             on="ament_cmake",
             fix=Safety.UNSAFE,
+        ),
+        Example(
+            bad={"CMakeLists.txt": cmake_handed("«PRIVATE» "), "package.xml": NEEDS_RCLCPP, "src/core.cpp": SOURCE},
+            good={"CMakeLists.txt": cmake_handed("PUBLIC ")},
+            on="ament_cmake",
         ),
         Example(
             bad={
@@ -58,7 +68,7 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     It reads `find_package(… REQUIRED)`, `ament_target_dependencies()` and `ament_export_dependencies()`. In the last
     two it also finds targets of the package itself, which are no packages, in the last one libraries
     (`${OpenCV_LIBRARIES}`) and packages that nobody knows and that the package neither finds nor declares, and in the
-    first one the package itself.
+    first one the package itself; in the second one keywords that it does not take (PRIVATE).
 
     ## Why is this bad?
     CMake stops: "Could not find a package configuration file", or "the passed package name … was not found before".
@@ -95,6 +105,9 @@ def message(each: MistypedPackage) -> str:
     if each.kind == "target":
         advice = "link it with `target_link_libraries`" if "target" in each.call.name else "remove it"
         return f"`{name}` is a target of this package, and no package: {stops}; {advice}"
+    if each.kind == "keyword":
+        start = f"`{each.call.name}` takes no `{name}` here, only PUBLIC or INTERFACE before the packages"
+        return f"{start}: CMake stops; link the targets of the packages with `target_link_libraries` instead"
     if each.kind == "own":
         return f"`{name}` looks for itself: on a clean machine CMake stops, as it is not installed yet; remove the line"
     if each.kind == "variable":

@@ -1,0 +1,96 @@
+"""What is handed to ament, included or named and is not found: packages under another name, or known to siblings."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.testing import lint_files
+
+MAIN = "int main() {return 0;}\n"
+NODE = "add_executable(node src/node.cpp)\n"
+INSTALLED = "install(TARGETS node DESTINATION lib/${PROJECT_NAME})\n"
+
+
+def said(code: str, lines: str, needs: str = "", source: str = MAIN, **others: str) -> list[str]:
+    """Return level and first name of each finding on a package with a node, with packages that need something."""
+    files = {
+        "a/CMakeLists.txt": CMAKE.replace("my_pkg", "a").replace("ament_package()", f"{lines}ament_package()"),
+        "a/package.xml": manifest(needs, "ament_cmake", "a"),
+        "a/src/node.cpp": source,
+    }
+    for name, body in others.items():
+        files |= {
+            f"{name}/package.xml": manifest(body, "ament_cmake", name),
+            f"{name}/CMakeLists.txt": CMAKE.replace("my_pkg", name),
+        }
+    found = lint_files(files, [code]).findings
+    return [f"{each.severity.value} {each.message.split('`')[1]}" for each in found if each.package == "a"]
+
+
+def handed(words: str, finds: str) -> list[str]:
+    finds = "".join(f"find_package({name} REQUIRED)\n" for name in finds.split())
+    return said("CMK117", f"{finds}{NODE}ament_target_dependencies(node {words})\n")
+
+
+@pytest.mark.parametrize(
+    "words, finds, expected",
+    [
+        ("fast_thing", "FastThing", ["error find_package"]),
+        ("FastThing", "fast_thing", ["error find_package"]),
+        ("old_fast_thing_vendor", "fast_thing_vendor", ["error find_package"]),
+        ("thing_vendor", "fast_thing_vendor", ["error find_package"]),
+        ("old_fast_thing", "fast_thing", []),
+        ("thing_vendor", "fast_thing_vendor slow_thing_vendor", []),
+        ("rclcpp", "rclcpp", []),
+    ],
+)
+def test_a_package_under_another_name_than_it_is_found_by(words: str, finds: str, expected: list[str]) -> None:
+    assert handed(words, finds) == expected
+
+
+@pytest.mark.parametrize(
+    "words, expected",
+    [
+        ("PRIVATE rclcpp", ["error ament_target_dependencies"]),
+        ("rclcpp PUBLIC std_msgs", ["error ament_target_dependencies"]),
+        ("PUBLIC rclcpp", []),
+        ("SYSTEM PUBLIC rclcpp std_msgs", []),
+        ("INTERFACE rclcpp", []),
+        ("${MORE} PUBLIC rclcpp", []),
+    ],
+)
+def test_keywords_that_ament_does_not_take(words: str, expected: list[str]) -> None:
+    assert handed(words, "rclcpp std_msgs") == expected
+
+
+def test_keywords_under_a_condition() -> None:
+    call = "if(X_FOUND)\n  ament_target_dependencies(node PRIVATE rclcpp)\nendif()\n"
+    assert said("CMK117", f"find_package(rclcpp REQUIRED)\n{NODE}{call}") == []
+
+
+INCLUDED = f"#include <acme_parts/parts.hpp>\n{MAIN}"
+
+
+def test_headers_of_a_package_that_only_siblings_know() -> None:
+    needs = "  <depend>acme_parts</depend>\n"
+    assert said("DEP105", NODE, source=INCLUDED) == []
+    assert said("DEP105", NODE, source=INCLUDED, other=needs) == ["warning acme_parts"]
+    assert said("DEP105", NODE, needs, source=INCLUDED, other=needs) == []
+    single = INCLUDED.replace("acme_parts", "acme")
+    assert said("DEP105", NODE, source=single, other=needs.replace("acme_parts", "acme")) == []
+
+
+def test_a_found_package_is_no_other_of_a_longer_name() -> None:
+    needs = "  <depend>sensor_msgs</depend>\n  <depend>tf2_sensor_msgs</depend>\n"
+    source = f"#include <tf2_sensor_msgs/tf2_sensor_msgs.hpp>\n{MAIN}"
+    finds = "find_package(sensor_msgs REQUIRED)\n"
+    assert said("DEP107", finds + NODE, needs, source) == ["info tf2_sensor_msgs"]
+    assert said("DEP107", finds.replace("(s", "(tf2_s") + NODE, needs, source) == []
+
+
+@pytest.mark.parametrize("naming", ["set(NODES node)\n", "list(APPEND NODES node)\n", "message(STATUS node)\n"])
+def test_a_variable_that_names_a_target_uses_nothing(naming: str) -> None:
+    assert said("CMK103", NODE + naming) == ["warning node"]
+    assert said("CMK103", f"{NODE}{naming}{INSTALLED}") == []
+    assert said("CMK103", f"{NODE}set(NODES node)\ninstall(TARGETS ${{NODES}} DESTINATION lib/a)\n") == []
