@@ -47,6 +47,20 @@ FILES = (
     ({"launch/a.launch.xml": EMPTY.format(""), "test/a.py": "A = 'config/robot.yaml'\n"}, ""),
 )
 LEFT_OUT = {**set302.FILES, "setup.py": setup_py().replace(set302.FOUND, "[package_name]")}
+STARTS = {
+    "package.xml": manifest("  <exec_depend>launch_ros</exec_depend>\n"),
+    "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+    "my_pkg/talker.py": MAIN,
+}
+LAUNCH = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def {}():
+    return LaunchDescription([Node(package='my_pkg', executable='taker')])
+"""
+FINDS = "find_package(Boost REQUIRED"
 PROGRAM = {**set301.FILES, "my_pkg/speech/words.py": "#!/usr/bin/env python3\nprint(1)\n"}
 CASES = {
     "SET302": tuple(
@@ -63,6 +77,15 @@ CASES = {
         python({**PROGRAM, "my_pkg/talker.py": ""}),
         python({**PROGRAM, "my_pkg/talker.py": "", "my_pkg/speech/more.py": "A = 1\n"}),
         python(PROGRAM),
+    ),
+    "LCH002": tuple(
+        python({**STARTS, "launch/a.launch.py": LAUNCH.format(name)})
+        for name in ("generate_launch_description", "make")
+    ),
+    "DEP104": tuple(
+        Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", f"{FINDS}{parts})\nament_package")}, good={},
+                on="ament_cmake")
+        for parts in (" COMPONENTS thread", " COMPONENTS thread program_options", " COMPONENTS none", "")
     ),
     "PRM001": tuple(configured(WRONG, *each) for each in FILES),
     "PRM004": tuple(configured(LIST, *each) for each in FILES[:2]),

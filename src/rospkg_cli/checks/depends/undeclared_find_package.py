@@ -57,11 +57,18 @@ class FindPackageDependencies:
             if found.name in seen or not self.is_needed(found):
                 continue
             seen.add(found.name)
-            names = self.providers(found.name)
+            names = (*self.of_components(found), *self.providers(found.name))
             if names and not self.declared.has(names) and not there.intersection(names):
                 yield UndeclaredFindPackage(
                     found, names, self.bringer(found.name, names), self.is_installable(names[0])
                 )
+
+    def of_components(self, found: FoundPackage) -> tuple[str, ...]:
+        """Return the key of rosdep for the one component of Boost that is asked for, or that of all; headers alone
+        need none."""
+        keys = [f"libboost-{each.text.replace('_', '-')}-dev" for each in found.components if found.name == "Boost"]
+        known = [key for key in dict.fromkeys(keys) if self.declared.workspace.index.is_key(key)]
+        return tuple(known) if len(known) < 2 else ("boost",)
 
     def unknown(self) -> Iterator[FoundPackage]:
         """Yield the packages of interfaces, by their names, that nobody here knows and that are not declared.

@@ -22,6 +22,7 @@ from .python_expressions import filled, parsed
 
 NEVER_ADDED = "but nothing adds the action"
 UNUSED = "but nothing uses the value"
+NO_ENTRY = "but only where another launch file calls the function"
 OFF = "but only if its condition holds (not by default)"
 IN_BRANCH = "but only in a branch that is not always taken"
 TRUTHS = {"true": True, "1": True, "false": False, "0": False}
@@ -37,6 +38,8 @@ def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
     if file.python is not None and lost is not None:
         maker = file.python.source.slice(lost).partition("(")[0].rpartition(".")[2]
         return "info", NEVER_ADDED if maker in ACTIONS else UNUSED
+    if file.python is not None and not file.has_entry_point:
+        return "warning", NO_ENTRY
     if any(contains(each, span) for each in switched_off(file)):
         return "warning", OFF
     if any(contains(each, span) for each in in_branches(file)):
