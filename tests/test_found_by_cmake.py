@@ -95,6 +95,7 @@ def test_a_package_that_is_linked_is_told_once(lines: str, codes: list[str]) -> 
         ("find_package(rclpcp REQUIRED)\nament_export_dependencies(rclpcp)", "rclcpp", "rclcpp"),
         ("ament_export_dependencies(rclpcp)", "rclcpp", "rclcpp"),
         ("ament_export_dependencies(rclcpp Eigen3)", "rclcpp", ""),
+        ("find_package(OpenGL REQUIRED)\nament_target_dependencies(a rclcpp OpenCV)", "rclcpp", ""),
     ],
 )
 def test_packages_that_are_nearly_declared(lines: str, declared: str, near: str) -> None:

@@ -91,8 +91,8 @@ class MistypedPackages:
             return None
         if call.name not in TAKING:
             return self.misspelt(word, call, self.unfound) if self.is_looked_for_in_vain(word.text) else None
-        if word.text in self.found:
-            return None
+        if word.text in self.found or keys_for_cmake(word.text):
+            return None  # a package that is found may find a library, as cv_bridge finds OpenCV
         if self.package.cmake.target(word.text) is not None:
             return MistypedPackage(word, call, "target")
         if (misspelt := self.misspelt(word, call, self.found | self.declared)) is not None:
