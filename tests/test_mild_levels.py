@@ -363,3 +363,24 @@ def test_blocks_without_their_key_in_a_file_that_nothing_names(launched: str, le
     }
     (found,) = lint_files({**NATIVE, **texts, "launch/a.launch.xml": launch}, ["PRM001"]).findings
     assert found.severity.value == level
+
+
+@pytest.mark.parametrize(
+    ("launched", "level"), [("other/arm.yaml", "warning"), ("config/arm.yaml", "error"), ("arm.yaml", "error")]
+)
+def test_a_launch_file_that_names_another_file_of_the_same_name(launched: str, level: str) -> None:
+    start = "<launch><node pkg='a' exec='b'><param from='$(find-pkg-share my_pkg)/"
+    texts = {
+        "config/arm.yaml": "a:\n  ros__parameters:\n  x: 1\n  y: 2\n",
+        "other/arm.yaml": "/**:\n  ros__parameters: {}\n",
+    }
+    files = {**NATIVE, **texts, "launch/a.launch.xml": f"{start}{launched}'/></node></launch>\n"}
+    (found,) = lint_files(files, ["PRM004"]).findings
+    assert (found.severity.value, len(found.related)) == (level, 1)
+    assert found.message.endswith(": indent them")
+
+
+def test_an_empty_block_without_values_beside_it() -> None:
+    texts = {"config/arm.yaml": "a:\n  ros__parameters:\nb:\n  ros__parameters:\n  x: 1\n"}
+    said = [each.message.partition(";")[0] for each in lint_files({**NATIVE, **texts}, ["PRM004"]).findings]
+    assert said == ["`ros__parameters` of `a` is empty", "the value of `x` is outside of the `ros__parameters:` of `b`"]

@@ -32,12 +32,14 @@ def rcl_faults(file: ParameterFile) -> Iterator[Fault]:
     for root in file.roots:
         if not isinstance(root, MappingNode):
             yield Fault(root.span, "a parameter file is a mapping: the name of a node, and `ros__parameters:` below")
+    outside = {entry.above for entry in file.entries if is_outside(entry)}
     for entry in file.entries:
         key, value = entry.key, entry.value
         if not isinstance(key, ScalarNode):
             yield Fault(key.span, f"a key is the name of a node here; {REFUSES}")
         elif entry.kind == "block":
-            yield from block_faults(key, value, entry)
+            is_told = is_empty(value) and entry.above in outside  # its values stand beside it
+            yield from () if is_told else block_faults(key, value, entry)
         elif entry.kind == "after block":
             node = entry.above[-1].text
             yield Fault(key.span, f"`{key.text}` must come before the `{KEY}` of `{node}`; {REFUSES}")
@@ -92,18 +94,24 @@ def no_value(key: ScalarNode) -> Fault:
     return Fault(key.span, f"`{key.text}` has no value; {REFUSES}: remove it")
 
 
+def is_outside(entry: NodeEntry) -> bool:
+    """Return whether an entry is a parameter that stands above the parameters."""
+    return entry.kind == "value" and not isinstance(entry.value, AliasNode) and not is_empty(entry.value)
+
+
 def misplaced_values(file: ParameterFile) -> Iterator[Fault]:
     """Yield one fault for all values of a node, or of none, that belong below a `ros__parameters`."""
     outside: dict[str, list[ScalarNode]] = {}
     for entry in file.entries:
-        is_value = entry.kind == "value" and not isinstance(entry.value, AliasNode) and not is_empty(entry.value)
-        if is_value and isinstance(entry.key, ScalarNode):
+        if is_outside(entry) and isinstance(entry.key, ScalarNode):
             where = f"the `{KEY}:` of `{entry.above[-1].text}`" if entry.above else f"a node and its `{KEY}:`"
             outside.setdefault(where, []).append(entry.key)
     for where, (first, *others) in outside.items():
         name = f"`{first.text}`"
         what = f"the values of {name} and {len(others)} more are" if others else f"the value of {name} is"
-        message = f"{what} outside of {where}; {REFUSES}"
+        them = "them" if others else "it"
+        todo = f"put {them} below one" if where.startswith("a node") else f"indent {them}"
+        message = f"{what} outside of {where}; {REFUSES}: {todo}"
         yield Fault(first.span, message, related=tuple((each.span, "and this one") for each in others))
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator
 from functools import cached_property
@@ -61,12 +62,18 @@ class ParameterFileUse:
         launches = any(LAUNCH.fullmatch(path.rpartition("/")[2]) for path in self.files.paths)
         if not launches and not any(facts.launch_files for facts in self.workspace.packages):
             return False
-        name = self.file.path.rpartition("/")[2]
+        folder, _, name = self.file.path.rpartition("/")
         stem = re.compile(rf"[\"'/]{re.escape(name.rpartition('.')[0])}[\"'.]")
+        paths = [path for path in self.files.paths if path.endswith(f"/{name}") and path != self.file.path]
+        others = [posixpath.dirname(path) for path in paths]
         told = re.compile(rf"params[-_]file\S*[ \t]*\S*{re.escape(name)}")
         for path in self.files.paths:
             wanted = stem if STARTING.search(path) else told if DOCS.search(path) else None
-            if wanted is not None and wanted.search(self.read(path)):
+            if wanted is None or not wanted.search(text := self.read(path)):
+                continue
+            if named_in(folder, name, text) or not any(
+                named_in(posixpath.dirname(each), name, text) for each in others
+            ):
                 return False
         return not self.is_named_elsewhere(name.rpartition(".")[0])
 
@@ -86,6 +93,12 @@ class ParameterFileUse:
     def read(self, path: str) -> str:
         text = self.files.readable_text(path)
         return uncommented(path, text) if LAUNCH.fullmatch(path.rpartition("/")[2]) else text
+
+
+def named_in(folder: str, name: str, text: str) -> bool:
+    """Return whether a text names a file together with its folder, as one path or in parts."""
+    parts = rf"\b{re.escape(posixpath.basename(folder))}[\"'/,\s]+{re.escape(name.rpartition('.')[0])}\b"
+    return re.search(parts, text) is not None
 
 
 def key_faults(file: ParameterFile, *, is_parsed_by_launch: bool = False) -> Iterator[Fault]:
