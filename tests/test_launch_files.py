@@ -325,3 +325,17 @@ def test_each_round_of_a_loop_makes_its_own() -> None:
     )
     assert [value.literal for include in file.includes for _, value in include.arguments] == ["a", "b"]
     assert len(file.nodes) == 2
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ('<node pkg="a" executable="b"/>', ["`node` has no attribute `executable` (did you mean `exec`?)"]),
+        ('<node package="a" exec="b"/>', ["`node` has no attribute `package` (did you mean `pkg`?)"]),
+        ('<arg name="a" default_value="b"/>', ["`arg` has no attribute `default_value` (did you mean `default`?)"]),
+        ('<node pkg="a"/>', ["`node` lacks its attribute `exec`"]),
+    ],
+)
+def test_attributes_that_are_called_as_in_python(line: str, said: list[str]) -> None:
+    file = read("launch/a.launch.xml", f"<launch>\n  {line}\n</launch>\n")
+    assert [fault.message.partition(":")[0] for fault in entity_faults(file)] == said

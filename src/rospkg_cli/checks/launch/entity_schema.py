@@ -14,6 +14,8 @@ from ..fault import Fault
 from ..read_sentences import syntax_sentence
 
 BARE = regex(r"(?<![$\w)])\((var|find-pkg-share|find-pkg-prefix) (\w+)\)")
+AS_IN_PYTHON = {"executable": "exec", "package": "pkg", "default_value": "default", "condition": "if"}
+"""Arguments of actions in Python that are called otherwise in XML and YAML."""
 PROSE = frozenset({"description", "message", "reason"})
 
 
@@ -106,8 +108,10 @@ def attribute_faults(entity: Entity, kind: EntityKind) -> Iterator[Fault]:
         del given["type"]
     for name, span in given.items():
         if not kind.takes(name) and name not in kind.inside and not (kind.actions and name == "children"):
-            intended.add(nearest(name, kind.attributes | kind.inside))
-            hint = did_you_mean(name, kind.attributes | kind.inside)
+            in_python = AS_IN_PYTHON.get(name, "")
+            near = in_python if in_python in kind.attributes else nearest(name, kind.attributes | kind.inside)
+            intended.add(near)
+            hint = f" (did you mean `{near}`?)" if near else ""
             message = f"`{entity.name}` has no attribute `{name}`{hint}: launch refuses the whole file"
             yield Fault(span, message)
     for name in sorted(kind.required - given.keys() - intended):
