@@ -65,6 +65,6 @@ def test_what_is_not_meant_to_be_built_is_left_alone(more: dict[str, str]) -> No
     assert len(lint(["WSP005"], a__b__package_DOT_xml=INNER)) == 1
 
 
-@pytest.mark.parametrize("folder", ["test", "templates", "vendor", "fixtures", "resource", "examples/a"])
+@pytest.mark.parametrize("folder", ["test", "templates", "vendor", "fixtures", "resource", "examples/a", "legacy/a"])
 def test_folders_of_copies_are_left_alone(folder: str) -> None:
     assert lint_files({**FILES, f"{folder}/package.xml": INNER}, ["WSP005"]).findings == ()

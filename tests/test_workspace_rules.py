@@ -160,6 +160,10 @@ def test_packages_of_one_name_for_ros_1_and_ros_2() -> None:
         (("src/a", "inner/src/b"), "src/a", 0),
         (("ws/src/a", "ws2/src/b"), "", 0),
         (("src/a", "src/b"), "src/a", 1),
+        (("robot_ws/a", "server_ws/src/a"), "", 0),
+        (("robot_ws/a", "robot_ws/b"), "", 1),
+        (("robot/a", "server/a"), "", 1),
+        (("board/extra_packages/a", "robot_ws/a"), "", 0),
     ],
 )
 def test_packages_of_one_name_are_told_where_one_build_finds_both(

@@ -14,7 +14,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
-from ...package.file_role import role_of
+from ...package.file_role import is_set_aside, role_of
 from ...source import Span
 from ..cmake.target_references import TargetReferences
 from ..depends.compiled_sources import are_sources_known, own_compiled
@@ -26,8 +26,8 @@ MACROS = {"RCLCPP_COMPONENTS_REGISTER_NODE": "component", "PLUGINLIB_EXPORT_CLAS
 ASIDE = frozenset(
     "example examples demo demos sample samples benchmark benchmarks old backup deprecated scripts".split()
 )
-LEFT = frozenset("template templates old new backup bak orig deprecated copy tmp wip unused".split())
-"""Words of a file's name that say that it is kept and not built."""
+SPARE = frozenset("template templates new tmp wip unused".split())
+"""Words of a file's name that say that it is not built."""
 WORD = regex(r"[A-Za-z]+")
 
 
@@ -59,7 +59,8 @@ class UncompiledSources:
     def is_candidate(self, path: str) -> bool:
         """Return whether a file lies where programs do, and git keeps it."""
         *folders, name = path.lower().split("/")
-        is_kept = not (ASIDE.isdisjoint(folders) and LEFT.isdisjoint(WORD.findall(name.replace("_", " "))))
+        is_spare = not (ASIDE.isdisjoint(folders) and SPARE.isdisjoint(WORD.findall(name.replace("_", " "))))
+        is_kept = is_spare or is_set_aside(path)
         is_run = role_of(path) == "run" and not is_kept and not self.is_elsewhere(path)
         return is_run and path.endswith(SOURCES) and not self.package.cmake.package_files.absent.is_ignored(path)
 

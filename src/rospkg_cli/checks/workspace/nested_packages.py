@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
-from ...package.file_role import role_of
+from ...package.file_role import is_set_aside, role_of
 from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
 
@@ -40,7 +40,8 @@ class NestedPackages:
         above = ("/".join(parts[:end]) for end in range(1, len(parts) + 1))
         marked = any(self.files.has_file(f"{each}/{marker}") for each in above for marker in MARKERS)
         installed = self.table is not None and any(row.source == f"{folder}/package.xml" for row in self.table.rows)
-        return marked or installed or not COPIES.isdisjoint(parts) or self.files.absent.is_ignored(folder)
+        is_left = is_set_aside(f"{folder}/") or not COPIES.isdisjoint(parts)
+        return marked or installed or is_left or self.files.absent.is_ignored(folder)
 
     def is_manifest(self, path: str) -> bool:
         return "<package" in self.files.readable_text(path)

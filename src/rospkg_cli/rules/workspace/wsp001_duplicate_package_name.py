@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Set
 
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
+from ...lazy_regex import regex
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...rule import rule
 
+WORKSPACE = regex(r"(.+[_-])?(ws|workspace)\d*|extra_packages", re.IGNORECASE)
+"""Folders that are built alone; in `extra_packages` micro-ROS looks for what it builds for a board."""
 MARKED = manifest(build_type="ament_cmake").replace("<name>my_pkg", "<name>«my_pkg»")
 
 
@@ -43,7 +47,7 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
 
     ## When it is quiet
     Folders below an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE) are no packages. Two workspaces side by
-    side (`one_ws/src`, `other_ws/src`) are built apart; so is one within another where only the inner one is linted.
+    side (`one_ws/src`, `other_ws`) are built apart; so is one within another where only the inner one is linted.
     All packages of one name are one finding.
     """
     by_name: dict[str, list[PackageFacts]] = {}
@@ -79,6 +83,9 @@ def are_built_together(facts: PackageFacts, other: PackageFacts, selected: Set[s
 
 
 def root_of(folder: str) -> str:
-    """Return the folder that holds the outermost `src` around a package; the root of the run where there is none."""
+    """Return the outermost workspace around a package, by `src` in it or its name; the root of the run without one."""
     parts = folder.split("/")
-    return "/".join(parts[: parts.index("src")]) if "src" in parts else ""
+    for at, part in enumerate(parts):
+        if part == "src" or WORKSPACE.fullmatch(part):
+            return "/".join(parts[: at + (part != "src")])
+    return ""
