@@ -25,7 +25,7 @@ def test_fix_lists_what_it_fixed_and_reports_what_is_left(package: Path) -> None
     listed, left = done.stdout.split("\n\n", 1)
     assert listed == "Fixed 1 finding in 1 file:\n  package.xml: RPK002 remove the ignore of XML104"
     assert left.startswith("package.xml:6:16: warning XML104")
-    assert "1 fixed." in left
+    assert "1 fixed; 1 warning left in 1 package" in left
     assert (done.returncode, UNUSED in (package / "package.xml").read_text()) == (1, False)
 
 
@@ -111,7 +111,7 @@ def test_what_came_up_while_others_were_fixed_is_told(package: Path) -> None:
     line, comment = "  <depend>std_msgs</depend>\n", "  <!-- rospkg: ignore[XML209] soon used -->\n"
     manifest.write_text(manifest.read_text().replace(UNUSED, f"{line}{comment}{line}{UNUSED}"))
     done = rospkg("lint", "--select", "XML201,XML209,RPK002,XML104", "--fix", cwd=package)
-    assert " 4 fixed (1 of them came up while others were fixed)." in done.stdout
+    assert "\n4 fixed (1 of them came up while others were fixed); 1 warning left in " in done.stdout
     assert "ignore" not in manifest.read_text()
 
 

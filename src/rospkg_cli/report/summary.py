@@ -16,16 +16,15 @@ def summary(report: Report) -> str:
     results, color = report.results, report.color
     where = f"{counted(results.packages, 'package')}, {counted(results.files, 'file')}"
     counts = [counted(n, level.value) for level in reversed(Severity) if (n := report.count(level))]
-    parts = (
-        [f"Found {', '.join(counts)} in {where}."]
-        if counts
-        else [f"{paint('No problems found', 'green', color)} ({where})."]
-    )
+    later = f" ({report.uncovered} of them came up while others were fixed)" if report.uncovered else ""
+    if report.fixed:
+        parts = [f"{report.fixed} fixed{later}; {', '.join(counts) or 'nothing'} left in {where}."]
+    elif counts:
+        parts = [f"Found {', '.join(counts)} in {where}."]
+    else:
+        parts = [f"{paint('No problems found', 'green', color)} ({where})."]
     offered = Counter(finding.fix_options for finding in results.findings)
     safe, unsafe, infos = (offered[each] for each in ("--fix", "--fix --unsafe-fixes", "--fix --fix-level info"))
-    if report.fixed:
-        later = f" ({report.uncovered} of them came up while others were fixed)" if report.uncovered else ""
-        parts.append(f"{report.fixed} fixed{later}.")
     if safe:
         parts.append(f"{safe} fixable with --fix.")
     if unsafe:
