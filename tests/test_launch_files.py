@@ -7,10 +7,12 @@ import pytest
 from rospkg_cli.checks.launch.entity_schema import entity_faults
 from rospkg_cli.checks.launch.package_references import package_references
 from rospkg_cli.checks.read_sentences import what_is_wrong
+from rospkg_cli.example import manifest
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.launch.launch_file import LaunchFile
 from rospkg_cli.package.launch.text import LaunchText
 from rospkg_cli.package.package import Package
+from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import MemoryTree
 
 XML = """\
@@ -339,3 +341,12 @@ def test_each_round_of_a_loop_makes_its_own() -> None:
 def test_attributes_that_are_called_as_in_python(line: str, said: list[str]) -> None:
     file = read("launch/a.launch.xml", f"<launch>\n  {line}\n</launch>\n")
     assert [fault.message.partition(":")[0] for fault in entity_faults(file)] == said
+
+
+def test_launch_loads_python_of_another_suffix() -> None:
+    def told(text: str) -> list[str]:
+        files = {"package.xml": manifest(), "launch/a.launch": text}
+        return [each.code for each in lint_files(files, ["RPK001"]).findings]
+
+    assert told("import os\n\n\ndef generate_launch_description():\n    pass\n") == []
+    assert told("import os\n") == ["RPK001"]

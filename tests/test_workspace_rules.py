@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.engine.run.session import Scope, Session
-from rospkg_cli.example import manifest
+from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import MemoryTree
 
@@ -172,3 +172,35 @@ def test_packages_of_one_name_are_told_where_one_build_finds_both(
     tree = MemoryTree.of({f"{folder}/package.xml": manifest("", "cmake", "my_pkg") for folder in folders})
     scope = Scope(folders, frozenset({selected} if selected else folders))
     assert len(Session(tree, scope, frozenset({"WSP001"})).run().findings) == told
+
+
+SHOW = """\
+import os
+from ament_index_python import get_package_share_directory
+from launch_ros.actions import Node
+from launch import LaunchDescription
+
+
+def generate_launch_description():
+    path = os.path.join(get_package_share_directory('robot'), 'urdf', '{}.yaml')
+    return LaunchDescription([Node(package='x', executable='y', parameters=[path])])
+"""
+ROBOT = CMAKE.replace("my_pkg", "robot").replace(
+    "ament_package", "install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\nament_package"
+)
+
+
+@pytest.mark.parametrize(("named", "found"), [("two", []), ("one", ["LCH003"])])
+def test_of_packages_of_one_name_the_nearest_is_meant(named: str, found: list[str]) -> None:
+    files = {
+        f"{ws}_ws/src/robot/{path}": text
+        for ws in ("one", "two", "zoo")
+        for path, text in {
+            "package.xml": manifest("", "ament_cmake", "robot"),
+            "CMakeLists.txt": ROBOT,
+            f"urdf/{ws}.yaml": "",
+        }.items()
+    }
+    files["two_ws/src/show/package.xml"] = manifest("  <exec_depend>robot</exec_depend>\n", name="show")
+    files["two_ws/src/show/launch/show.launch.py"] = SHOW.format(named)
+    assert [each.code for each in lint_files(files, ["LCH003"]).findings] == found

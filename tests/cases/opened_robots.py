@@ -83,6 +83,28 @@ COPIES = (
     robot(OPEN, "arm.urdf", urdf__README_DOT_md="xacro arm.xacro -o arm.urdf\n", **COPY),
     robot(OPEN, "arm.urdf", README_DOT_md="xacro arm.xacro -o arm.urdf\n", **COPY),
 )
+PART = f"""\
+<robot {XACRO} name="arm">
+  <link name="a"/>
+  <joint name="j" type="fixed"><parent link="base"/><child link="a"/></joint>
+</robot>
+"""
+WHOLE = f"""\
+<robot {XACRO} name="r">
+  <xacro:include filename="$(find {{}})/urdf/arm.urdf.xacro"/>
+  <link name="base"/>
+</robot>
+"""
+PARTS = (
+    workspace(PART, "", bringup__urdf__r_DOT_urdf_DOT_xacro=WHOLE.format("my_pkg")),
+    workspace(PART, "", bringup__urdf__r_DOT_urdf_DOT_xacro=WHOLE.format("other")),
+    workspace(
+        PART,
+        "",
+        bringup__urdf__r_DOT_urdf_DOT_xacro=WHOLE.format("my_pkg"),
+        my_pkg__launch__show_DOT_py="MODEL = 'urdf/arm.urdf.xacro'\n",
+    ),
+)
 BROKEN = (
     robot(OPEN),
     robot(OPEN, launch__show_DOT_py=LAUNCH),
@@ -122,4 +144,4 @@ JUDGED = (
 )
 
 
-CASES = {"URD001": JUDGED, "URD002": USES, "RPK001": (*BROKEN, *COPIES, TAB, *DESCRIPTIONS)}
+CASES = {"URD001": (*JUDGED, *PARTS), "URD002": USES, "RPK001": (*BROKEN, *COPIES, TAB, *DESCRIPTIONS)}

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import Example
+from rospkg_cli.example import CMAKE, Example
 from rospkg_cli.rules.params import prm009_invalid_parameter_library as prm009
 
+INSTALLED = CMAKE.replace("ament_package", "install(DIRECTORY config DESTINATION share/${PROJECT_NAME})\nament_package")
 NODE = "talker:\n  ros__parameters:\n"
 
 
@@ -219,6 +220,9 @@ CASES = {
         *(parsed(loads, text="talker:\n  ros__parameters:\n    a: [1, 2.5]\n")
           for loads in ("yaml.safe_load(f)", "f.read()")),
         *(launched(**each) for each in LOADING),
+        *(Example(bad={**files, path: NODE + "    a: [1, 2.5]\n"}, good={}, on="ament_cmake") for files, path in (
+            ({}, "config/robot.yaml"), ({"CMakeLists.txt": INSTALLED}, "config/robot.yaml"),
+            ({"CMakeLists.txt": INSTALLED}, "config/robot_example.yaml"))),
         config("- a\n- b\n"),
         config("just text\n"),
         config("[x]: 1\ntalker:\n  ros__parameters:\n    a: 1\n  after: 1\n"),

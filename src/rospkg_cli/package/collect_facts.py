@@ -29,7 +29,7 @@ from .plugins.plugin_uses import plugin_uses
 from .python.run_time_files import run_time_files
 from .read_install_table import installed_facts
 from .uninstalled_files import made_files, uninstalled_files
-from .urdf.robot_words import robot_words
+from .urdf.robot_words import robot_includes, robot_words
 
 Part = Callable[[ReaderInput, Targets, Manifest], tuple[dict[str, Any], set[UnknownField]]]
 """Returns some fields of the facts of a package, and which of them are unknown."""
@@ -106,6 +106,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("parsed_yaml",): one("parsed_yaml", parsed_yaml),
     ("named_yaml",): one("named_yaml", named_yaml),
     ("robot_words",): one("robot_words", robot_words),
+    ("robot_includes",): one("robot_includes", robot_includes),
     ("launch_files",): one("launch_files", launch_signatures),
     ("launch_summaries",): one("launch_summaries", launch_summaries),
     ("given_parameters",): one("given_parameters", given_parameters),

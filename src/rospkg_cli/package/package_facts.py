@@ -89,6 +89,8 @@ class PackageFacts:
     """The YAML files that its texts name, without their suffix; `*` where a name is put together when it runs."""
     robot_words: tuple[frozenset[str], ...] = ()
     """The words by which each of its texts may name robots; `*` where a name is put together when it runs."""
+    robot_includes: frozenset[tuple[str, str]] = frozenset()
+    """The files that its robots include: package and path."""
     interfaces: frozenset[str] = frozenset()
     """`msg/Name`, `srv/Name`, `action/Name`."""
     messages: tuple[MessageFields, ...] = ()

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from functools import cached_property
+from itertools import takewhile
 from typing import Any, Literal, TypeVar, cast
 
-from ..light_dataclasses import dataclass
+from ..light_dataclasses import dataclass, replace
 from ..ros.distros import Distro, Targets
 from ..ros.imports import providers
 from ..ros.manifest import BUILDS
@@ -59,9 +60,37 @@ class Workspace:
     missing_repositories: frozenset[str] = frozenset()
     """The repositories that are listed and not here; empty where that is unknown."""
 
+    nearest: tuple[PackageFacts, ...] = ()
+    """Of the names that several packages have, the package that is meant where the workspace is looked at."""
+
     @cached_property
     def _by_name(self) -> dict[str, PackageFacts]:
-        return {facts.name: facts for facts in reversed(self.packages)}
+        return {facts.name: facts for facts in (*reversed(self.packages), *self.nearest)}
+
+    def seen_from(self, folder: str) -> Workspace:
+        """Return the workspace as the package in a folder sees it.
+
+        A repository may hold several workspaces: of packages of one name, the one that shares most folders is meant.
+        """
+        if not self.repeated:
+            return self
+        chosen = tuple(max(each, key=lambda facts: shared_folders(facts.folder, folder)) for each in self.repeated)
+        places = tuple(facts.folder for facts in chosen)
+        if places not in self._views:
+            self._views[places] = replace(self, nearest=chosen)
+        return self._views[places]
+
+    @cached_property
+    def repeated(self) -> tuple[tuple[PackageFacts, ...], ...]:
+        """The packages of each name that several have."""
+        found: dict[str, list[PackageFacts]] = {}
+        for facts in self.packages:
+            found.setdefault(facts.name, []).append(facts)
+        return tuple(tuple(each) for each in found.values() if len(each) > 1)
+
+    @cached_property
+    def _views(self) -> dict[tuple[str, ...], Workspace]:
+        return {}
 
     @cached_property
     def _by_folder(self) -> dict[str, PackageFacts]:
@@ -270,3 +299,9 @@ class Workspace:
         if top in self._by_name and top not in around:
             around.append(top)
         return tuple(around) or providers(module, self.index).names
+
+
+def shared_folders(one: str, other: str) -> int:
+    """Return how many folders two paths have in common, from the outermost on."""
+    pairs = zip(one.split("/"), other.split("/"), strict=False)
+    return sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))

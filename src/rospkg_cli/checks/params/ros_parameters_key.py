@@ -27,6 +27,8 @@ STARTING = regex(r"\.(?:py|xml|launch|launch\.ya?ml|sh|bash|[ch]pp|cc|service)$"
 PARSES = regex(r"\bYAML\s*\(|\byaml\.load|\b(?:safe|full|unsafe)_load\s*\(")
 COMMENT = regex(r"[ \t]*(?:#.*)?\r?")
 DOCS = regex(r"\.(?:md|rst|txt)$")
+SHOWN = regex(r"(?:^|[_.-])(?:examples?|samples?|templates?)[_.-]")
+"""How a file is called that is there to be copied."""
 TITLE = f"write `{KEY}:`"
 
 
@@ -55,14 +57,16 @@ class ParameterFileUse:
 
     @cached_property
     def is_unnamed(self) -> bool:
-        """Whether nodes are launched and nothing names it: not the package, and no other that may give it to one.
+        """Whether nothing names it: not the package, and no other that may give it to a node.
 
-        A README names it where it tells to start a node with it.
+        That counts where nodes are launched, or the file is not installed, or called an example. A README names it
+        where it tells to start a node with it.
         """
         launches = any(LAUNCH.fullmatch(path.rpartition("/")[2]) for path in self.files.paths)
-        if not launches and not any(facts.launch_files for facts in self.workspace.packages):
-            return False
+        launches = launches or any(facts.launch_files for facts in self.workspace.packages)
         folder, _, name = self.file.path.rpartition("/")
+        if not (launches or self.is_left_out or SHOWN.search(name)):
+            return False
         stem = re.compile(rf"[\"'/]{re.escape(name.rpartition('.')[0])}[\"'.]")
         paths = [path for path in self.files.paths if path.endswith(f"/{name}") and path != self.file.path]
         others = [posixpath.dirname(path) for path in paths]
@@ -89,6 +93,11 @@ class ParameterFileUse:
             if not any(f"/{path}".endswith(ends) for path in files):
                 return True
         return False
+
+    @property
+    def is_left_out(self) -> bool:
+        """Whether the package is known not to install the file."""
+        return self.package.knows("share_files") and self.file.path not in self.package.share_files
 
     def read(self, path: str) -> str:
         text = self.files.readable_text(path)

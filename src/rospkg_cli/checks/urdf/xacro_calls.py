@@ -15,7 +15,9 @@ from ...files import PackageFiles
 from ...languages.xml.parser import Document, Element
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_file import RobotFile
+from ...package.workspace import Workspace
 from ...source import Span
 from ..fault import Fault, softer
 
@@ -37,6 +39,8 @@ class XacroCalls:
     """The macros that a package's robots call, and the properties that they read; other packages may do both."""
 
     files: PackageFiles
+    package: PackageFacts
+    workspace: Workspace
 
     def weighed(self, root: Element, fault: Fault) -> Fault:
         """Return a fault at the level of its place: xacro may pass over conditions, unused macros and properties."""
@@ -55,13 +59,23 @@ class XacroCalls:
         return self.is_top(robot.document)
 
     def is_top(self, document: Document) -> bool:
-        """Return whether the root of a file has a name, and no other file mentions the file."""
+        """Return whether the root of a file has a name, and no other file mentions it, nor another package's robot."""
         name = document.source.path.rpartition("/")[2]
         named = document.root.get("name") is not None
         texts = [text for text in self.texts if text is not document.source.text and "xacro:include" in text]
         if not named or any(name in text for text in texts):
             return False
-        return self.is_launched(name) or not any(may_include(text, name) for text in texts)
+        is_included = (document.source.path in self.included_elsewhere) or any(
+            may_include(text, name) for text in texts
+        )
+        return self.is_launched(name) or not is_included
+
+    @cached_property
+    def included_elsewhere(self) -> frozenset[str]:
+        """The files of the package that robots of other packages include."""
+        others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
+        named = (each for facts in others for each in facts.robot_includes)
+        return frozenset(path for package, path in named if package == self.package.name)
 
     def is_launched(self, name: str) -> bool:
         """Return whether code or a launch file names a robot."""

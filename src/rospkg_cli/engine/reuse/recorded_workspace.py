@@ -102,6 +102,8 @@ class RecordedWorkspace(Workspace):
 
     def named(self, name: str) -> PackageFacts | None:
         self.noted.add(("named", name))
+        if self.real.nearest:
+            self.noted.update((("folders",), ("all", "name")))  # the nearest one may be another
         found = self.real.named(name)
         return None if found is None else self.recorded(found)
 

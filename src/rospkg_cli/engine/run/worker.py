@@ -130,7 +130,8 @@ class Worker:
     def check(self, folder: str, workspace: Workspace, codes: Iterable[str]) -> PackageResults:
         """Run some rules over one package."""
         package = self.packages.pop(folder)  # what was read of it is given back when it is checked
-        seen = RecordedWorkspace(workspace, folder) if self.is_recorded or self.notes_questions else workspace
+        view = workspace.seen_from(folder)
+        seen = RecordedWorkspace(view, folder) if self.is_recorded or self.notes_questions else view
         whole = PackageFiles(package.files.whole or self.tree)
         facts = workspace.at(folder)
         builder = FindingBuilder(package.files, whole, facts.name)

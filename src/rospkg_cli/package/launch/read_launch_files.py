@@ -58,6 +58,8 @@ class LaunchReader:
         if not NAMED.search(path):
             return None
         source = self.files.source(path)
+        if path.endswith(".launch") and ENTRY.search(source.text):
+            return None  # launch tries its frontends, then loads it as Python
         if "<launch" in source.text or "launch:" in source.text:
             self.spend(source)
         from .read_xml_yaml import read_xml_launch, read_yaml_launch

@@ -28,6 +28,7 @@ MARKS = (b"urdf", b"xacro", b".sdf", b"find ")
 ANY = "*"
 """Stands for a name that is put together when the text is run."""
 WORD = regex(r"(?:[\"'/:,=\[-] ?|find(?:-pkg-share)? )([A-Za-z][\w-]*)")
+INCLUDE = regex(r"<xacro:include\s[^>]*?filename\s*=\s*[\"']\$\(find\s+([\w-]+)\s*\)/([^\"']*)")
 FILE = regex(r"(?:^|[^\w.-])([\w.-]*)\.(?:urdf|xacro|sdf)\b")
 
 
@@ -37,6 +38,16 @@ def robot_words(reading: ReaderInput) -> tuple[frozenset[str], ...]:
     paths = (path for path in files.paths if path.endswith(NAMING) and role_of(path) not in ("test", "aside"))
     telling = (path for path in paths if path != "package.xml" and any(files.holds(path, mark) for mark in MARKS))
     return tuple(words_of(uncommented(path, files.readable_text(path))) for path in telling)
+
+
+def robot_includes(reading: ReaderInput) -> frozenset[tuple[str, str]]:
+    """Return the files of other packages that the robots of a package include: package and path."""
+    files = reading.files
+    paths = (
+        path for path in files.paths if path.endswith((".xacro", ".urdf")) and role_of(path) not in ("test", "aside")
+    )
+    texts = (files.readable_text(path) for path in paths if files.holds(path, b"xacro:include"))
+    return frozenset((match.group(1), match.group(2)) for text in texts for match in INCLUDE.finditer(text))
 
 
 def words_of(text: str) -> frozenset[str]:

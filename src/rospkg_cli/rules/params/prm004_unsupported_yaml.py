@@ -57,7 +57,8 @@ def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
     Files without `ros__parameters` that no launch file passes to a node may hold any YAML, and so may those that a
     launch file parses itself, to hand on values, or that only code names and parses. rcl takes a list of mappings
     with one key each (`- a: 1`), and makes parameters of it. An empty list is a warning: a Python node takes it. So is
-    all of a file that no launch file, program or README of the workspace names, although nodes are launched.
+    all of a file that no launch file, program or README of the workspace names, where nodes are launched, or the file
+    is not installed, or called an example.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
