@@ -92,6 +92,17 @@ FITTING: dict[str, tuple[str, ...]] = {
     "urdf-missing-mesh": ("URD002", "LCH003"),
     "invalid-interface": ("IDL001", "IDL003"),
     "invalid-manifest": ("XML",),
+    "entry-point-not-registered": ("SET106", "LCH002"),
+    "cmake-wrong-export": ("CMK",),
+    "source-not-built": ("CMK",),
+    "cmake-bad-arguments": ("CMK",),
+    "setup-dir-not-installed": ("SET205", "SET206", "SET207", "LCH004", "LCH003"),
+    "setup-destination": ("SET2", "LCH003", "LCH004"),
+    "setup-name-mismatch": ("SET",),
+    "plugin-export-define": ("CMK", "PLG"),
+    "missing-export-include": ("CMK",),
+    "ament-package-not-last": ("CMK",),
+    "test-outside-testing": ("CMK", "DEP"),
 }
 NAMELESS = {
     "malformed-xml",

@@ -14,6 +14,7 @@ from ...package.cmake.referenced_paths import ReferencedPath, ReferencedPaths
 from ...suggest import near_names
 from .distro_guards import guarded_commands
 from .mistyped_links import differ_in_long_words, digits
+from .refused_arguments import FOREIGN
 
 ASKED_FOR = regex(r"EXISTS|IS_DIRECTORY|ROS_VERSION|ROS1|CATKIN|catkin|ROS_DISTRO")
 """What a condition tests for before it names what is not always there: the path itself, or ROS 1."""
@@ -31,6 +32,8 @@ class MissingPaths:
         """Yield each path, and whether the build stops for everyone who runs it."""
         named = ReferencedPaths(self.cmake)
         for each in named.missing():
+            if each.word.text in FOREIGN and not each.word.quoted:
+                continue
             perhaps = each.call.maybe or each.word.maybe
             if perhaps and (not self.is_judged(each) or id(each.call.command) in self.asked_for):
                 continue

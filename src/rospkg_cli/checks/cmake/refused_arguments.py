@@ -1,0 +1,103 @@
+"""Arguments that a command of CMake or ament refuses, or takes for something else than is meant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.values import UNKNOWN, Word
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
+from ...package.cmake.install_rules import ARTIFACTS
+
+SCOPED = frozenset({
+    "target_include_directories", "target_compile_definitions", "target_compile_options", "target_compile_features",
+    "target_sources", "target_link_options", "target_link_directories", "target_precompile_headers",
+})  # fmt: skip
+"""Commands of CMake that want PUBLIC, PRIVATE or INTERFACE before their items."""
+BEFORE_SCOPE = frozenset({"SYSTEM", "BEFORE", "AFTER"})
+SCOPES = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "REUSE_FROM"})
+KINDS = frozenset({"FILES", "PROGRAMS", "DIRECTORY"})
+"""The forms of install() that want a destination."""
+FOREIGN = frozenset({*KINDS, "TARGETS", *(set(ARTIFACTS) - {"INCLUDES", "RESOURCE"})})
+"""Keywords of the other forms of install()."""
+NOT_LINKED = frozenset({"SHARED", "STATIC", "MODULE", "REQUIRED", "COMPONENTS"})
+"""Keywords of add_library() and find_package(), which target_link_libraries() links."""
+COUNTS = {
+    "pluginlib_export_plugin_description_file": (2, "the package of the base class and the description's path"),
+    "generate_parameter_library": (2, "the library's name and the YAML file"),
+    "rosidl_get_typesupport_target": (3, "a variable, the interface target and a typesupport"),
+}
+"""How many arguments a command wants at least, and which."""
+
+
+@dataclass(frozen=True)
+class RefusedArgument:
+    call: EvaluatedCommand
+    word: Word | None
+    """The argument at fault; None where one lacks."""
+    message: str
+
+
+def refused_calls(cmake: CMake) -> Iterator[RefusedArgument]:
+    """Yield each place once; nothing for commands that the package defines itself."""
+    seen: set[tuple[str, int]] = set()
+    for call in cmake.calls:
+        place = (call.path, call.command.span.start)
+        if place in seen or call.name in cmake.functions:
+            continue
+        seen.add(place)
+        yield from unscoped(call)
+        yield from without_destination(call)
+        yield from foreign_keywords(cmake, call)
+        yield from linked_keywords(cmake, call)
+        yield from too_few(call)
+
+
+def unscoped(call: EvaluatedCommand) -> Iterator[RefusedArgument]:
+    if call.name not in SCOPED or not call.words or UNKNOWN in call.texts[0]:
+        return
+    first = next((word for word in call.words[1:] if word.text not in BEFORE_SCOPE), None)
+    if first is not None and first.text not in SCOPES and UNKNOWN not in first.text:
+        why = f'CMake stops with "{call.name} called with invalid arguments"'
+        message = f"`{call.name}` has no `PUBLIC`, `PRIVATE` or `INTERFACE` before its items: {why}; write `PRIVATE`"
+        yield RefusedArgument(call, first, message)
+
+
+def without_destination(call: EvaluatedCommand) -> Iterator[RefusedArgument]:
+    if call.name != "install" or not call.words or call.texts[0] not in KINDS:
+        return
+    if call.may_have_more or any(UNKNOWN in text or "DEST" in text or text == "TYPE" for text in call.texts):
+        return
+    kind = call.texts[0]
+    message = f"`install({kind} …)` has no `DESTINATION`: CMake stops; write one, such as `share/${{PROJECT_NAME}}`"
+    yield RefusedArgument(call, None, message)
+
+
+def foreign_keywords(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedArgument]:
+    if call.name != "install" or not call.words or call.texts[0] not in KINDS:
+        return
+    before = ""
+    for word in call.words[1:]:
+        is_value = before in ("PATTERN", "REGEX", "DESTINATION", "COMPONENT", "RENAME", "CONFIGURATIONS", "TYPE")
+        before = word.text
+        if word.text in FOREIGN and not is_value and not word.quoted and not cmake.package_files.is_there(word.text):
+            start = f"`{word.text}` is no keyword in `install({call.texts[0]} …)`"
+            message = f"{start}: CMake takes it for a path, and the build stops when it installs; remove the word"
+            yield RefusedArgument(call, word, message)
+
+
+def linked_keywords(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedArgument]:
+    for word in call.words[1:] if call.name == "target_link_libraries" else ():
+        if word.text in NOT_LINKED and not word.quoted and cmake.target(word.text) is None:
+            start = f"`{word.text}` is no keyword of `target_link_libraries`"
+            yield RefusedArgument(
+                call, word, f"{start}: it links `-l{word.text}`, and the linker stops; remove the word"
+            )
+
+
+def too_few(call: EvaluatedCommand) -> Iterator[RefusedArgument]:
+    if call.name in COUNTS and not any(UNKNOWN in text for text in call.texts):
+        count, which = COUNTS[call.name]
+        if len(call.words) < count:
+            yield RefusedArgument(call, None, f"`{call.name}` wants {which}: CMake stops; name them all")

@@ -1,0 +1,74 @@
+"""CMK123 refused-arguments."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.cmake.refused_arguments import refused_calls
+from ...example import CMAKE, Example
+from ...finding import Hit, Severity
+from ...package.cmake.cmake_package import CMakePackage
+from ...rule import rule
+
+SOURCE = {"src/core.cpp": "int core() {return 1;}\n", "src/core.hpp": "int core();\n"}
+LAUNCH = {"launch/talker.launch.xml": "<launch/>\n"}
+INCLUDED = """\
+add_library(core SHARED src/core.cpp)
+target_include_directories(core {}src)
+install(TARGETS core DESTINATION lib)
+"""
+LINKED = """\
+add_library(core SHARED src/core.cpp)
+target_link_libraries(core {}m)
+install(TARGETS core DESTINATION lib)
+"""
+
+
+def cmake(lines: str) -> str:
+    return CMAKE.replace("ament_package", f"{lines}ament_package")
+
+
+@rule(
+    "CMK123",
+    "refused-arguments",
+    over=CMakePackage,
+    severity=Severity.ERROR,
+    levels={Severity.WARNING: "under a condition that can't be evaluated"},
+    examples=(
+        Example(
+            bad={"CMakeLists.txt": cmake(INCLUDED.format("«").replace("src)", "src»)")), **SOURCE},
+            good={"CMakeLists.txt": cmake(INCLUDED.format("PRIVATE ")), **SOURCE},
+            on="ament_cmake",
+        ),
+        Example(
+            bad={"CMakeLists.txt": cmake("install(DIRECTORY launch «RUNTIME» DESTINATION share/my_pkg)\n"), **LAUNCH},
+            good={"CMakeLists.txt": cmake("install(DIRECTORY launch DESTINATION share/my_pkg)\n"), **LAUNCH},
+            on="ament_cmake",
+        ),
+        Example(
+            bad={"CMakeLists.txt": cmake(LINKED.format("«SHARED» ")), **SOURCE},
+            good={"CMakeLists.txt": cmake(LINKED.format("PRIVATE ")), **SOURCE},
+            on="ament_cmake",
+        ),
+    ),
+)
+def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds calls whose arguments CMake refuses, or takes for something else than is meant.
+    It knows `target_include_directories()` and its like without `PUBLIC`, `PRIVATE` or `INTERFACE`,
+    `install(FILES …)` without a destination or with a keyword of another form, `target_link_libraries(x SHARED …)`,
+    and commands that are given too few arguments, such as `pluginlib_export_plugin_description_file()`.
+
+    ## Why is this bad?
+    CMake stops at once, or the build does when it links or installs: CMake takes a keyword that a command does not know
+    for one more file or library.
+
+    ## When it is quiet
+    Where an argument is a variable that can't be evaluated, for a command that the package defines itself, and for a
+    target, file or folder that is called like the keyword.
+    """
+    for each in refused_calls(package.cmake):
+        place = each.word.span if each.word else each.call.command.name_span
+        level = Severity.WARNING if each.call.maybe or (each.word and each.word.maybe) else None
+        yield Hit(each.call.path, place, each.message, level)
