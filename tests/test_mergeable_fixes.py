@@ -312,3 +312,12 @@ def test_what_only_ros_2_has_is_for_ros_2_where_others_are() -> None:
 
 def test_a_library_of_the_system_is_linked_by_what_its_find_module_sets() -> None:
     assert link_targets("jsoncpp").targets == ("${jsoncpp_LIBRARIES}",)
+
+
+def test_include_directories_keep_to_the_width() -> None:
+    libraries = ["OneLibraryOfOurs", "AnotherLibraryOfOurs", "YetAnotherLibraryOfOurs"]
+    call = f"ament_target_dependencies(talker\n  {' '.join(libraries)})"
+    text = cmk005.ONE.replace("«ament_target_dependencies»(talker rclcpp std_msgs)", call)
+    made = fixed({**CMAKE_FILES, **cmk005.FILES, "CMakeLists.txt": text}, "CMakeLists.txt", "CMK005")
+    written = "".join(f"\n  ${{{each}_INCLUDE_DIRS}}" for each in libraries)
+    assert f"\ntarget_include_directories(talker PUBLIC{written})\n" in made

@@ -9,7 +9,7 @@ from ..finding import Edit
 from ..languages.cmake.file import CMakeFile
 from ..package.line_width import AMENT_WIDTH
 from ..source import Span
-from .cmake_commands import remove
+from .cmake_commands import listed, remove
 
 OLD, NEW = "ament_target_dependencies", "target_link_libraries"
 
@@ -112,4 +112,9 @@ def include_directories_command(removed: RemovedCommand, replacement: Replacemen
     name = "TARGET_INCLUDE_DIRECTORIES" if upper else "target_include_directories"
     target = source.slice(removed.command.arguments[0].span)
     keyword = replacement.keyword or "PUBLIC"
-    return f"\n{indent(removed)[:-2]}{name}({target} {keyword} {' '.join(replacement.includes)})"
+    before = indent(removed)[:-2]
+    line = f"{before}{name}({target} {keyword} {' '.join(replacement.includes)})"
+    if len(line) > AMENT_WIDTH:
+        end = f"\n{before}" if closes_alone(removed.file) else ""
+        line = f"{before}{name}({target} {keyword}{listed(replacement.includes, indent(removed))}{end})"
+    return f"\n{line}"
