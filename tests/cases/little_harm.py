@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from rospkg_cli.example import CMAKE, Example, manifest, scripts, setup_py
 from rospkg_cli.rules.params import prm001_missing_ros_parameters as prm001
-from rospkg_cli.rules.setup import set301_missing_init as set301
 from rospkg_cli.rules.setup import set302_package_not_installed as set302
 
 from .setups import OTHER_NAME, python
@@ -34,6 +33,13 @@ def configured(text: str, other: dict[str, str], depends: str = "") -> Example:
     return Example(on="", bad=files, good={})
 
 
+def twin(path: str) -> Example:
+    """A package with two files of one name, and a launch file that names one."""
+    cmake, launch = INSTALL.replace("config", "config param launch"), f"PATH = join({path})\n"
+    files = {"config/robot.yaml": WRONG, "param/robot.yaml": prm001.GOOD, "launch/a.launch.py": launch}
+    return Example(bad={"CMakeLists.txt": cmake, **files}, good={}, on="ament_cmake")
+
+
 NEEDS = "  <exec_depend>my_pkg</exec_depend>\n"
 EMPTY = "<launch>{}</launch>\n"
 NAMED = '<node pkg="a" exec="b"><param from="$(find-pkg-share my_pkg)/config/{}.yaml"/></node>'
@@ -60,8 +66,10 @@ from launch_ros.actions import Node
 def {}():
     return LaunchDescription([Node(package='my_pkg', executable='taker')])
 """
+TARGET = "find_package(OpenGL REQUIRED)\nadd_library(a a.cpp)\nament_target_dependencies(a OpenGL "
 FINDS = "find_package(Boost REQUIRED"
-PROGRAM = {**set301.FILES, "my_pkg/speech/words.py": "#!/usr/bin/env python3\nprint(1)\n"}
+BRINGUP = manifest("", "cmake", "bringup").replace("  <export>", f"{NEEDS}  <export>")
+LEFT = {"my_pkg/speech/words.py": "A = 1\n"}
 CASES = {
     "SET302": tuple(
         below(LEFT_OUT, {"README.md": text}) for text in ("colcon build --symlink-install\n", "colcon build\n")
@@ -74,9 +82,10 @@ CASES = {
         python({"setup.py": OTHER_NAME.replace("data_files=[", "data_files=found() + [")}),
     ),
     "SET301": (
-        python({**PROGRAM, "my_pkg/talker.py": ""}),
-        python({**PROGRAM, "my_pkg/talker.py": "", "my_pkg/speech/more.py": "A = 1\n"}),
-        python(PROGRAM),
+        python({**STARTS, **LEFT}),
+        python({**STARTS, **LEFT, "my_pkg/talker.py": "from my_pkg.speech.words import A\n" + MAIN}),
+        below({**STARTS, **LEFT}, {"b/package.xml": BRINGUP}),
+        python({**LEFT, "my_pkg/talker.py": MAIN}),
     ),
     "LCH002": tuple(
         python({**STARTS, "launch/a.launch.py": LAUNCH.format(name)})
@@ -87,6 +96,29 @@ CASES = {
                 on="ament_cmake")
         for parts in (" COMPONENTS thread", " COMPONENTS thread program_options", " COMPONENTS none", "")
     ),
-    "PRM001": tuple(configured(WRONG, *each) for each in FILES),
+    "CMK117": tuple(
+        Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", f"{TARGET}{name})\nament_package"), "a.cpp": ""},
+                good={}, on="ament_cmake")
+        for name in ("OpenCV", "OpenGl")
+    ),
+    "WSP001": tuple(
+        Example(bad={f"{folder}/package.xml": manifest("", "cmake", "arm") for folder in folders}, good={}, on="")
+        for folders in (
+            ("one_ws/arm", "two_ws/arm"), ("one_ws/arm", "two_ws/src/arm"), ("one_ws/arm", "pio/extra_packages/arm"),
+            ("one_ws/arm", "one_ws/arms"), ("one_ws/arm", "arm"), ("one/arm", "arm_ws"),
+        )
+    ),
+    "WSP005": tuple(
+        Example(bad={"package.xml": manifest("", "cmake"), **{f"{each}/package.xml": manifest("", "cmake", "arm")
+                for each in folders}}, good={}, on="")
+        for folders in (("legacy/arm",), ("legacy/arm", "now/arm"))
+    ),
+    "PRM001": (
+        *(configured(WRONG, *each) for each in FILES),
+        *(
+            twin(f"'{path}'")
+            for path in ("config', 'robot.yaml", "param', 'robot.yaml", "config/robot.yaml", "robot.yaml")
+        ),
+    ),
     "PRM004": tuple(configured(LIST, *each) for each in FILES[:2]),
 }  # fmt: skip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -115,9 +115,10 @@ class ModuleTree:
         """Return whether a folder is for what nobody uses any more, by its name."""
         return is_set_aside(f"{folder}/")
 
-    def has_programs_alone(self, paths: Sequence[str]) -> bool:
-        """Return whether each of some files is started by its path."""
-        return all(self.package.files.readable_text(path).startswith("#!") for path in paths)
+    @property
+    def may_be_for_others(self) -> bool:
+        """Whether modules that nothing here imports may be there for other packages."""
+        return not self.setup.entry_points or self.package.workspace.is_needed(self.package.name)
 
     def imports_from(self, folder: str) -> bool:
         """Return whether a module of the package outside of a folder, or an entry point, needs what is in it.

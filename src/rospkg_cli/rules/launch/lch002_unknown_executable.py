@@ -66,8 +66,7 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     Packages whose executables are not all known, or whose build may write the file, are left alone, and so are launch
     files of tests that CMake does not run, and paths that begin at the root or where the launch file is: launch starts
     them as they are. A node whose condition is false by default, or that Python makes in a branch alone, or in a file
-    without `generate_launch_description`, is a warning, one that is built and never added to the launch description an
-    info.
+    without `generate_launch_description`, is a warning, one that nothing adds to the launch description an info.
 
     ## Fix safety
     The name is replaced by the only similar one; another program may be right.

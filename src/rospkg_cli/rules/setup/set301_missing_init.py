@@ -28,7 +28,7 @@ SHOWN = regex(r"(?:.*/)?(?:examples?|demos?|scripts?|tools?|tutorials?|notebooks
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "nothing in the package imports it, or the workspace is built with `--symlink-install`",
-        Severity.INFO: "nothing imports it, and it holds programs alone or is called `deprecated`, `old` or the like",
+        Severity.INFO: "nothing imports it, and the package starts programs, or the folder is called `old` or the like",
     },
     examples=(
         Example(
@@ -48,7 +48,8 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
     `find_packages()` leaves them out: the build is green, and at run time there is "No module named 'my_pkg.speech'".
     In the source folder, and with `--symlink-install`, it works, so the error is found late: where a README, a build.sh
     or the like above the package builds that way, it is a warning. It is an info for a folder that nothing imports and
-    that is called `deprecated`, `legacy`, `old` or `backup`, or holds nothing but programs, which begin with `#!`.
+    that is called `deprecated`, `legacy`, `old` or `backup`, or that is in a package with entry points of its own which
+    no other one needs: there is nobody else to import it.
 
     ## When it is quiet
     With `find_namespace_packages()`, in folders of tests and below them, where setup.py generates the folder's modules,
@@ -78,8 +79,8 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
             message = f"{start}; create an empty one{also}"
             fix = Fix(f"create {init}{also}", (Create(init, ""), *listing), safety)
         is_fatal = imported and not tree.linking
-        is_left = tree.is_set_aside(folder) or tree.has_programs_alone(inside)
-        mild = Severity.INFO if is_left and not imported else Severity.WARNING
+        mild = Severity.WARNING if imported or tree.may_be_for_others else Severity.INFO
+        mild = Severity.INFO if tree.is_set_aside(folder) and not imported else mild
         yield Hit(inside[0], Span(0, 0), message, None if is_fatal else mild, fix=fix)
 
 

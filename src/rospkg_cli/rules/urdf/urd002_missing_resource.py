@@ -84,15 +84,15 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
 
     ## When it is quiet
     Nothing is said of packages that are not in the workspace, of paths that a property or an argument fills in, of
-    files that the build or the package's Python code writes, git ignores or a submodule holds that is not checked
-    out, and where install rules are not all known (a CMake macro of another package may install files). Where
-    another rule reports that the folder is not installed, it says so alone. In a condition of xacro, in a file that
-    is only included under one which the defaults of the arguments switch off, and in a `<gazebo>` or `<plugin>`,
-    which Gazebo alone reads, it is a warning; so it is in a robot that no file of the workspace opens: none of the
-    package names it, in code or in a command of a page, and no other that names the package; and of an include of a
-    `.urdf` that only another package may open, perhaps without xacro. In a macro that
-    nothing here calls it is an info. The default of an argument is an info where nothing reads the argument, or
-    where each launch file that opens the robot gives another value.
+    files that the build or the package's Python code writes, git ignores or a submodule holds that is not checked out,
+    and where install rules are not all known (a CMake macro of another package may install files). Where another rule
+    reports that the folder is not installed, it says so alone. In a condition of xacro, in a file that is only included
+    under one which the defaults of the arguments switch off, and in a `<gazebo>` or `<plugin>`, which Gazebo alone
+    reads, it is a warning; so it is in a robot that no file of the workspace opens: none of the package names it, in
+    code or in a command of a page, and no other that names the package; and of an include of a `.urdf` that only
+    another package may open, perhaps without xacro. In a macro that nothing here calls it is an info. The default of an
+    argument is an info where nothing reads the argument, or where each launch file that opens the robot gives another
+    value.
     """
     for each in scope.missing():
         again = tuple(Related(scope.robot.path, other.span, also(each, other)) for other in each.others)
