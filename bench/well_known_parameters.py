@@ -22,11 +22,12 @@ TABLE = "well_known_parameters.txt"
 ABOUT = {
     TABLE: "Parameters that well-known packages declare in the supported distributions: package, then each name, with "
     "its type behind `:` where all declarations of it agree (b bool, d double, i int, s string, `[]` a list). Behind "
-    "`*` stands what follows a part that is known at run time only."
+    "`*` stands what follows a part that is known at run time only. [removed]: names that only older distributions "
+    "have, from Dashing on."
 }
 ORIGIN = Origin(
     "calls that declare parameters and definitions for generate_parameter_library in the repositories that "
-    "bench/well_known_renames.py lists, their branches from Humble on",
+    "bench/well_known_renames.py lists, their branches from Dashing on",
     "Apache-2.0, BSD-2-Clause, BSD-3-Clause, EPL-2.0, LGPL-2.1, LGPL-3.0, MIT",
     "bench/well_known_parameters.py",
 )
@@ -39,17 +40,26 @@ Names = dict[tuple[str, bool], set[str]]
 
 def main(folder: Path) -> None:
     found: dict[str, Names] = {}
+    before: dict[str, Names] = {}
     commits, newest = [], ""
     for name in REPOSITORIES:
         mirror = folder / name.replace("/", "+") / "repo"
         commit, day = git(mirror, "log", "-1", "--format=%h %cs").decode().split()
         commits.append(f"{name.partition('/')[2]} {commit}")
         newest = max(newest, day)
-        for branch in (branch for branch, is_current in branches(mirror) if is_current):
+        for branch, is_current in branches(mirror):
             for facts in facts_in(mirror, branch):
                 if not any(word in facts.name for word in ASIDE):
-                    add(found.setdefault(facts.name, {}), facts)
-    write(TABLE, ABOUT[TABLE], rows(found), ORIGIN, Revision(", ".join(commits), newest))
+                    add((found if is_current else before).setdefault(facts.name, {}), facts)
+    removed = {name: gone(names, found[name]) for name, names in before.items() if name in found}
+    write(
+        TABLE, ABOUT[TABLE], [*rows(found), "[removed]", *rows(removed)], ORIGIN, Revision(", ".join(commits), newest)
+    )
+
+
+def gone(before: Names, now: Names) -> Names:
+    """Return the names that only older distributions have, without types."""
+    return {name: set() for name in before if not any(name[0].strip(".") == other[0].strip(".") for other in now)}
 
 
 def add(names: Names, facts: PackageFacts) -> None:

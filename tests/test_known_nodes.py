@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from rospkg_cli.checks.params.launched_names import is_slip
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.languages.cpp.file import read_cpp
 from rospkg_cli.languages.python.file import parse_python
@@ -204,3 +205,94 @@ def test_blocks_of_nodes_with_another_name(key: str, talker: str, file: str, fou
     texts = [each.message for each in lint_files(files, ["PRM003"]).findings]
     assert len(texts) == bool(found)
     assert all(text.startswith(found) for text in texts)
+
+
+READING = """\
+#include <rclcpp/rclcpp.hpp>
+int main() {{
+  auto node = rclcpp::Node::make_shared("talker");
+  node->declare_parameter("rate", 1.0);
+  node->declare_parameter("frame", "map");
+  node->declare_parameter("count", 1);
+  node->get_parameter("rate", rate);
+  node->get_parameter("frame", frame);
+  node->get_parameter("count", count);
+  {}
+}}
+"""
+FORGOTTEN = ["nothing declares the parameter `mode`: the variable is never set; declare it, as the others here"]
+
+
+@pytest.mark.parametrize(
+    "code, others, found",
+    [
+        ('node->get_parameter("mode", mode);', {}, FORGOTTEN),
+        ('node->get_parameter("mode");', {}, []),
+        ('node->get_parameter("mode", mode); node->get_parameter("size", size);', {}, []),
+        ('node->get_parameter("mode", mode); node->declare_parameter(name, 1);', {}, []),
+        ('node->get_parameter("mode", mode); node->declare_parameters("", all);', {}, []),
+        ('node->get_parameter("mode", mode); SyncParametersClient other;', {}, []),
+        ('node->get_parameter("use_sim_time", mode);', {}, []),
+        ('node->get_parameter("mode", mode);', {"b.cpp": 'void f() { declare_parameter("mode", 1); }'}, []),
+        ('node->get_parameter("mode", mode);', {"b.cpp": 'int main() { declare_parameter("mode", 1); }'}, FORGOTTEN),
+    ],
+)
+def test_a_parameter_that_a_program_forgets_to_declare(code: str, others: dict[str, str], found: list[str]) -> None:
+    sources = {f"src/my_pkg/src/{name}": text for name, text in others.items()}
+    files = {"src/my_pkg/package.xml": manifest("", "ament_cmake"), "src/my_pkg/src/a.cpp": READING.format(code)}
+    hits = lint_files({**files, "src/my_pkg/CMakeLists.txt": CMAKE, **sources}, ["PRM007"]).findings
+    assert [each.message for each in hits] == found
+    assert all(each.severity.value == "warning" for each in hits)
+
+
+def test_a_file_that_makes_no_node_may_read_anything() -> None:
+    files = {"src/my_pkg/package.xml": manifest("", "ament_cmake"), "src/my_pkg/CMakeLists.txt": CMAKE}
+    text = READING.format('node->get_parameter("mode", mode);').replace("Node::make_shared", "Other::make_shared")
+    assert lint_files({**files, "src/my_pkg/src/a.cpp": text}, ["PRM007"]).findings == ()
+
+
+@pytest.mark.parametrize(
+    "arguments, found",
+    [
+        (
+            "['wheel', '--controller-manager', '/cm']",
+            ["no controller manager here has a controller `wheel`: the spawner"],
+        ),
+        ("['wheels']", []),
+        ("['--controller-manager', 'wheel']", []),
+        ("['other']", []),
+        ("[file]", []),
+    ],
+)
+def test_controllers_that_are_spawned_under_nearly_their_name(arguments: str, found: list[str]) -> None:
+    node = f"Node(package='controller_manager', executable='spawner', arguments={arguments})"
+    launch = STARTED.format(talker="name='x'", file=SHARE).replace("LaunchDescription([", f"LaunchDescription([{node},")
+    values = "controller_manager:\n  ros__parameters:\n    wheels: {type: diff_drive_controller/DiffDriveController}\n"
+    texts = [each.message for each in lint_files(package(launch, values, {}), ["PRM003"]).findings]
+    assert len(texts) == len(found)
+    assert all(text.startswith(start) for text, start in zip(texts, found, strict=True))
+
+
+def test_a_parameter_of_older_releases_is_an_info() -> None:
+    values = "controller_server:\n  ros__parameters:\n    controller_frequency: 20.0\n    goal_checker_plugin: x\n"
+    (found,) = lint_files(package("", values, {}), ["PRM007"]).findings
+    assert found.severity.value == "info"
+    assert found.message.startswith("`nav2_controller` declares no parameter `goal_checker_plugin` any more: the value")
+
+
+@pytest.mark.parametrize(
+    "name, right, found",
+    [
+        ("base_frame", "base_frame_id", True),
+        ("base_frame_id", "base_frame", True),
+        ("base_frame", "base_frame_prefix", False),
+        ("max_rate", "min_rate", False),
+        ("goal_tolerence", "goal_tolerance", True),
+        ("tolerance_goal", "goal_tolerance", True),
+        ("goaltolerance", "goal_tolerance", True),
+        ("Goal_Tolerance", "goal_tolerance", True),
+        ("goal_x", "goal_y", False),
+    ],
+)
+def test_slips_in_names(name: str, right: str, found: bool) -> None:
+    assert is_slip(name, right) is found

@@ -189,6 +189,7 @@ CASES = {
         talker("rate: 5", given="    x: 1\n    y: 2\n"),
     ),
     "PRM007": (
+        config("controller_server:\n  ros__parameters:\n    goal_checker_plugin: x\n    use_sim_tme: true\n"),
         *(talker(line) for line in ("ratee: 5.0", "rat: 5", "rate: 5.0\n    ratee: 5.0", "gians: 1.0", "gians: [1.0]",
                  "nothing: 1",
                                     "arm.sped: 1.0", "use_sim_time: true", "qos_overrides.x: 1", "depht: x",

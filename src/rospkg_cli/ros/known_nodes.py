@@ -39,6 +39,12 @@ def known_parameters(package: str) -> tuple[KnownParameter, ...]:
     return tuple(map(known_parameter, rows(TABLE).get(package, ())))
 
 
+@cache
+def removed_parameters(package: str) -> tuple[KnownParameter, ...]:
+    """Return what a well-known package declared before the oldest supported distribution, and no more."""
+    return tuple(map(known_parameter, rows(TABLE, "removed").get(package, ())))
+
+
 def known_parameter(word: str) -> KnownParameter:
     name, _, kind = word.partition(":")
     brackets = kind[1:]

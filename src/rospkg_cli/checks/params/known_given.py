@@ -13,7 +13,7 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText
 from ...package.params.parameter_file import NodeBlock, Parameter, ParameterFile
 from ...package.params.scalar_types import FALSE, TRUE, yaml_type
-from ...ros.known_nodes import KnownParameter, known_nodes, known_parameters
+from ...ros.known_nodes import KnownParameter, known_nodes, known_parameters, removed_parameters
 from ...ros.well_known import packages_with_plugin
 from ...source import Span
 from .declaring_packages import ParameterContext, given_type, is_its_own
@@ -53,6 +53,10 @@ class KnownGroup:
     @cached_property
     def declared(self) -> tuple[KnownParameter, ...]:
         return tuple(each for package in self.packages for each in known_parameters(package))
+
+    @cached_property
+    def removed(self) -> tuple[KnownParameter, ...]:
+        return tuple(each for package in self.packages for each in removed_parameters(package))
 
     def is_declared_by(self, package: str, name: str) -> bool:
         return any(each.fits(name) for each in known_parameters(package))

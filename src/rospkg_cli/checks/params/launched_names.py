@@ -21,6 +21,8 @@ SHORTEST, WORDY = 4, 6
 SMALL = frozenset({"number", "num", "count", "of", "use", "enable", "is", "has"})
 """Words before a name that change little of what it means: `ransac_` before `height` makes another height of it."""
 DIGITS = regex(r"\d")
+ENDINGS = frozenset({"_id", "_name", "_names", "_topic"})
+"""What people leave away at the end of a name, or put there."""
 SIM_TIME = "use_sim_time"
 """A parameter of every node."""
 
@@ -32,6 +34,8 @@ class LaunchedName:
     package: str
     name: str
     meant: str
+    is_removed: bool = False
+    """Whether older releases had it, and no supported distribution has."""
 
 
 @dataclass(frozen=True)
@@ -98,10 +102,11 @@ def unknown_to_known(nodes: KnownNodes) -> Iterator[LaunchedName]:
         unknown = [each for each in group.values if not any(one.fits(each.name) for one in group.declared)]
         is_owner = len(unknown) <= (1 - ENOUGH) * len(group.values) or len(group.values) == 1
         for each in unknown:
-            if is_owner or each.name[0] == "/":
+            is_removed = any(one.fits(each.name) for one in group.removed)
+            if is_owner or is_removed or each.name[0] == "/":
                 near = list(meant(each, group))
                 if len(near) == 1:
-                    yield LaunchedName(group.path, each.key, group.packages[0], each.name, near[0])
+                    yield LaunchedName(group.path, each.key, group.packages[0], each.name, near[0], is_removed)
 
 
 def meant(value: GivenValue, group: KnownGroup) -> Iterator[str]:
@@ -121,6 +126,9 @@ def is_slip(word: str, right: str) -> bool:
     if word.replace("_", "").lower() == right.replace("_", "").lower() or same_words(word, [right]):
         return True
     pairs = [(a, b) for a, b in zip(word.split("_"), right.split("_"), strict=False) if a != b]
+    short, long = sorted((word, right), key=len)
+    if long.removeprefix(short) in ENDINGS:
+        return True
     is_one = len(word.split("_")) == len(right.split("_")) and len(pairs) == 1
     return is_one and min(map(len, pairs[0])) >= SHORTEST and bool(near_names(*pairs[0][:1], pairs[0][1:], 2))
 

@@ -7,12 +7,16 @@ from collections.abc import Collection, Iterable, Iterator
 
 from ...languages.yaml.nodes import ScalarNode
 from ...light_dataclasses import dataclass
+from ...package.launch.launch_file import LaunchFile
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...ros.known_nodes import known_nodes
+from ...source import Span
 from ...suggest import near_names
 
 MANAGER = "controller_manager"
 TYPE = ".type"
+Spawn = tuple[LaunchFile, str, Span, str]
+"""Where a controller is spawned, its name, the place, and the name that is meant."""
 WILD = ("*", "**")
 
 
@@ -53,6 +57,28 @@ def controllers(file: ParameterFile) -> Iterator[tuple[str, str]]:
             for each in block.parameters:
                 if each.name.endswith(TYPE) and isinstance(each.value, ScalarNode):
                     yield each.name.removesuffix(TYPE), last(block)
+
+
+def misspelt_spawns(files: Iterable[ParameterFile], launches: Iterable[LaunchFile]) -> Iterator[Spawn]:
+    """Yield the controllers that are spawned with nearly the name of one that has a type here and is not spawned."""
+    listed = {name for file in files for name, _ in controllers(file)}
+    spawns = [each for launch in launches if listed and not launch.is_ros1 for each in spawned(launch)]
+    free = listed - {name for _, name, _ in spawns}
+    for launch, name, span in spawns:
+        near = differing(name, near_names(name, free)) if name not in listed else []
+        if len(near) == 1:
+            yield launch, name, span, near[0]
+
+
+def spawned(launch: LaunchFile) -> Iterator[tuple[LaunchFile, str, Span]]:
+    """Yield the controllers that spawners of a launch file are given, up to the first option."""
+    for node in launch.nodes:
+        names = (node.package, node.executable)
+        if [text.literal if text else None for text in names] == [MANAGER, "spawner"]:
+            for word in node.arguments:
+                if word.literal is None or word.literal.startswith("-"):
+                    break
+                yield launch, word.literal, word.span
 
 
 def differing(word: str, names: Iterable[str]) -> list[str]:

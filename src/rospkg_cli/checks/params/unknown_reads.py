@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
+from functools import cached_property
 
+from ...languages.cpp.call import CppCall
 from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
-from ...package.params.cpp_parameters import read_in
+from ...package.params.cpp_parameters import has_computed_cpp_names, read_in
 from ...package.params.declared_parameter import DeclaredParameter
 from ...package.params.python_parameters import has_computed_names
 from ...package.params.python_parameters import read_in as read_in_python
@@ -22,6 +24,12 @@ from .launched_names import LaunchedNames
 
 ALLOWED = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
 """Options of a node that has parameters which no code declares."""
+MAKES_NODE = regex(r"[:,]\s*(?:rclcpp(?:_lifecycle)?::)?(?:Lifecycle)?Node\s*\(|Node::make_shared|<rclcpp::Node>\s*\(")
+OTHERS = regex(r"PLUGINLIB_EXPORT_CLASS|ParametersClient|undeclare_parameter")
+"""Code of a plugin, whose node others make, or of a client, which asks other nodes."""
+MAIN = regex(r"\bint\s+main\s*\(")
+ENOUGH_READS = 3
+Read = tuple[DeclaredParameter, CppCall]
 MILD = regex(r"\bcatch\b|\bhas_parameter\b|\bexcept\s*(?::|.*\b(?:Base)?Exception\b|.*\bParameter)")
 """What may catch the exception, or ask before."""
 
@@ -32,6 +40,7 @@ class UnknownRead:
     span: Span
     name: str
     suggestion: str
+    """"" where the file gets all else that it declares."""
     throws: bool
     """Whether it certainly throws: it gets one parameter by its name, and nothing in the file may catch that."""
     is_python: bool = False
@@ -51,12 +60,14 @@ class ParameterReads:
         reads = [read for file in self.cpp for read, _ in read_in(file)]
         for file in self.cpp if reads and not any(allows_any(each.source) for each in self.cpp) else ():
             unread = self.unread(file.path, reads)
+            found = list(read_in(file))
             unmatched = [
-                (read, call)
-                for read, call in read_in(file)
-                if unread and is_its_own(read.name) and not self.is_declared(read)
+                pair for pair in found if is_its_own(pair[0].name) and not self.is_declared(pair[0], file.path)
             ]
-            for read, call in unmatched:
+            if not unread and self.is_stray(file, unmatched, found):
+                read, call = unmatched[0]
+                yield UnknownRead(file.path, (call.arguments or ())[0].span, read.name, "", False)
+            for read, call in unmatched if unread else ():
                 only = len(unread) == 1 and len({read.name for read, _ in unmatched}) == 1
                 suggestion = next(iter(unread)) if only else nearest(read.name, unread)
                 if read.name.startswith(".") and suggestion not in near_names(read.name, unread):
@@ -64,6 +75,20 @@ class ParameterReads:
                 if suggestion is not None and call.arguments:
                     throws = len(call.arguments) == 1 and not MILD.search(file.source.text)
                     yield UnknownRead(file.path, call.arguments[0].span, read.name, suggestion, throws)
+
+    def is_stray(self, file: CppFile, unmatched: Sequence[Read], found: Sequence[Read]) -> bool:
+        """Return whether the one name that is got and not declared has been forgotten.
+
+        The file makes its node, declares the names of all other variables that it sets, and none is computed.
+        """
+        names = {read.name for read, _ in found}
+        is_one = len({read.name for read, _ in unmatched}) == 1 and len(names) > ENOUGH_READS
+        sets = all(len(call.arguments or ()) == 2 and not read.tail for read, call in unmatched)
+        if not (is_one and sets and MAKES_NODE.search(file.source.text)) or OTHERS.search(file.source.text):
+            return False
+        own = {each.name for each in self.package.parameters if each.path == file.path}
+        is_open = any(has_computed_cpp_names(each) for each in self.cpp)
+        return len(names & own) == len(names) - 1 and not is_open
 
     def in_python(self) -> Iterator[UnknownRead]:
         """Yield what a Python file gets and nothing declares, where it declares one similar name by a literal."""
@@ -86,10 +111,18 @@ class ParameterReads:
         own = [each for each in self.package.parameters if each.path == path]
         return {each.name for each in own if not any(same(each, read) for read in reads)}
 
-    def is_declared(self, read: DeclaredParameter) -> bool:
-        if any(same(each, read) for each in self.package.parameters):
+    @cached_property
+    def programs(self) -> frozenset[str]:
+        """The C++ files that have a `main`."""
+        return frozenset(file.path for file in self.cpp if MAIN.search(file.source.text))
+
+    def is_declared(self, read: DeclaredParameter, path: str = "") -> bool:
+        """Return whether any code may declare what is read in a file: no other program, where that is one itself."""
+        others = self.programs - {path} if path in self.programs else frozenset[str]()
+        if any(same(each, read) for each in self.package.parameters if each.path not in others):
             return True
-        return any(same(each, read) for facts in self.workspace.packages for each in facts.parameters)
+        packages = (facts for facts in self.workspace.packages if facts is not self.package)
+        return any(same(each, read) for facts in packages for each in facts.parameters)
 
 
 @dataclass(frozen=True)

@@ -114,6 +114,17 @@ def read_in(file: CppFile) -> Iterator[tuple[DeclaredParameter, CppCall]]:
                 yield DeclaredParameter(*name, "", False, file.path), call
 
 
+def has_computed_cpp_names(file: CppFile) -> bool:
+    """Return whether a file declares parameters under names of which not even the end is literal."""
+    for call in file.calls:
+        arguments = call.arguments or ()
+        if call.name == SEVERAL or (NAMED.fullmatch(call.name) and call.arguments is None):
+            return True
+        if NAMED.fullmatch(call.name) and not call.variable and not any(map(name_in, arguments[:2])):
+            return True
+    return False
+
+
 def name_in(argument: CppArgument) -> tuple[str, bool] | None:
     """Return a name, and whether only its end is known; None where nothing is."""
     if len(argument.text) > MAX_LENGTH:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.params.launch_parameters import LaunchParameters
 from ...checks.params.launched_names import displaced_blocks
+from ...checks.params.mistyped_blocks import misspelt_spawns
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -72,7 +73,8 @@ def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
     in it, has a similar name; or the file has this block alone, and goes to no other node. It also finds blocks that
     have nearly the name of a controller that the same file gives `controller_manager`, or of a node that everybody uses
     (`controller_manager`, those of nav2), and that has no block there; blocks with the name of an executable that is
-    started under another name; and blocks of a node that is started in another namespace: `talker` is `/talker` alone.
+    started under another name; and blocks of a node that is started in another namespace: `talker` is `/talker` alone;
+    and controllers that are spawned under nearly the name of one that has a type.
 
     ## Why is this bad?
     rcl goes by the node's name, as the launch file gives it, and ignores all other blocks without a warning: the node
@@ -97,6 +99,9 @@ def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
         message = f"`{block.name}` is no node: the one that `{given.launch.path}` starts is `{given.full_name}`"
         where = (Related(given.launch.path, given.node.span, "the node"),)
         yield Hit(file.path, block.key.span, f"{message}, which never reads the block", related=where)
+    for launch, spawned, span, meant in misspelt_spawns(launched.files, launched.launches):
+        message = f"no controller manager here has a controller `{spawned}`: the spawner ends with an error"
+        yield Hit(launch.path, span, f"{message}; did you mean `{meant}`?")
     for file, wrong in launched.mistyped():
         owner = (
             f"`{wrong.by}` starts `{wrong.meant}`"

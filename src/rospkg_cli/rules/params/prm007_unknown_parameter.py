@@ -51,7 +51,10 @@ talker:
     "unknown-parameter",
     over=UnknownParameters,
     severity=Severity.WARNING,
-    levels={Severity.ERROR: "code gets a parameter that is not declared, and nothing may catch what it throws"},
+    levels={
+        Severity.ERROR: "code gets a parameter that is not declared, and nothing may catch what it throws",
+        Severity.INFO: "older releases had the parameter",
+    },
     examples=(
         Example(
             on="config",
@@ -89,9 +92,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
 
     ## When it is quiet
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
-    three names. Where nodes allow undeclared parameters, code is left alone, and Python code that declares
-    any under a computed name. A parameter that is got into a variable or has an alternative, or where the file may
-    catch what is thrown, is a warning.
+    three names. Where nodes allow undeclared parameters, code is left alone, and Python code that declares any under a
+    computed name. One that is got into a variable, has an alternative, or whose exception may be caught is a warning.
 
     ## Fix safety
     The similar name may not be the right one. A value of another type than the declared one is not renamed, a single
@@ -104,28 +106,27 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
             fix = only_plain_names(renamed(group, parameter, meant), last)
             yield Hit(group.file.path, parameter.key.span, message, fix=fix)
     for named in (*scope.launched.unknown(), *unknown_to_known(scope.known)):
-        message = f"`{named.package}` declares no parameter `{named.name}`: the value is dropped"
-        yield Hit(named.path, named.span, f"{message}; did you mean `{named.meant}`?")
+        more, level = (" any more", Severity.INFO) if named.is_removed else ("", None)
+        message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped; did you mean"
+        yield Hit(named.path, named.span, f"{message} `{named.meant}`?", level)
     for path, span, name in mistyped_sim_time(scope.known.launched):
         message = f"no node has a parameter `{name}`: the value is dropped, and the node runs on the wall clock"
-        yield Hit(
-            path, span, f"{message}; write `{SIM_TIME}`", fix=Fix(f"write `{SIM_TIME}`", (Edit(path, span, SIM_TIME),))
-        )
+        yield Hit(path, span, f"{message}; write `{SIM_TIME}`")
     for read in (*scope.reads.in_cpp(), *scope.reads.in_python()):
-        message = f"nothing declares the parameter `{read.name}`: {ending(read)}; this file declares"
-        hit = f"{message} `{read.suggestion}` and never gets it"
-        yield Hit(read.path, read.span, hit, Severity.ERROR if read.throws else None)
+        yield Hit(read.path, read.span, undeclared(read), Severity.ERROR if read.throws else None)
 
 
-def ending(read: UnknownRead) -> str:
-    """Return what comes of a parameter that nothing declares."""
-    if read.throws:
-        return "the node stops with ParameterNotDeclaredException"
-    return "the value that is set for it is never seen" if read.is_python else "the variable is never set"
+def undeclared(read: UnknownRead) -> str:
+    """Return what comes of a parameter that nothing declares, and what may be meant."""
+    lost = "the value that is set for it is never seen" if read.is_python else "the variable is never set"
+    ends = "the node stops with ParameterNotDeclaredException" if read.throws else lost
+    known = f"this file declares `{read.suggestion}` and never gets it"
+    hint = known if read.suggestion else "declare it, as the others here"
+    return f"nothing declares the parameter `{read.name}`: {ends}; {hint}"
 
 
 def renamed(group: ParameterGroup, parameter: Parameter, meant: str) -> Fix | None:
-    """Return the fix that writes another name; None where the value would have another type than the declared one."""
+    """Return the fix that writes another name; None where the declared type is another one."""
     last, value = meant.rpartition(".")[2], parameter.value
     wanted = group.type_of(meant)
     given = given_type(value)
