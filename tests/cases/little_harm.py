@@ -11,6 +11,7 @@ from .setups import OTHER_NAME, python
 INSTALL = CMAKE.replace("ament_package", "install(DIRECTORY config DESTINATION share/${PROJECT_NAME})\nament_package")
 WRONG = prm001.GOOD.replace("ros__parameters", "ros_parameters", 1)
 LIST = "limits:\n  ros__parameters:\n    limits: [1, 2.5]\n"
+UNSET = "talker:\n  ros__parameters:\n    rate:\n    depth: 5\n"
 MAIN = "def main():\n    print('hello')\n"
 SHARED = "        ('share/' + package_name, ['package.xml']),\n"
 
@@ -33,10 +34,10 @@ def configured(text: str, other: dict[str, str], depends: str = "") -> Example:
     return Example(on="", bad=files, good={})
 
 
-def twin(path: str) -> Example:
+def twin(path: str, text: str = WRONG) -> Example:
     """A package with two files of one name, and a launch file that names one."""
     cmake, launch = INSTALL.replace("config", "config param launch"), f"PATH = join({path})\n"
-    files = {"config/robot.yaml": WRONG, "param/robot.yaml": prm001.GOOD, "launch/a.launch.py": launch}
+    files = {"config/robot.yaml": text, "param/robot.yaml": prm001.GOOD, "launch/a.launch.py": launch}
     return Example(bad={"CMakeLists.txt": cmake, **files}, good={}, on="ament_cmake")
 
 
@@ -67,6 +68,10 @@ def {}():
     return LaunchDescription([Node(package='my_pkg', executable='taker')])
 """
 TARGET = "find_package(OpenGL REQUIRED)\nadd_library(a a.cpp)\nament_target_dependencies(a OpenGL "
+NAMED_OTHERWISE = {
+    "setup.py": OTHER_NAME.replace("zip_safe", f"{scripts('a = my_pkg.talker:main')}\n    zip_safe"),
+    "my_pkg/talker.py": MAIN,
+}
 FINDS = "find_package(Boost REQUIRED"
 BRINGUP = manifest("", "cmake", "bringup").replace("  <export>", f"{NEEDS}  <export>")
 LEFT = {"my_pkg/speech/words.py": "A = 1\n"}
@@ -75,11 +80,14 @@ CASES = {
         below(LEFT_OUT, {"README.md": text}) for text in ("colcon build --symlink-install\n", "colcon build\n")
     ),
     "SET401": (
-        python({"setup.py": OTHER_NAME.replace("zip_safe", f"{scripts('a = my_pkg.talker:main')}\n    zip_safe"),
-                "my_pkg/talker.py": MAIN}),
+        python(NAMED_OTHERWISE),
         python({"setup.py": OTHER_NAME.replace(SHARED, f"{SHARED}{SHARED.replace('package.xml', 'config/a.txt')}"),
                 "config/a.txt": ""}),
         python({"setup.py": OTHER_NAME.replace("data_files=[", "data_files=found() + [")}),
+        *(
+            python({**NAMED_OTHERWISE, "launch/a.launch.xml": f'<launch><node pkg="{name}" exec="a"/></launch>\n'})
+            for name in ("your_pkg", "my_pkg")
+        ),
     ),
     "SET301": (
         python({**STARTS, **LEFT}),
@@ -120,5 +128,11 @@ CASES = {
             for path in ("config', 'robot.yaml", "param', 'robot.yaml", "config/robot.yaml", "robot.yaml")
         ),
     ),
-    "PRM004": tuple(configured(LIST, *each) for each in FILES[:2]),
+    "PRM004": (
+        *(configured(LIST, *each) for each in FILES[:2]),
+        *(
+            twin(f"'config/robot.yaml'), {text}", UNSET)
+            for text in ("RewrittenYaml({'rate': '1'}", "Node({'rate': '1'}", "RewrittenYaml({'rates': '1'}")
+        ),
+    ),
 }  # fmt: skip

@@ -29,6 +29,8 @@ COMMENT = regex(r"[ \t]*(?:#.*)?\r?")
 DOCS = regex(r"\.(?:md|rst|txt)$")
 SHOWN = regex(r"(?:^|[_.-])(?:examples?|samples?|templates?)[_.-]")
 """How a file is called that is there to be copied."""
+REWRITES = "RewrittenYaml"
+"""Of nav2_common: it fills in values of a parameter file."""
 TITLE = f"write `{KEY}:`"
 
 
@@ -93,6 +95,17 @@ class ParameterFileUse:
             if not any(f"/{path}".endswith(ends) for path in files):
                 return True
         return False
+
+    @cached_property
+    def rewriting(self) -> tuple[str, ...]:
+        """The launch files of the package that write parameter files anew before nodes read them."""
+        paths = (path for path in self.files.paths if LAUNCH.fullmatch(path.rpartition("/")[2]))
+        return tuple(text for path in paths if REWRITES in (text := self.read(path)))
+
+    def is_rewritten(self, span: Span) -> bool:
+        """Return whether a launch file may give the parameter at a place another value (RewrittenYaml)."""
+        name = re.compile(rf"[\"'.]{re.escape(self.file.source.slice(span))}[\"']")
+        return any(map(name.search, self.rewriting))
 
     @property
     def is_left_out(self) -> bool:

@@ -55,10 +55,10 @@ def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
 
     ## When it is quiet
     Files without `ros__parameters` that no launch file passes to a node may hold any YAML, and so may those that a
-    launch file parses itself, to hand on values, or that only code names and parses. rcl takes a list of mappings
-    with one key each (`- a: 1`), and makes parameters of it. An empty list is a warning: a Python node takes it. So is
-    all of a file that no launch file, program or README of the workspace names, where nodes are launched, or the file
-    is not installed, or called an example.
+    launch file parses itself, to hand on values (and what a `RewrittenYaml` fills in), or that only code names and
+    parses. rcl takes a list of mappings with one key each (`- a: 1`), and makes parameters of it. An empty list is a
+    warning: a Python node takes it. So is all of a file that no launch file, program or README of the workspace names,
+    where nodes are launched, or the file is not installed, or called an example.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
@@ -68,6 +68,8 @@ def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
         return
     seen: set[tuple[int, str]] = set()  # `{0.0, 0.0}` lacks two values for one reason
     for fault in rcl_faults(file):
+        if use.is_rewritten(fault.span):
+            continue
         place = file.source.position(fault.span.start)[0], fault.message
         if place not in seen:
             seen.add(place)

@@ -18,7 +18,7 @@ BAD = SETUP_PY.replace("name=package_name", "name='«your_pkg»'")
     "name-mismatch",
     over=PythonPackage,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the name is used for nothing else in setup.py"},
+    levels={Severity.WARNING: "nothing but metadata goes to the other name, or launch files use that"},
     examples=(
         Example(
             bad={"setup.py": BAD},
@@ -38,11 +38,10 @@ def name_mismatch(package: PythonPackage) -> Iterator[Hit]:
     files of one package are installed as another's.
 
     ## When it is quiet
-    Where the names differ only in `-`, `_`, `.` or case, which setuptools takes for one, and where the name can't
-    be evaluated.
-
-    A package without entry points that installs nothing but its marker and package.xml is a warning: colcon adds these
-    two itself.
+    Where the names differ only in `-`, `_`, `.` or case, which setuptools takes for one, and where the name can't be
+    evaluated. A package without entry points that installs nothing but its marker and package.xml is a warning: colcon
+    adds these two itself. So is one whose nodes launch files start by the name in setup.py: then package.xml is to be
+    changed.
 
     ## Fix safety
     Where the name is held by a variable that is used elsewhere, other things change with it.
@@ -61,7 +60,18 @@ def name_mismatch(package: PythonPackage) -> Iterator[Hit]:
         f"write `{package.name}`"
     )
     is_felt = used and installs_more(package)
+    if is_used(package, said.text):
+        told = f"setup.py calls the package `{said.text}`, as launch files do, package.xml `{package.name}`"
+        message = f"{told}: colcon and rosdep go by package.xml; write `{said.text}` there"
+        yield Hit(said.path, said.shown, message, Severity.WARNING, related=related)
+        return
     yield Hit(said.path, said.shown, message, None if is_felt else Severity.WARNING, related=related, fix=fix)
+
+
+def is_used(package: PythonPackage, name: str) -> bool:
+    """Return whether launch files of the workspace start nodes of the name in setup.py, and none of the other's."""
+    started = {each for facts in package.workspace.packages for each, _ in facts.started_nodes}
+    return name in started and package.name not in started and package.workspace.named(name) is None
 
 
 def installs_more(package: PythonPackage) -> bool:
