@@ -7,7 +7,7 @@ import pytest
 from rospkg_cli.checks.launch.entity_schema import entity_faults
 from rospkg_cli.checks.launch.package_references import package_references
 from rospkg_cli.checks.read_sentences import what_is_wrong
-from rospkg_cli.example import manifest
+from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.package.launch.launch_file import LaunchFile
 from rospkg_cli.package.launch.text import LaunchText
@@ -341,6 +341,17 @@ def test_each_round_of_a_loop_makes_its_own() -> None:
 def test_attributes_that_are_called_as_in_python(line: str, said: list[str]) -> None:
     file = read("launch/a.launch.xml", f"<launch>\n  {line}\n</launch>\n")
     assert [fault.message.partition(":")[0] for fault in entity_faults(file)] == said
+
+
+@pytest.mark.parametrize(("line", "found"), [("", "warning"), ('<let name="a" value="b"/>', "error")])
+def test_roslaunch_knows_the_folder_of_a_file(line: str, found: str) -> None:
+    text = f'<launch>\n  <include file="$(dirname)/b.launch"/>\n  <node pkg="a" type="b" name="c"/>{line}\n</launch>\n'
+    install = CMAKE.replace(
+        "ament_package", "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\nament_package"
+    )
+    files = {"package.xml": manifest(build_type="ament_cmake"), "CMakeLists.txt": install, "launch/a.launch": text}
+    told = lint_files(files, ["LCH005", "LCH006"]).findings
+    assert [each.severity.value for each in told] == [found]
 
 
 def test_launch_loads_python_of_another_suffix() -> None:

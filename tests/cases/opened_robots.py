@@ -76,6 +76,10 @@ USES = (
     robot(LACKS, README_DOT_md="| `arm.urdf.xacro` | the arm |\n"),
     robot(LACKS, README_DOT_md="ros2 launch urdf_launch display.launch.py path:=urdf/arm.urdf.xacro\n"),
 )
+ROSLAUNCH = tuple(
+    Example(bad={"launch/a.launch": f"<launch>\n  {line}\n</lunch>\n"}, good={}, on="ament_cmake")
+    for line in ('<node pkg="a" type="b"/>', '<include file="$(find a)/b.launch"/>', '<node pkg="a" exec="b"/>')
+)
 COPY = {"urdf__arm_DOT_urdf": "<robot name='r'/>\n"}
 COPIES = (
     robot(OPEN, "arm.urdf", launch__show_DOT_py="MODEL = 'urdf/arm.urdf'\n", **COPY),
@@ -96,6 +100,15 @@ WHOLE = f"""\
 </robot>
 """
 PARTS = (
+    *(
+        robot(PART, "urdf/arm.urdf", urdf__r_DOT_xacro=WHOLE.format("my_pkg").replace("arm.urdf.xacro", name), **more)
+        for name, more in (
+            ("arm.urdf", {}),
+            ("$(arg part).urdf", {}),
+            ("leg.urdf", {}),
+            ("arm.urdf", {"launch__show_DOT_py": "MODEL = 'urdf/arm.urdf'\n"}),
+        )
+    ),
     workspace(PART, "", bringup__urdf__r_DOT_urdf_DOT_xacro=WHOLE.format("my_pkg")),
     workspace(PART, "", bringup__urdf__r_DOT_urdf_DOT_xacro=WHOLE.format("other")),
     workspace(
@@ -144,4 +157,4 @@ JUDGED = (
 )
 
 
-CASES = {"URD001": (*JUDGED, *PARTS), "URD002": USES, "RPK001": (*BROKEN, *COPIES, TAB, *DESCRIPTIONS)}
+CASES = {"URD001": (*JUDGED, *PARTS), "URD002": USES, "RPK001": (*BROKEN, *COPIES, TAB, *DESCRIPTIONS, *ROSLAUNCH)}

@@ -21,6 +21,8 @@ COMMENTS = ("comment", "bracket comment")
 PROGRAM = regex(r"__main__|\A#!|^(?:async )?def main\b", re.MULTILINE)
 SNIPPET = regex(r"\A(?:[ \t]*(?:#[^\n]*)?\n)*[ \t]+[^\s#]")
 """A text whose first line of code is indented: it is there to be pasted."""
+ROS1_LAUNCH = regex(r"<node\b[^>]*\btype\s*=|\$\(find ")
+"""Nodes and paths as roslaunch takes them."""
 LIBRARY = regex(r"\A\s*(?:<\?[^>]*\?>\s*|<!--.*?-->\s*)*<library\b", re.DOTALL)
 """A plugin description without a root of its own: pluginlib asks each `<library>` for the next one beside it."""
 NAMING = (".py", ".cfg", ".toml", ".txt", ".cmake", ".xml", ".launch", ".yaml", ".yml", ".json", ".sh")
@@ -71,6 +73,8 @@ class UnreadableFile:
             return "warning", "; no file of the package opens it"
         if self.file.code is ReadProblem.ENCODING and self.is_in_comments:
             return "info", "; CMake reads past these bytes, since only comments hold them"
+        if path.endswith(".launch") and ROS1_LAUNCH.search(self.files.readable_text(path)):
+            return "warning", "; it is written for ROS 1"
         if self.is_unused_module:
             is_aside = is_set_aside(path) or SNIPPET.match(self.files.readable_text(path))
             return "info" if is_aside else "warning", "; no other file names this module"

@@ -31,6 +31,7 @@ def robot_faults(robot: RobotFile, calls: XacroCalls | None = None) -> list[Faul
     if not robot.path.endswith(ROBOTS):
         return []
     piece = robot.path.endswith(".xacro") and not (calls and calls.is_robot(robot))
+    piece = piece or (calls is not None and calls.is_part(robot.document))
     found = sorted(unsorted_faults(robot, piece), key=lambda fault: fault.span)
     if calls is None or not robot.is_xacro:
         return found
@@ -59,9 +60,9 @@ def unsorted_faults(robot: RobotFile, piece: bool) -> Iterator[Fault]:
     yield from repeated(root, "link")
     yield from repeated(root, "joint", joints)
     if is_whole(root, (*links, *joints)):
-        if not robot.is_xacro:
+        if not (robot.is_xacro or piece):
             yield from robot_element(root)
-        yield from KinematicTree(root, links, joints).faults(piece=document.source.path.endswith(".xacro"))
+        yield from KinematicTree(root, links, joints).faults(piece=piece or document.source.path.endswith(".xacro"))
         if not piece:
             yield from named_joints(root, joints)
 

@@ -70,6 +70,12 @@ class XacroCalls:
         )
         return self.is_launched(name) or not is_included
 
+    def is_part(self, document: Document) -> bool:
+        """Return whether a robot includes a file that code and launch files do not name: it need not be whole."""
+        path, name = document.source.path, document.source.path.rpartition("/")[2]
+        own = any(may_include(text, name) for text in self.texts if text is not document.source.text)
+        return (own or path in self.included_elsewhere) and not self.is_launched(name)
+
     @cached_property
     def included_elsewhere(self) -> frozenset[str]:
         """The files of the package that robots of other packages include."""
@@ -130,10 +136,10 @@ class XacroCalls:
 
 
 def may_include(text: str, name: str) -> bool:
-    """Return whether a file includes another one by a computed path that may be this one's name."""
+    """Return whether a file includes another one of this name, or by a computed path that may be it."""
     for match in INCLUDED.finditer(text):
         last = COMPUTED.sub("*", match.group(1)).rpartition("/")[2]
-        if "*" in last and fnmatchcase(name, last):
+        if last == name or ("*" in last and fnmatchcase(name, last)):
             return True
     return False
 

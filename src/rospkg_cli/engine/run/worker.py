@@ -167,7 +167,7 @@ def checksums_of(files: PackageFiles, paths: Iterable[str]) -> Iterator[tuple[st
             yield path, crc32(files.tree.entry(path.removeprefix(prefix)).data)
 
 
-OF_ROS_2 = ("CMK", "DEP", "IDL", "LCH", "PLG", "PRM", "SET")
+OF_ROS_2 = ("CMK", "DEP", "IDL", "LCH", "PLG", "PRM", "SET", "URD")
 """Families about builds, launches and runs of ROS 2, which a package for ROS 1 has none of."""
 
 OVER_RUNS = {kind.__name__ for kind in RUN_EVENTS | {Workspace}}

@@ -8,7 +8,7 @@ ROS2_ENTITIES = frozenset({
     "let", "executable", "lifecycle_node", "node_container", "composable_node", "load_composable_node", "set_env",
     "push_ros_namespace", "push-ros-namespace", "set_parameter", "set_remap", "timer",
 })  # fmt: skip
-ROS2_SUBSTITUTIONS = ("$(var ", "$(find-pkg-share ", "$(find-pkg-prefix ", "$(exec-in-pkg ", "$(dirname)")
+ROS2_SUBSTITUTIONS = ("$(var ", "$(find-pkg-share ", "$(find-pkg-prefix ", "$(exec-in-pkg ")
 
 
 def is_ros1(root: Entity) -> bool:

@@ -35,7 +35,7 @@ ament_package()
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a robot that no file of the package opens, or that urdfdom reads all the same; plugins "
-        "without a root around them; a module of Python that no other file names",
+        "without a root around them; a module of Python that no other file names; a launch file for ROS 1",
         Severity.INFO: "bytes that are no text in comments of CMake, or a snippet of Python that no other file names",
     },
     examples=(
@@ -60,9 +60,10 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     interfaces is reported by its own rules, a file that is too large by RPK007. A robot is a warning where no file of
     the workspace opens it, and where urdfdom reads past the fault: an undeclared prefix, or something behind the root
     element, in a plain `.urdf`; so are several `<library>` of a plugin description without a root, and a Python module
-    that is no program and that no other file names. It is an info where only comments of a CMake file are not UTF-8,
-    and where such a module is a snippet, whose first line is indented, or is laid aside (`old/`, `a_backup.py`). A `<`
-    in the value of an attribute of a plugin description is no fault, since pluginlib takes it.
+    that is no program and that no other file names, and a launch file for ROS 1. It is an info where only comments of a
+    CMake file are not UTF-8, and where such a module is a snippet, whose first line is indented, or is laid aside
+    (`old/`, `a_backup.py`). A `<` in the value of an attribute of a plugin description is no fault, since pluginlib
+    takes it.
     """
     file = scope.file
     if not (file.grammar or file.skipped):

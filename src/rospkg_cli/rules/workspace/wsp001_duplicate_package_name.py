@@ -47,8 +47,8 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
 
     ## When it is quiet
     Folders below an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE) are no packages. Two workspaces side by
-    side (`one_ws/src`, `other_ws`) are built apart; so is one within another where only the inner one is linted.
-    All packages of one name are one finding.
+    side (`one_ws/src` and `other_ws`, `ws/one/src` and `ws/other/src`) are built apart; so is one within another where
+    only the inner one is linted. All packages of one name are one finding.
     """
     by_name: dict[str, list[PackageFacts]] = {}
     for facts in workspace.packages:
@@ -83,9 +83,12 @@ def are_built_together(facts: PackageFacts, other: PackageFacts, selected: Set[s
 
 
 def root_of(folder: str) -> str:
-    """Return the outermost workspace around a package, by `src` in it or its name; the root of the run without one."""
+    """Return the outermost workspace around a package, by `src` in it or its name; the root of the run without one.
+
+    A folder that is called a workspace and holds others with a `src` is none itself (`ros2_ws/arm/src`).
+    """
     parts = folder.split("/")
     for at, part in enumerate(parts):
-        if part == "src" or WORKSPACE.fullmatch(part):
+        if part == "src" or (WORKSPACE.fullmatch(part) and parts[at + 2 : at + 3] != ["src"]):
             return "/".join(parts[: at + (part != "src")])
     return ""
