@@ -118,3 +118,24 @@ def test_a_plugin_of_nearly_a_package_that_is_depended_on(name: str, needed: str
     texts = said("config/a.yaml", text, "PLG003", needs=f"  <exec_depend>{needed}</exec_depend>\n")
     assert len(texts) == bool(found)
     assert all(text.endswith(found) for text in texts)
+
+
+@pytest.mark.parametrize(
+    "package, name, found",
+    [
+        (
+            "slam_toolbox",
+            "sync_slam_toolbox",
+            "error: `slam_toolbox` has no executable `sync_slam_toolbox`: the launch",
+        ),
+        ("gazebo_ros", "spawn_entity", "error: `gazebo_ros` has no executable `spawn_entity`: the launch stops with"),
+        ("joint_state_publisher", "joint_state_publisher_gui", "warning: `joint_state_publisher` has no executable"),
+        ("slam_toolbox", "other_program", ""),
+        ("not_known", "joint_state_publisher_gui", ""),
+        ("slam_toolbox", "rviz2", ""),
+    ],
+)
+def test_programs_by_another_ending_or_of_another_package(package: str, name: str, found: str) -> None:
+    texts = in_python(f"Node(package='{package}', executable='{name}')", code="LCH002")
+    assert len(texts) == bool(found)
+    assert all(text.startswith(found) for text in texts)

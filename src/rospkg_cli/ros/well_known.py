@@ -11,6 +11,8 @@ from .read_table import rows, sets
 
 TABLE = "well_known.txt"
 Kind = Literal["programs", "components", "plugins"]
+ENDINGS = ("_node", ".py", "_exe", "_server")
+"""Of names of programs; some packages have them, and some do not."""
 SHORTEST = 8
 """Letters; a shorter name of a program may be that of any other."""
 
@@ -30,8 +32,17 @@ def wrong_name(kind: Kind, package: str, name: str) -> WrongName | None:
     if name in removed(kind).get(package, {}):
         return WrongName(removed(kind)[package][name], True)
     known = sets(TABLE, kind).get(package, frozenset())
-    near = closest(name, known) if known and name not in known else []
+    if not known or name in known:
+        return None
+    near = with_other_ending(name, known) or closest(name, known)
+    homes = packages_with_program(name) if kind == "programs" and not near else ()
+    near = near or [f"{home}/{name}" for home in homes]
     return WrongName(near[0], False) if len(near) == 1 else None
+
+
+def with_other_ending(name: str, names: frozenset[str]) -> list[str]:
+    """Return the names that a name is but for an ending that programs have, or have not."""
+    return [each for each in names if any(each == name + end or name == each + end for end in ENDINGS)]
 
 
 def wrong_plugin(name: str) -> WrongName | None:

@@ -80,7 +80,8 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
         message = f"{told[node.level]}; {hint(node, started.scope.package)}"
         yield Hit(node.path, node.span, message, level, fix=rename(node, suggestion))
     for known in started.renamed():
-        severity = Severity(known.level) if known.level else Severity.WARNING if known.wrong.is_removed else None
+        is_mild = known.wrong.is_removed or "/" in known.wrong.better
+        severity = Severity(known.level) if known.level else Severity.WARNING if is_mild else None
         yield Hit(
             started.scope.file.path, known.executable.span, not_offered(known), severity, fix=other_name(started, known)
         )
@@ -101,10 +102,9 @@ def blank_name(path: str, text: LaunchText, what: str) -> Hit:
 def not_offered(use: WellKnownUse) -> str:
     better = use.wrong.better
     raised = f" with \"executable '{use.name}' not found on the libexec directory\"" if "/" not in better else ""
-    ends = f"the launch stops{raised}"
     hint = f"; it is called `{better}` now" if use.wrong.is_removed and better else f"; did you mean `{better}`?"
     start = f"`{use.package}` has no executable `{use.name}`{' any more' if use.wrong.is_removed else ''}"
-    return f"{start}: {ends}{use.why and ', '}{use.why}{hint if better else ''}"
+    return f"{start}: the launch stops{raised}{use.why and ', '}{use.why}{hint if better else ''}"
 
 
 def other_name(started: NodeExecutables, use: WellKnownUse) -> Fix | None:
