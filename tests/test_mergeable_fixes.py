@@ -6,7 +6,8 @@ import pytest
 
 from rospkg_cli.edits.cmake_export import append_names
 from rospkg_cli.edits.cmake_install import in_block_of_package
-from rospkg_cli.edits.launch_file import import_name
+from rospkg_cli.edits.launch_file import import_name, pass_through
+from rospkg_cli.edits.manifest import add_dependency
 from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.fixing.fix_results import FixResults
 from rospkg_cli.engine.run.session import Scope, Session
@@ -15,10 +16,11 @@ from rospkg_cli.files import PackageFiles
 from rospkg_cli.finding import Safety
 from rospkg_cli.languages.cmake.file import read_file
 from rospkg_cli.languages.python.file import parse_python
+from rospkg_cli.package.manifest import manifest_of
 from rospkg_cli.ros.link_targets import link_targets
 from rospkg_cli.rules.cmake import cmk005_removed_command as cmk005
 from rospkg_cli.rules.launch import lch009_unquoted_robot_description as lch009
-from rospkg_cli.source import Source
+from rospkg_cli.source import Source, Span
 from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import MemoryTree
 
@@ -321,3 +323,31 @@ def test_include_directories_keep_to_the_width() -> None:
     made = fixed({**CMAKE_FILES, **cmk005.FILES, "CMakeLists.txt": text}, "CMakeLists.txt", "CMK005")
     written = "".join(f"\n  ${{{each}_INCLUDE_DIRS}}" for each in libraries)
     assert f"\ntarget_include_directories(talker PUBLIC{written})\n" in made
+
+
+def test_tabs_stay_tabs() -> None:
+    text = cmk005.ONE.replace("«ament_target_dependencies»", "ament_target_dependencies")
+    text = text.replace("talker rclcpp std_msgs", f"talker {' '.join(NAMES)}")
+    text = text.replace("ament_package", "install(FILES a\n\tDESTINATION share/a)\nament_package")
+    made = fixed({**CMAKE_FILES, **cmk005.FILES, "CMakeLists.txt": text}, "CMakeLists.txt", "CMK005")
+    assert f"(talker PUBLIC\n\t{TARGETS[0]}\n\t" in made
+    start, end = SETUP_PY.index("    data_files=["), SETUP_PY.index("    install_requires")
+    text = (SETUP_PY[:start] + SETUP_PY[end:]).replace("\n    ", "\n\t")
+    made = fixed({**PYTHON, "setup.py": text}, "setup.py", "SET201", "SET203")
+    assert "\n\tdata_files=[\n\t\t('share/" in made
+    file = parse_python(Source("a.py", f"{{\n\t'a': {'a' * 50},\n}}\n"))
+    first, _ = pass_through(file, Span(8, 58), "ParameterValue", "value_type=str", 80)
+    assert first.text == "ParameterValue(\n\t\t"
+
+
+@pytest.mark.parametrize(("name", "block"), [("sensor_msgs", 0), ("python3-yaml", 1)])
+def test_packages_and_keys_stand_by_their_like(name: str, block: int) -> None:
+    blocks = [
+        "<exec_depend>rclpy</exec_depend>",
+        "".join(f"<exec_depend>python3-{each}</exec_depend>" for each in "ab"),
+    ]
+    body = [text.replace("><exec", ">\n  <exec") for text in blocks]
+    manifest_text = manifest("  <HERE/>\n").replace("<HERE/>", "\n\n  ".join(body))
+    found = manifest_of(Source("package.xml", manifest_text))
+    at = add_dependency(found, "exec_depend", name).span.start
+    assert (at > manifest_text.index("python3-a")) == bool(block)

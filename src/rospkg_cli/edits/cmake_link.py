@@ -61,7 +61,7 @@ def link_arguments(removed: RemovedCommand, replacement: Replacement, added: int
             yield Edit(file.path, Span(span.start - len(blanks), span.end), made)
     if each_alone and closes_alone(file):
         end = removed.command.span.end - 1
-        yield Edit(file.path, Span(end, end + 1), f"\n{indent(removed)[:-2]})")
+        yield Edit(file.path, Span(end, end + 1), f"\n{margin(removed)})")
 
 
 def becomes_too_long(removed: RemovedCommand, parts: Sequence[ReplacedArgument], added: int) -> bool:
@@ -100,10 +100,16 @@ def blanks_before(removed: RemovedCommand, at: int) -> str:
     return text[start:at]
 
 
-def indent(removed: RemovedCommand) -> str:
+def margin(removed: RemovedCommand) -> str:
+    """Return the blanks before the command."""
     source = removed.file.source
     line = source.slice(source.line_span(source.position(removed.command.span.start)[0]))
-    return line[: len(line) - len(line.lstrip())] + "  "
+    return line[: len(line) - len(line.lstrip())]
+
+
+def indent(removed: RemovedCommand) -> str:
+    """Return the blanks before arguments on lines of their own."""
+    return margin(removed) + ("\t" if removed.file.indent.startswith("\t") else "  ")
 
 
 def include_directories_command(removed: RemovedCommand, replacement: Replacement, upper: bool) -> str:
@@ -112,7 +118,7 @@ def include_directories_command(removed: RemovedCommand, replacement: Replacemen
     name = "TARGET_INCLUDE_DIRECTORIES" if upper else "target_include_directories"
     target = source.slice(removed.command.arguments[0].span)
     keyword = replacement.keyword or "PUBLIC"
-    before = indent(removed)[:-2]
+    before = margin(removed)
     line = f"{before}{name}({target} {keyword} {' '.join(replacement.includes)})"
     if len(line) > AMENT_WIDTH:
         end = f"\n{before}" if closes_alone(removed.file) else ""

@@ -74,7 +74,7 @@ def add_data_entry(setup: SetupPy, destination: str, sources: str) -> tuple[Edit
     if not arguments or not commas.begins_line(setup.source, arguments[-1]):
         return add_argument(setup, f"data_files=[{code}]")
     indent = commas.indent_of(setup.source, arguments[-1])
-    return add_argument(setup, f"data_files=[\n{indent}    {code},\n{indent}]")
+    return add_argument(setup, f"data_files=[\n{commas.deeper(indent)}{code},\n{indent}]")
 
 
 def install_marker(setup: SetupPy, name: str, wrong: DataFile | None, *, absent: bool) -> tuple[Operation, ...]:

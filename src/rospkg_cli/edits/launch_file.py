@@ -10,6 +10,7 @@ from ..finding import Edit
 from ..languages.python.file import PythonFile
 from ..lazy_regex import regex
 from ..source import Span
+from .python_list import deeper
 
 STRINGS = regex(r"'[^'\n]*'|\"[^\"\n]*\"|#.*")
 CLOSING = regex(r"([)\]}]+),?[ \t\r]*")
@@ -52,7 +53,7 @@ def pass_through(file: PythonFile, span: Span, call: str, last: str, width: int)
     line = Span(start, end if end != -1 else len(text))
     indent = text[start : len(text) - len(text[start:].lstrip(" \t"))]
     newline = "\r\n" if "\r\n" in text else "\n"
-    inner, outer = f"{newline}{indent}    ", f"{newline}{indent}"
+    inner, outer = f"{newline}{deeper(indent)}", f"{newline}{indent}"
     ways: list[tuple[tuple[int, str], ...]] = [((span.start, f"{call}("), (span.end, f", {last})"))]
     if closes_alone(text):
         brackets = outermost(text, line, span)

@@ -22,7 +22,7 @@ def neighbour(manifest: Manifest, tag: str, name: str) -> tuple[Element | None, 
     """Return the child next to which a new one belongs, and whether it comes before it; None in an empty package."""
     blocks = [block for block in blocks_of(manifest) if any(each.tag == tag for each in block)]
     if tag in DEPENDENCY_TAGS and blocks:
-        return in_block(best(manifest, blocks, tag), tag, name)
+        return in_block(best(manifest, blocks, tag, name), tag, name)
     if tag not in DEPENDENCY_TAGS and (like := manifest.all(tag)):
         return like[-1], False
     children = manifest.root.children
@@ -44,10 +44,18 @@ def in_block(block: Block, tag: str, name: str) -> tuple[Element, bool]:
     return (smaller[-1], False) if smaller else (like[0], True)
 
 
-def best(manifest: Manifest, blocks: Sequence[Block], tag: str) -> Block:
-    """Return the block with most of a tag, of those that no comment gives a heading, where there are some."""
+def best(manifest: Manifest, blocks: Sequence[Block], tag: str, name: str) -> Block:
+    """Return the block with its like, and most of a tag, of those that no comment gives a heading, if there are some.
+
+    Packages of ROS are alike, and so are rosdep keys with a hyphen.
+    """
     plain = [block for block in blocks if not has_heading(manifest, block)]
-    return max(plain or blocks, key=lambda block: sum(each.tag == tag for each in block))
+
+    def fits(block: Block) -> tuple[bool, int]:
+        of_tag = [each for each in block if each.tag == tag]
+        return any(("-" in each.text) == ("-" in name) for each in of_tag), len(of_tag)
+
+    return max(plain or blocks, key=fits)
 
 
 def blocks_of(manifest: Manifest) -> list[Block]:

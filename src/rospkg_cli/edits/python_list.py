@@ -69,3 +69,8 @@ def indent_of(source: Source, at: int) -> str:
     line = source.line_span(source.position(at)[0])
     text = source.text[line.start : at]
     return text[: len(text) - len(text.lstrip())]
+
+
+def deeper(indent: str) -> str:
+    """Return the blanks of a line that is one level deeper, in tabs where these are."""
+    return indent + ("\t" if indent.endswith("\t") else "    ")
