@@ -72,6 +72,9 @@ NAMED_OTHERWISE = {
     "setup.py": OTHER_NAME.replace("zip_safe", f"{scripts('a = my_pkg.talker:main')}\n    zip_safe"),
     "my_pkg/talker.py": MAIN,
 }
+ROBOT = "<robot name='a'>{}</robot>\n"
+MESH = "\n  <mesh filename='package://my_pkg/meshes/{}.stl'/>"
+CATKIN = "project(my_pkg)\n{}\ninstall(PROGRAMS a DESTINATION b)\n"
 FINDS = "find_package(Boost REQUIRED"
 BRINGUP = manifest("", "cmake", "bringup").replace("  <export>", f"{NEEDS}  <export>")
 LEFT = {"my_pkg/speech/words.py": "A = 1\n"}
@@ -120,6 +123,16 @@ CASES = {
         Example(bad={"package.xml": manifest("", "cmake"), **{f"{each}/package.xml": manifest("", "cmake", "arm")
                 for each in folders}}, good={}, on="")
         for folders in (("legacy/arm",), ("legacy/arm", "now/arm"))
+    ),
+    "URD002": tuple(
+        Example(bad={"CMakeLists.txt": INSTALL.replace("config", "urdf meshes"), "meshes/x.stl": "",
+                     "urdf/a.urdf": ROBOT.format("".join(MESH.format(name) for name in names)),
+                     "launch/a.launch.py": "PATH = 'urdf/a.urdf'\n"}, good={}, on="ament_cmake")
+        for names in ("abc", "ab", "abx", "abcx")
+    ),
+    "XML307": (
+        python({"CMakeLists.txt": CATKIN.format("catkin_package()")}),
+        python({"CMakeLists.txt": CATKIN.format("find_package(catkin)")}),
     ),
     "PRM001": (
         *(configured(WRONG, *each) for each in FILES),

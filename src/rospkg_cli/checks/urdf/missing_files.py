@@ -18,6 +18,7 @@ from ...suggest import nearest
 from ..closest_path import closest_path
 from ..fault import Fault, softer
 from ..install_faults import InstallFaults
+from .emptied_folders import emptied_folders
 from .opened_robots import OpenedRobots
 from .reached_files import ReachedFiles
 from .xacro_calls import XacroCalls, ancestors
@@ -92,8 +93,13 @@ class RobotInWorkspace:
     def missing(self) -> Iterator[MissingResource]:
         """Yield each file, or folder, that is referenced and does not exist, once, as far as that is known."""
         found: dict[tuple[str, str, State], list[MissingResource]] = {}
-        for each in self.every_missing():
-            place = each.folder or (posixpath.dirname(each.path) if each.state == "not installed" else "")
+        every = list(self.every_missing())
+        alone = ((each.package, each.path) for each in every if not each.is_include and not each.folder)
+        emptied = emptied_folders(((each.package, each.path or "") for each in self.robot.references), alone)
+        for each in every:
+            inner = posixpath.dirname(each.path)
+            is_one = each.state == "not installed" or (each.package, inner) in emptied
+            place = each.folder or (inner if is_one else "")
             found.setdefault((each.package, place or each.path, each.state), []).append(each)
         for first, *others in found.values():
             yield replace(first, others=tuple(others))

@@ -21,6 +21,7 @@ INSTALLED = regex(r"\b(?:packages|package_dir|py_modules|scripts|data_files|entr
 INSTALLING = CMAKE.replace("ament_package()", CONFIG_INSTALL + "ament_package()")
 PYTHON = manifest().replace("<build_type>ament_python", "<build_type>«ament_python»")
 MIXED = manifest(build_type="ament_cmake").replace("<build_type>ament_cmake", "<build_type>«ament_cmake»")
+OF_CATKIN = regex(r"^\s*catkin_(?:package|python_setup)\s*\(", re.MULTILINE)
 
 
 @rule(
@@ -28,7 +29,7 @@ MIXED = manifest(build_type="ament_cmake").replace("<build_type>ament_cmake", "<
     "conflicting-build-files",
     over=ManifestAndCMake,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where the file that is ignored installs nothing"},
+    levels={Severity.INFO: "where the file that is ignored installs nothing, or is for ROS 1"},
     examples=(
         Example(bad={"package.xml": PYTHON, "CMakeLists.txt": INSTALLING}, good={"CMakeLists.txt": None}),
         Example(on="ament_cmake", bad={"package.xml": MIXED, "setup.py": SETUP_PY}, good={"setup.py": None}),
@@ -45,10 +46,10 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
     package seems to install it.
 
     ## When it is quiet
-    A CMakeLists.txt without an install rule is an info, and so is a setup.py without packages, modules and scripts,
-    whose data files CMake installs: left from ROS 1 often, nothing of them is missed. Packages for ROS 1 and ROS 2
-    (catkin, conditions) are left alone, those without the file of their own build type to XML304, and a setup.py that
-    CMake installs by `ament_python_install_package()`, or that a CMakeLists.txt of unknown parts may use.
+    A CMakeLists.txt without an install rule, or for catkin, is an info, and so is a setup.py without packages, modules
+    and scripts, whose data files CMake installs: left from ROS 1 often, nothing of them is missed. Packages for ROS 1
+    and ROS 2 (catkin, conditions) are left alone, those without the file of their own build type to XML304, and a
+    setup.py that CMake installs by `ament_python_install_package()`, or that a CMakeLists.txt of unknown parts may use.
 
     ## References
     - [ament_cmake_python](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Python-Documentation.html)
@@ -63,7 +64,10 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
         return
     if used == "ament_python" and files.exists("CMakeLists.txt"):
         other, advice = "CMakeLists.txt", "remove it, or make this an ament_cmake package"
-        level = None if INSTALL.search(files.source("CMakeLists.txt").text) else Severity.INFO
+        text = files.source("CMakeLists.txt").text
+        is_for_ros1 = OF_CATKIN.search(text) is not None
+        harmless = "which catkin read in ROS 1" if is_for_ros1 else harmless
+        level = None if INSTALL.search(text) and not is_for_ros1 else Severity.INFO
     elif used == "ament_cmake" and files.exists("setup.py") and package.cmake and not package.installs_python:
         other, advice = "setup.py", "remove it, or call `ament_python_install_package` in CMakeLists.txt"
         texts = (files.source(path).text for path in ("setup.py", "setup.cfg") if files.exists(path))

@@ -76,7 +76,7 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     It follows `package://name/…`, `$(find name)/…` and relative includes of urdf, xacro, sdf and world files into this
     package and the others of the workspace, and checks whether the file is among what they install.
 
-    Several files of one missing folder are one finding.
+    Several files of one missing folder are one finding, and so are three or more of a folder of which none is there.
 
     ## Why is this bad?
     xacro stops at an include that isn't there. A missing mesh is not shown: RViz prints an error, Gazebo leaves the
@@ -123,7 +123,7 @@ def wrong(missing: MissingResource, own: str) -> str:
     verb = "has" if missing.package == own else "installs"
     if missing.folder:
         return f"`{missing.package}` {verb} no folder `{missing.folder}` for `{missing.path}`{several}"
-    return f"`{missing.package}` {verb} no file `{missing.path}`"
+    return f"`{missing.package}` {verb} no file `{missing.path}`{several}"
 
 
 def advice(missing: MissingResource) -> str:
