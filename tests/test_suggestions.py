@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.suggest import MAX_STEPS, Effort, near_names, nearest, refill
+from rospkg_cli.suggest import MAX_STEPS, Effort, is_slip, near_names, nearest, refill, slips
 
 NAMES = [f"some_package_{number}" for number in range(9_000)]
 
@@ -21,6 +21,31 @@ NAMES = [f"some_package_{number}" for number in range(9_000)]
 )
 def test_the_one_name_that_is_near(word: str, names: list[str], meant: str | None) -> None:
     assert nearest(word, names) == meant
+
+
+@pytest.mark.parametrize(
+    ("word", "name", "expected"),
+    [
+        ("arm_ocntroller.launch.py", "arm_controller.launch.py", True),
+        ("arm_contoller", "arm_controller", True),
+        ("taalker", "talker", True),
+        ("maain", "main", True),
+        ("arm_controllers", "arm_controller", False),
+        ("arm_controlle", "arm_controller", False),
+        ("camera_lift", "camera_left", False),
+        ("xcamera", "camera", False),
+        ("amera", "camera", False),
+        ("camera_l", "camera_ll", False),
+        ("robt1", "robot1", False),
+        ("tlaekr", "talker", False),
+        ("mian_arm_pose", "main_amr_pose", False),
+        ("controller", "arm_controller", False),
+        ("talker", "talker", False),
+    ],
+)
+def test_slips_of_the_fingers(word: str, name: str, expected: bool) -> None:
+    assert is_slip(word, name) == expected
+    assert slips(word, [name, "something_else"]) == [name] * expected
 
 
 def test_thousands_of_wrong_names_get_no_guess_until_the_next_rule() -> None:

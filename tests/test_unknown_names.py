@@ -193,6 +193,21 @@ def test_a_renamed_package_of_the_workspace() -> None:
     assert workspace("acme_base").renamed("old_planner") is None
 
 
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("sensor_mgs", "sensor_msgs"),
+        ("libpcl-ll-dev", "libpcl-all-dev"),
+        ("diagnostic_mgss", "diagnostic_msgs"),
+        ("sensor_mags", None),
+        ("tf2_rso", None),
+        ("depth_image_proz", None),
+    ],
+)
+def test_letters_lost_or_swapped_in_a_short_word_of_a_long_name(name: str, meant: str | None) -> None:
+    assert workspace().meant(name) == meant
+
+
 def test_names_of_the_workspace_come_first() -> None:
     assert workspace("acme_driver", "acme_base").meant("acme-driver") == "acme_driver"
     assert workspace("acme_driver", "acme_base").meant("acme_drivr") == "acme_driver"

@@ -6,11 +6,17 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from typing import ClassVar
 
+from .lazy_regex import regex
+
 LONGEST = 200
 """Characters; a longer word is not a misspelt name, and comparing it is slow."""
 
 ALIKE = 0.75
 """The share of letters in common from which two names are alike."""
+
+WORDS = regex(r"[^A-Za-z0-9]")
+SLIP = 4
+"""Letters of a word from which another one is a slip of it."""
 
 MAX_STEPS = 15_000_000
 """Of some 40 ns each between two calls of `refill`: enough for 100 wrong names among 1,000 right ones."""
@@ -84,6 +90,27 @@ def is_misspelt(word: str, name: str) -> bool:
     if len(words) != len(others):
         return word.replace("_", "") == name.replace("_", "")
     return all(own == other or near_names(own, [other]) for own, other in zip(words, others, strict=True))
+
+
+def slips(word: str, names: Iterable[str]) -> list[str]:
+    """Return the names of which a word is a slip of the fingers: certain enough where not all names are known."""
+    return [name for name in near_names(word, names, 1) if is_slip(word, name)]
+
+
+def is_slip(word: str, name: str) -> bool:
+    """Return whether two letters of a name are swapped, or one is lost or doubled, inside of a long word of it.
+
+    Another letter makes another name, and so do a digit and an ending: `left` and `lift`, `arm_1`, `arms`.
+    """
+    words, others = (WORDS.split(each) for each in (word, name))
+    different = [pair for pair in zip(words, others, strict=False) if pair[0] != pair[1]]
+    if len(words) != len(others) or len(different) != 1:
+        return False
+    wrong, right = different[0]
+    is_short, is_end = len(right) < SLIP or not wrong.isalpha(), wrong.startswith(right) or right.startswith(wrong)
+    if is_short or is_end or distance(wrong, right, 1) > 1:
+        return False
+    return sorted(wrong) == sorted(right) or (len(wrong) != len(right) and wrong[0] == right[0])
 
 
 def compare(word: str, names: frozenset[str], limit: int) -> str | None:

@@ -33,6 +33,15 @@ def called(project: str, name: str) -> Example:
     return Example(bad=files, good={}, on="ament_cmake")
 
 
+SUPERBUILD = """\
+option({0} "" ON)
+if({0})
+  project(superbuild NONE)
+  ExternalProject_Add(own SOURCE_DIR {1} CMAKE_ARGS -D{0}={2})
+  return()
+endif()
+project(my_pkg)"""
+
 LIBRARY = "add_library(core SHARED src/core.cpp)\n"
 EXPORTED = "install(TARGETS core EXPORT core_targets DESTINATION lib)\nament_export_targets(core_targets)\n"
 
@@ -74,6 +83,12 @@ CASES = {
         called("if(SUPER)\n  project(SUPER NONE)\n  return()\nelse()\n  project(my_pkg)\nendif()", "my_pkg"),
         called("if(FALSE)\n  project(my_pkg)\nendif()\nproject(other)", "my_pkg"),
         called("if(SUPER)\n  project(other)\nendif()", "my_pkg"),
+        *(called(SUPERBUILD.format(option, place, off), "mypkg")
+          for option, place, off in (("USE_SUPERBUILD", "${PROJECT_SOURCE_DIR}", "OFF"),
+                                     ("USE_SUPERBUILD", '"${CMAKE_CURRENT_SOURCE_DIR}"', "0"),
+                                     ("USE_SUPERBUILD", "${PROJECT_SOURCE_DIR}", "ON"),
+                                     ("USE_SUPERBUILD", "${PROJECT_BINARY_DIR}", "OFF"),
+                                     ("USE_OTHERS", "${PROJECT_SOURCE_DIR}", "OFF"))),
         called("project(first)\nproject(other)", "my_pkg"),
         called("project(other)\nif(FALSE)\n  project()\nendif()", "my_pkg"),
         Example(bad={"CMakeLists.txt": "project(other)\n"}, good={}, on="ament_cmake"),
@@ -84,7 +99,8 @@ CASES = {
     ),
     "CMK003": tuple(
         Example(bad={"CMakeLists.txt": f"{CMAKE.removesuffix(END)}{line}\n"}, good={}, on="ament_cmake")
-        for line in ("team_package()", "include(${team_DIR}/a.cmake)", "ament_python_install_package(a)", "project(b)")
+        for line in ("team_package()", "extract_package_metadata(pkg)", "include(${team_DIR}/a.cmake)",
+                     "ament_python_install_package(a)", "project(b)")
     ),
     "CMK005": (
         cmake("add_executable(talker src/a.cpp)\nament_target_dependencies(talker ${PACKAGES_OF_ANOTHER_FILE})\n",
@@ -220,6 +236,7 @@ CASES = {
         Example(
             bad={**OLD, "old/CMakeLists.txt": OLD["old/CMakeLists.txt"].replace(END, f"{EXPORTS_RCLPCP}{END}"), **USER},
             good={}, on=""),
+        *(cmake(f"find_package({name} REQUIRED)\n") for name in ("ament_cmkae_ros", "acme_cmake_rso")),
     ),
     "CMK109": (
         cmake("find_package(ament_cmake_python REQUIRED)\n",

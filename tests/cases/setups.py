@@ -62,6 +62,13 @@ RUNNING = (
 )
 
 
+STARS = tuple(
+    f"from acme_robot import *\n\n\n{more}def {name}():\n    print('hello')\n"
+    for name, more in (("maain", ""), ("run", ""), ("maain", "def __getattr__(name):\n    return name\n\n\n"))
+)
+"""Modules that may have the name from elsewhere: only a slip is told."""
+
+
 def started(*modules: str) -> Example:
     """Two entry points of one package: a module that is missing, and others."""
     entries = [f"node{number} = my_pkg.{module}:main" for number, module in enumerate(modules)]
@@ -111,7 +118,7 @@ CASES = {
     ),
     "SET102": tuple(
         python({"setup.py": setup_py(scripts("talker = my_pkg.talker:main")), "my_pkg/talker.py": text})
-        for text in (*RUNNING, DRIVER, DRIVER.replace("step", "steps"))
+        for text in (*RUNNING, DRIVER, DRIVER.replace("step", "steps"), *STARS)
     ),
     "SET105": tuple(
         python({"setup.py": setup_py(scripts(f"talker = my_pkg{each}:main")), "my_pkg/__init__.py": MAIN})

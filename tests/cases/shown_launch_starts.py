@@ -218,9 +218,32 @@ UNKNOWN_INSIDE = Example(
 LEFT_OVER = Example(bad={**lch015.FILES, "launch/robot.launch.xml": lch015.GIVEN.replace("«ratee»", "world")}, good={})
 
 
+def beside_a_macro(*names: str) -> Example:
+    """A CMake package whose programs and files are not all known: what is named is a slip, or may be there."""
+    lines = "".join(f'  <node pkg="my_pkg" exec="{name}"/>\n' for name in names)
+    lines += "".join(f'  <include file="$(find-pkg-share my_pkg)/launch/{name}.launch.xml"/>\n' for name in names)
+    macro = "someones_install_macro(config)\ninstall(PROGRAMS arm_driver DESTINATION lib/my_pkg)\n"
+    return Example(
+        bad={
+            "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n", "ament_cmake"),
+            "CMakeLists.txt": CMAKE.replace(
+                "ament_package", f"{macro}install(DIRECTORY launch DESTINATION share/my_pkg)\nament_package"
+            ),
+            "arm_driver": "#!/bin/sh\n",
+            "launch/arm_driver.launch.xml": "<launch/>\n",
+            "launch/a.launch.xml": f"<launch>\n{lines}</launch>\n",
+        },
+        good={},
+        on="ament_cmake",
+    )
+
+
+SLIPS = beside_a_macro("arm_drievr", "arm_drivers", "base_driver", "arm_driver")
+
 CASES = {
-    "LCH002": (WITHOUT_PACKAGE, OPEN_CALL, UNUSED_TEST, ON_PATH),
+    "LCH002": (WITHOUT_PACKAGE, OPEN_CALL, UNUSED_TEST, ON_PATH, SLIPS),
     "LCH003": (
+        SLIPS,
         ABSENT,
         RELATIVE,
         *(

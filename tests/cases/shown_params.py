@@ -176,6 +176,15 @@ def gets(*calls: str, more: str = "") -> Example:
     return talker(code="".join(f"    {call};\n" for call in calls) + more)
 
 
+def got_elsewhere(*calls: str) -> Example:
+    """Another file of the package gets all that this one declares."""
+    names = ("rate", "depth", "global_frame", "verbose", "frames", "gains", "arm.speed")
+    others = "\n".join(f'  get_parameter("{name}");' for name in names)
+    example = gets(*calls)
+    other = TALKER.partition("    declare")[0].replace("Talker", "Listener") + others + "\n  }\n};\n"
+    return Example(bad={**example.bad, "include/my_pkg/listener.hpp": other}, good={}, on="config")
+
+
 CASES = {
     "PRM002": (
         values("a: 1", "a: 1", "b: {c: 1}", "b: {d: 1}", "e.f: 1", "e: {f: 2}", "g: 1", "g: '1'", "h: [1]", "h: [1]"),
@@ -199,6 +208,8 @@ CASES = {
                given="    verbose: true\n    depth: 1\n"),
         gets('get_parameter("verbos", verbose_)', 'get_parameter("rate")'),
         gets('get_parameter("verbos")'),
+        *(got_elsewhere(f'get_parameter("{name}")', *more)
+          for name, more in (("verbsoe", ()), ("verbosity", ()), ("verbsoe", ('get_parameter("verbose")',)))),
         gets('get_parameter("verbos")', more="    try {} catch (...) {}\n"),
         gets('get_parameter("verbos")', 'has_parameter("verbos")'),
         gets('get_parameter("nothing")'),

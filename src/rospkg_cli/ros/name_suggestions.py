@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from ..lazy_regex import regex
 from ..suggest import distance
@@ -15,6 +15,8 @@ from .read_table import rows
 SEPARATOR = regex(r"[-_.]")
 MAX_TYPOS = 2
 """More typos than these make another name."""
+LONG_REST = 6
+"""Letters that two names have in common beside a short word, from which that is a typo."""
 
 
 def suggested_name(name: str, names: Names, targets: Targets) -> str | None:
@@ -62,10 +64,21 @@ def names_by_typos(name: str, others: Iterable[str], most: int = MAX_TYPOS) -> l
         have = SEPARATOR.split(each)
         if len(have) != len(words) or (numbers and digits(each) not in ([], numbers)):
             continue
-        far = sum(typos_between(word, other) for word, other in zip(words, have, strict=True))
+        pairs = list(zip(words, have, strict=True))
+        far = 1 if has_short_slip(pairs) else sum(typos_between(word, other) for word, other in pairs)
         if 0 < far <= most:
             found.setdefault(far, []).append(each)
     return [found[far] for far in sorted(found)]
+
+
+def has_short_slip(pairs: Sequence[tuple[str, str]]) -> bool:
+    """Return whether two names differ by letters swapped, lost or doubled in one short word: `sensor_mgs`."""
+    different = [(word, other) for word, other in pairs if word != other]
+    if len(different) != 1 or sum(len(word) for word, other in pairs if word == other) < LONG_REST:
+        return False
+    ((word, other),) = different
+    is_kept = sorted(word) == sorted(other) or len(word) != len(other)
+    return is_kept and min(len(word), len(other)) > 1 and distance(word, other, 1) == 1
 
 
 def typos_between(word: str, other: str) -> int:

@@ -19,6 +19,7 @@ from ...ros.names import NameKind
 from .mistyped_links import nearest
 
 EXPORTED, HANDED = "ament_export_dependencies", "ament_target_dependencies"
+AMENT = "ament_"
 OF_PACKAGE = regex(r"\$\{(\w+?)_(LIBRARIES|LIBRARY|LIBS|TARGETS|INCLUDE_DIRS?)\}")
 TAKING = {HANDED: 1, EXPORTED: 0}
 """Commands that are given packages, and their first argument that is one."""
@@ -140,9 +141,10 @@ class MistypedPackages:
 
     @cached_property
     def unfound(self) -> frozenset[str]:
-        """The packages that are declared and that CMake does not look for under their right names."""
-        packages = (name for name in self.declared if self.workspace.kind_of(name) is NameKind.PACKAGE)
-        return frozenset(packages) - self.found
+        """The packages that are declared and that CMake does not look for under their right names, and all of ament."""
+        packages = [name for name in self.declared if self.workspace.kind_of(name) is NameKind.PACKAGE]
+        tools = [name for name in self.workspace.index.packages if name.startswith(AMENT)]
+        return frozenset(packages) - self.found | frozenset(tools)
 
     def is_known(self, name: str) -> bool:
         """Return whether a name is that of a package or of a rosdep key, or is declared, which DEP001 judges."""

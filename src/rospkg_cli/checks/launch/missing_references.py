@@ -19,6 +19,7 @@ from ...package.launch.ros1 import is_named_ros1
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...source import Span
+from ...suggest import slips
 from ...unreadable import UnreadableError
 from ..closest_path import closest_path
 from .unset_configurations import LaunchConfigurations
@@ -125,8 +126,10 @@ class LaunchContext:
         facts = self.package if own else self.workspace.named(named.package)
         if facts is None and (better := DOUBLED.sub(r"\1", named.path)) != named.path:
             return MissingReference(named.span, named.package, named.path, "absent", named.use, better)
-        if facts is None or not facts.knows("share_files") or facts.may_write(named.path):
+        if facts is None or facts.may_write(named.path):
             return None
+        if not facts.knows("share_files"):
+            return self.slip_at(named, facts)
         there = named.path in facts.share_files
         if not named.has_slash:
             return MissingReference(named.span, facts.name, named.path, "no slash", named.use) if there else None
@@ -134,6 +137,16 @@ class LaunchContext:
             return None
         state, better_path = self.state(facts, named.path)
         return MissingReference(named.span, facts.name, named.path, state, named.use, better_path)
+
+    def slip_at(self, named: FileReference, facts: PackageFacts) -> MissingReference | None:
+        """Return a file whose name is a slip of one that is installed beside it, where others may be installed too."""
+        folder, name = posixpath.split(named.path)
+        beside = [posixpath.basename(path) for path in facts.share_files if posixpath.dirname(path) == folder]
+        near = slips(name, beside) if named.has_slash and name not in beside else []
+        if len(near) != 1 or self.is_brought(facts, named.path) or self.state(facts, named.path)[0] != "absent":
+            return None
+        meant = posixpath.join(folder, near[0])
+        return MissingReference(named.span, facts.name, named.path, "absent", named.use, meant)
 
     def is_brought(self, facts: PackageFacts, path: str) -> bool:
         """Return whether a build, a submodule, or a program of the package may bring a file of it."""

@@ -10,7 +10,7 @@ from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts
 from ...ros.well_known import WrongName, wrong_name
 from ...source import Span
-from ...suggest import nearest
+from ...suggest import nearest, slips
 from ..fault import Level
 from .idle_actions import level_at
 from .missing_references import LaunchContext
@@ -88,7 +88,7 @@ class NodeExecutables:
                 yield ExecutableUse(file.path, span, executable.literal or "", plain, facts, level, why)
 
     def unknown_executables(self) -> Iterator[ExecutableUse]:
-        """Yield the nodes whose package installs no such executable anywhere; none where its executables are unknown.
+        """Yield the nodes whose package installs no such executable anywhere; slips alone where not all are known.
 
         A path is not looked for in lib/<package>: `which()` of osrf_pycommon 2.0, which launch_ros asks, takes it from
         the current folder, and an absolute one as it is. Launch files of tests that CMake does not run are left alone.
@@ -98,7 +98,8 @@ class NodeExecutables:
         for node in self.nodes():
             facts, name = node.facts, node.executable
             known = name in node.startable | facts.misplaced_executables or facts.may_write(name)
-            if facts.knows("executables") and not known and not posixpath.isabs(name):
+            is_told = facts.knows("executables") or bool(slips(name, node.startable))
+            if is_told and not known and not posixpath.isabs(name):
                 yield replace(node, sister=self.sister(node), entry=self.entry(node))
 
     def renamed(self) -> Iterator[WellKnownUse]:

@@ -17,7 +17,7 @@ from ...package.params.python_parameters import read_in as read_in_python
 from ...package.python_modules import PythonModules
 from ...package.workspace import Workspace
 from ...source import Source, Span
-from ...suggest import near_names, nearest
+from ...suggest import near_names, nearest, slips
 from .declaring_packages import ParameterContext, is_its_own
 from .known_given import KnownNodes
 from .launched_names import LaunchedNames
@@ -56,21 +56,27 @@ class ParameterReads:
     workspace: Workspace
 
     def in_cpp(self) -> Iterator[UnknownRead]:
-        """Yield what a C++ file gets and nothing declares; its name is similar, or there is only one of each."""
+        """Yield what a C++ file gets and nothing declares; its name is similar, or there is only one of each.
+
+        Where other code gets all that the file declares, it is a slip of what this file declares and does not get.
+        """
         reads = [read for file in self.cpp for read, _ in read_in(file)]
         for file in self.cpp if reads and not any(allows_any(each.source) for each in self.cpp) else ():
             unread = self.unread(file.path, reads)
             found = list(read_in(file))
+            unread_here = self.unread(file.path, [read for read, _ in found])
             unmatched = [
                 pair for pair in found if is_its_own(pair[0].name) and not self.is_declared(pair[0], file.path)
             ]
-            if not unread and self.is_stray(file, unmatched, found):
+            slipped = any(slips(read.name, unread_here) for read, _ in unmatched)
+            if not unread and not slipped and self.is_stray(file, unmatched, found):
                 read, call = unmatched[0]
                 yield UnknownRead(file.path, (call.arguments or ())[0].span, read.name, "", False)
-            for read, call in unmatched if unread else ():
+            for read, call in unmatched if unread_here else ():
                 only = len(unread) == 1 and len({read.name for read, _ in unmatched}) == 1
                 suggestion = next(iter(unread)) if only else nearest(read.name, unread)
-                if read.name.startswith(".") and suggestion not in near_names(read.name, unread):
+                suggestion = suggestion or next(iter(slips(read.name, unread_here)), None)
+                if read.name.startswith(".") and suggestion not in near_names(read.name, unread_here):
                     continue  # a plugin's, whose base class may declare it: a slip alone is certain
                 if suggestion is not None and call.arguments:
                     throws = len(call.arguments) == 1 and not MILD.search(file.source.text)

@@ -17,7 +17,7 @@ from ...package.setup.setup_py import SetupPy
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...ros.imports import STANDARD
-from ...suggest import nearest
+from ...suggest import nearest, slips
 from ..ros1_import import ros1_import
 from .module_exports import offers
 
@@ -119,9 +119,16 @@ class PythonPackage:
         return same[0] if len(same) == 1 else nearest(module, free)
 
     def has_attribute(self, module: str, name: str) -> bool:
-        """Return whether a module of the package has a name, or may have it."""
-        path = self.setup.file_of(module)
-        return path is None or offers(self.modules, self.setup, path, name.partition(".")[0])
+        """Return whether a module of the package has a name, or may have it, and it is no slip of one that it has."""
+        path, first = self.setup.file_of(module), name.partition(".")[0]
+        return path is None or (offers(self.modules, self.setup, path, first) and not self.is_slip(path, first))
+
+    def is_slip(self, path: str, name: str) -> bool:
+        """Return whether a name is a slip of one that a file itself defines, whatever it may have of elsewhere."""
+        file = self.modules.at(path)
+        if file is None or file.has_dynamic_names or name in file.definitions:
+            return False
+        return bool(slips(name, file.definitions))
 
     def runs_when_imported(self, module: str) -> bool:
         """Return whether a module of the package starts what it does when it is imported."""

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import re
+
 from ...lazy_regex import regex
 from .evaluated_command import EvaluatedCommand, flags_and_values
+from .file import ROOT
 from .interpreter import Interpreter
 from .values import PREFIX, UNKNOWN, as_value, list_to_text
 
+SUPERBUILD = regex(r"SUPER_?BUILD", re.IGNORECASE)
+"""What an option is called by which a package first builds what it needs, and then itself once more."""
 PRODUCT = regex(r"\s*(-?\d{1,9})\s*([-+*/%])\s*(-?\d{1,9})\s*")
 
 
@@ -38,9 +43,20 @@ def run_unset(interpreter: Interpreter, call: EvaluatedCommand) -> None:
 
 
 def run_option(interpreter: Interpreter, call: EvaluatedCommand) -> None:
-    """The value of an option is unknown: the user chooses it."""
+    """The value of an option is unknown: the user chooses it. That of a superbuild is off where it matters."""
     if call.words and call.texts[0] != "BUILD_TESTING" and interpreter.value_if_set(call.texts[0]) is None:
-        interpreter.set(call.texts[0], interpreter.unknown())
+        name = call.texts[0]
+        interpreter.set_text(name, "OFF" if SUPERBUILD.search(name) and turns_off(interpreter, name) else None)
+
+
+def turns_off(interpreter: Interpreter, name: str) -> bool:
+    """Return whether a file of CMake builds the package itself once more, with an option turned off."""
+    files = interpreter.files
+    paths = (path for path in files.paths if path.endswith((".cmake", ROOT)))
+    given = re.compile(
+        rf"\bSOURCE_DIR\s+\"?\$\{{(?:PROJECT|CMAKE|CMAKE_CURRENT)_SOURCE_DIR\}}[^()]*-D{re.escape(name)}(?::BOOL)?=(?:OFF|0)\b"
+    )
+    return any(given.search(files.readable_text(path)) for path in paths)
 
 
 def run_math(interpreter: Interpreter, call: EvaluatedCommand) -> None:

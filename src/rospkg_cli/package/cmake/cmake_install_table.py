@@ -21,11 +21,10 @@ from .install_rules import InstallRule
 from .macro_installs import PACKAGE, installed_by_macros
 from .set_variables import SetVariables
 
-INSTALLS_ON_ITS_OWN = frozenset({"externalproject_add", "ament_vendor", "fetchcontent_makeavailable"})
+INSTALLS_ON_ITS_OWN = frozenset({"externalproject_add", "ament_vendor"})
+"""Not FetchContent: the other project that it builds has a lib/ and a share folder of its own name."""
 MAKES_PROGRAMS = regex(r"executable|program|install|node(?:s|let)?(?:_|$)")
 """Names of commands of other packages that may make programs: `agnocast_register_node`."""
-FETCHES = "fetchcontent_makeavailable"
-"""It builds another project too: its programs may be installed anywhere, its files in a share folder of its own."""
 
 
 def cmake_table(cmake: CMake, name: str) -> InstallTable:
@@ -122,7 +121,7 @@ class CMakeTableBuilder:
             yield from self.unknown_rule(rule)
         for call in self.cmake.calls:
             if self.may_install(call):
-                for what in ALL[:1] if call.name == FETCHES else ALL[:2]:
+                for what in ALL[:2]:
                     yield UnknownPart(what, f"`{call.name}` may install anything", call.path, call.command.span)
         for call in foreign_commands(self.cmake):
             why = f"`{call.name}` of another package may install anything"

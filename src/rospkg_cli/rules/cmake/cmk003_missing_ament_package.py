@@ -21,7 +21,7 @@ find_package(ament_cmake REQUIRED)
 ament_package()
 """
 
-MACRO = regex(r"(?!ament_|find_|configure_|write_|catkin_|cpm|install)\w*package\w*")
+MACRO = regex(r"(?!ament_|find_|configure_|write_|catkin_|cpm|install|extract_)\w*package\w*")
 """What may be a macro around ament_package(), such as `my_team_package`."""
 
 

@@ -44,8 +44,8 @@ def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
     loaded by its name and seldom started so: a warning.
 
     ## When it is quiet
-    Where the module is of another package, can't be read, has a star import of something unknown or a
-    `__getattr__`, or is generated.
+    Where the module is of another package, can't be read, has a `__getattr__`, or is generated. Where it has a star
+    import of something unknown only a slip is told, of a name that it defines itself.
     """
     for entry in package.setup.entry_points:
         if entry.fault or not entry.attribute or package.has_attribute(entry.module, entry.attribute):
