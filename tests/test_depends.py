@@ -114,6 +114,21 @@ def test_scripts_of_cmake_packages_count_where_they_are_installed() -> None:
     files |= {"package.xml": manifest(build_type="ament_cmake"), "CMakeLists.txt": install}
     files |= {"scripts/run.py": "#!/usr/bin/env python3\nimport rclpy\n", "scripts/tool.py": "import cv2\n"}
     assert said("DEP101", files) == ["rclpy"]
+    shared = {**files, "CMakeLists.txt": install.replace("lib/my_pkg", "share/my_pkg/scripts")}
+    assert said("DEP101", shared) == ["rclpy"]
+    assert said("DEP101", {**shared, "cmake/run.cmake": "add_test(NAME a COMMAND run.py)\n"}) == []
+    assert said("DEP101", {**shared, "CMakeLists.txt": shared["CMakeLists.txt"].replace("PROGRAMS", "FILES")}) == []
+
+
+def test_what_a_superbuild_builds_need_not_be_declared() -> None:
+    own = "ExternalProject_Add(own SOURCE_DIR ${PROJECT_SOURCE_DIR} CMAKE_ARGS -DUSE_SUPERBUILD=OFF)\n"
+    start = 'option(USE_SUPERBUILD "" ON)\nif(USE_SUPERBUILD)\n  {}  return()\nendif()\nproject(my_pkg)'
+    lines = "add_executable(node src/node.cpp)\nament_package()"
+    files: dict[str, str | None] = {**dict.fromkeys(PYTHON), "package.xml": manifest(build_type="ament_cmake")}
+    files["src/node.cpp"] = "#include <gpiod.hpp>\nint main() {return 0;}\n"
+    for more, expected in (("", ["libgpiod-dev"]), ("ExternalProject_Add(libgpiod URL x)\n  ", [])):
+        text = CMAKE.replace("project(my_pkg)", start.format(own + more)).replace("ament_package()", lines)
+        assert said("DEP105", {**files, "CMakeLists.txt": text}) == expected
 
 
 def test_a_script_without_a_suffix_is_python_by_its_first_line() -> None:

@@ -33,6 +33,7 @@ def told(lines: str, source: str = IMAGE, **files: str) -> list[tuple[str, str]]
         f"{NODE}ament_target_dependencies(node rclcpp)\n",
         "add_library(part SHARED src/part.cpp)\ntarget_link_libraries(part PRIVATE ${sensor_msgs_TARGETS})\n"
         f"{NODE}target_link_libraries(node part)\n",
+        f"include_directories(BEFORE include ${{Boost_INCLUDE_DIRS}})\n{NODE}",
     ],
 )
 def test_a_target_needs_what_it_includes(lines: str) -> None:
@@ -53,6 +54,10 @@ def test_a_target_needs_what_it_includes(lines: str) -> None:
         f"{NODE}target_link_libraries(node ${{MORE}} $<TARGET_OBJECTS:x>)\n",
         f"{NODE}target_include_directories(node PRIVATE ${{sensor_msgs_INCLUDE_DIRS}})\n",
         f"{NODE}include_directories(/opt/x)\n",
+        f"{NODE}include_directories(${{sensor_msgs_INCLUDE_DIRS}})\n",
+        f"{NODE}include_directories(${{nobodys_INCLUDE_DIRS}})\n",
+        f"{NODE}include_directories(${{MORE}})\n",
+        f"{NODE}link_libraries(sensor_msgs::sensor_msgs)\n",
         "ament_auto_add_executable(node src/node.cpp)\n",
         f"if(BUILD_TESTING)\n  {NODE}endif()\n",
         f"if(WITH_NODE)\n  {NODE}endif()\n",

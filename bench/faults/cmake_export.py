@@ -11,6 +11,7 @@ from bench.faults.kinds import kind
 from bench.faults.source_package import SourcePackage
 
 CMAKE = r"^CMakeLists\.txt$"
+NOT_LINKED = "it has programs alone, or what is loaded at run time, and nothing here links it"
 LOADED = "PLUGINLIB_EXPORT_CLASS|RCLCPP_COMPONENTS_REGISTER_NODE"
 
 
@@ -24,15 +25,16 @@ def export_dependency_mistyped(package: SourcePackage) -> Iterator[PutFault]:
 def export_dependency_lost(package: SourcePackage) -> Iterator[PutFault]:
     included = package.words(r"^include/.*\.(hpp|h)$", r"^#include\s*[<\"](\w+)/")
     is_linked = not package.holds(r"\.(cpp|cc)$", LOADED) or is_built_against(package)
+    is_linked = is_linked and package.holds(CMAKE, r"add_library\(|install\(\s*DIRECTORY[^()]*\binclude\b")
     for spot in package.spots(CMAKE, r"^ament_export_dependencies\(\s*([a-z]\w+)\s*\)[ \t]*\n"):
         if spot.word in included:
-            yield spot.drop().known(is_linked, "a plugin or a component is loaded, and nothing here links it")
+            yield spot.drop().known(is_linked, NOT_LINKED)
     for spot in package.spots(
         CMAKE, r"ament_export_dependencies\([^()]*?^\s+([a-z]\w+)[ \t]*\n", 1, re.MULTILINE | re.DOTALL
     ):
         if spot.word in included:
             fault = spot.put("", spot.word)
-            yield fault.known(is_linked, "a plugin or a component is loaded, and nothing here links it")
+            yield fault.known(is_linked, NOT_LINKED)
 
 
 def is_built_against(package: SourcePackage) -> bool:

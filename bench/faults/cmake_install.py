@@ -129,8 +129,10 @@ def script_not_executable_in_directory(package: SourcePackage) -> Iterator[PutFa
 @kind("cmake install")
 def python_package_not_installed(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(CMAKE, r"^\s*(ament_python_install_package)\([^)]*\)[ \t]*\n"):
-        modules = package.matching(rf"^(src/)?{package.name}/(?!__init__).*\.py$")
-        yield spot.drop(package.name).known(bool(modules), "the Python package holds no module")
+        files = package.matching(rf"^(src/)?{package.name}/(?!__init__).*\.py$")
+        programs = package.words(CMAKE, r"([\w-]+\.py)\b")
+        modules = [each for each in files if each.rpartition("/")[2] not in programs]
+        yield spot.drop(package.name).known(bool(modules), "the Python package holds no module but programs")
 
 
 @kind("cmake install")

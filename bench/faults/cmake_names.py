@@ -8,7 +8,11 @@ from collections.abc import Iterator
 from bench.faults.cmake_stop import BROUGHT, CMAKE
 from bench.faults.fault import PutFault
 from bench.faults.kinds import kind
+from bench.faults.known import INTERFACES
 from bench.faults.source_package import SourcePackage
+
+FAMILIES = ("rclcpp", "tf2", "pluginlib", "message_filters", "ament_", "nav2_", "moveit_", "image_", "pcl_")
+"""What packages of ROS begin with whose variables ament writes."""
 
 
 @kind("cmake")
@@ -100,4 +104,6 @@ def cmake_variable_in_wrong_case(package: SourcePackage) -> Iterator[PutFault]:
     found = package.words(CMAKE, r"^find_package\(\s*([a-z]\w+)")
     for spot in package.spots(CMAKE, r"\$\{([a-z]\w+)_(?:INCLUDE_DIRS|LIBRARIES)\}"):
         if spot.word in found - {"catkin"}:
-            yield spot.put(spot.word.upper(), f"{spot.word}_INCLUDE_DIRS", f"{spot.word}_LIBRARIES")
+            fault = spot.put(spot.word.upper(), f"{spot.word}_INCLUDE_DIRS", f"{spot.word}_LIBRARIES")
+            is_known = spot.word in {*package.siblings, *INTERFACES} or spot.word.startswith(FAMILIES)
+            yield fault.known(is_known, "a module that finds a package which is not here may set it, too")

@@ -16,6 +16,7 @@ MODULES = (
     "cmake_names",
     "cmake_install",
     "cmake_export",
+    "cmake_targets",
     "plugins",
     "interfaces",
     "launch_python",
@@ -24,6 +25,7 @@ MODULES = (
     "params",
     "urdf",
     "xacro",
+    "urdf_tree",
     "cpp_sources",
     "python_sources",
 )

@@ -12,32 +12,38 @@ from bench.faults.setup_py import parses
 from bench.faults.source_package import SourcePackage
 
 PYTHON = r"^(?!setup\.py|launch/|doc/|.*\.launch\.py).*\.py$"
+ROS_1 = re.compile(r"^\s*(?:import|from) (?:rospy|roslib)\b", re.MULTILINE)
+
+
+def spots(package: SourcePackage, pattern: str, group: int = 1) -> Iterator[Spot]:
+    """Yield the places in files for ROS 2: one of ROS 1 ends at its first import, with a fault and without."""
+    return (spot for spot in package.spots(PYTHON, pattern, group) if not ROS_1.search(spot.text))
 
 
 @kind("python")
 def python_mistyped_own_module(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(PYTHON, rf"^from {package.name}\.(\w+)(?:\.\w+)* import"):
+    for spot in spots(package, rf"^from {package.name}\.(\w+)(?:\.\w+)* import"):
         if package.matching(rf"^(?:\w+/)?{package.name}/{spot.word}(\.py|/__init__\.py)$"):
             yield spot.typo()
 
 
 @kind("python")
 def python_mistyped_relative_module(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(PYTHON, r"^from \.(\w+) import"):
+    for spot in spots(package, r"^from \.(\w+) import"):
         if package.matching(rf"/{spot.word}(\.py|/__init__\.py)$"):
             yield spot.typo()
 
 
 @kind("python")
 def python_mistyped_name_of_own_module(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(PYTHON, rf"^from {package.name}\.(\w+) import (\w+)$", 2):
+    for spot in spots(package, rf"^from {package.name}\.(\w+) import (\w+)$", 2):
         if package.holds(rf"/{spot[1]}\.py$", rf"^(class|def) {spot.word}\b"):
             yield spot.typo()
 
 
 @kind("python")
 def python_own_module_renamed(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(PYTHON, rf"^from {package.name}\.(\w+) import"):
+    for spot in spots(package, rf"^from {package.name}\.(\w+) import"):
         file = f"{package.name}/{spot.word}.py"
         if file in package.files:
             yield package.renamed(file, f"{package.name}/{spot.word}_2.py", spot.word)
@@ -53,24 +59,26 @@ def python_sibling_as_top_level(package: SourcePackage) -> Iterator[PutFault]:
 
 @kind("python")
 def python_mistyped_interface_module(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(PYTHON, r"^from (\w+)\.(msg|srv|action) import (\w+)", 2):
-        yield spot.put(f"{spot.word}s", f"{spot[1]}.{spot.word}s")
+    for spot in spots(package, r"^from (\w+)\.(msg|srv|action) import (\w+)", 2):
+        yield from in_use(package, [(spot, spot.put(f"{spot.word}s", f"{spot[1]}.{spot.word}s"))])
 
 
 @kind("python")
 def python_mistyped_interface(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(PYTHON, r"^from (\w+)\.(?:msg|srv|action) import (\w+)", 2):
-        yield spot.typo().known(has_known_interfaces(package, spot[1]), UNKNOWN)
+    for spot in spots(package, r"^from (\w+)\.(?:msg|srv|action) import (\w+)", 2):
+        fault = spot.typo().known(has_known_interfaces(package, spot[1]), UNKNOWN)
+        yield from in_use(package, [(spot, fault)])
 
 
 @kind("python")
 def python_mistyped_interface_package(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.typo() for spot in package.spots(PYTHON, r"^from (\w+)\.(?:msg|srv|action) import \w+"))
+    places = spots(package, r"^from (\w+)\.(?:msg|srv|action) import \w+")
+    yield from in_use(package, ((spot, spot.typo()) for spot in places))
 
 
 @kind("python")
 def python_mistyped_field(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(PYTHON, r"^\s+(\w*msg)\.(\w{4,})(?:\.\w+)*\s*=[^=]", 2):
+    for spot in spots(package, r"^\s+(\w*msg)\.(\w{4,})(?:\.\w+)*\s*=[^=]", 2):
         made = re.search(rf"\b{spot[1]}\s*=\s*([A-Z]\w+)\(\)", spot.text)
         if made is None:
             continue
@@ -81,14 +89,14 @@ def python_mistyped_field(package: SourcePackage) -> Iterator[PutFault]:
 
 @kind("python")
 def python_undeclared_parameter(package: SourcePackage) -> Iterator[PutFault]:
-    for spot in package.spots(PYTHON, r"self\.get_parameter\(\s*['\"]([\w.]+)['\"]"):
+    for spot in spots(package, r"self\.get_parameter\(\s*['\"]([\w.]+)['\"]"):
         if re.search(rf"declare_parameter\(\s*['\"]{re.escape(spot.word)}['\"]", spot.text):
             yield spot.typo()
 
 
 @kind("python")
 def python_mistyped_share(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.typo() for spot in package.spots(PYTHON, r"get_package_share_directory\(\s*['\"](\w+)['\"]"))
+    yield from (spot.typo() for spot in spots(package, r"get_package_share_directory\(\s*['\"](\w+)['\"]"))
 
 
 @kind("python")
@@ -96,7 +104,9 @@ def python_main_renamed(package: SourcePackage) -> Iterator[PutFault]:
     registered = package.words(r"^setup\.py$", rf"{package.name}\.(\w+):main")
     for spot in package.spots(rf"^{package.name}/\w+\.py$", r"^def (main)\("):
         if spot.path.rpartition("/")[2].removesuffix(".py") in registered:
-            yield spot.put("run_node")
+            star = re.search(r"^from (\w+)[\w.]* import \*", spot.text, re.MULTILINE)
+            is_all_here = star is None or star[1] in package.siblings
+            yield spot.put("run_node").known(is_all_here, "a module that is not here may have it: `import *`")
 
 
 def in_use(package: SourcePackage, faults: Iterable[tuple[Spot, PutFault]]) -> Iterator[PutFault]:
@@ -115,29 +125,29 @@ def in_use(package: SourcePackage, faults: Iterable[tuple[Spot, PutFault]]) -> I
 
 @kind("python")
 def python_colon_lost(package: SourcePackage) -> Iterator[PutFault]:
-    places = package.spots(PYTHON, r"^(?:def|class) \w+\([^\n]*\)(:)$")
+    places = spots(package, r"^(?:def|class) \w+\([^\n]*\)(:)$")
     yield from in_use(package, ((spot, spot.of_file("")) for spot in places))
 
 
 @kind("python")
 def python_bracket_lost_at_return(package: SourcePackage) -> Iterator[PutFault]:
-    places = package.spots(PYTHON, r"^\s+return [\w.]+\([^()\n]*(\))$")
+    places = spots(package, r"^\s+return [\w.]+\([^()\n]*(\))$")
     yield from in_use(package, ((spot, spot.of_file("")) for spot in places))
 
 
 @kind("python")
 def python_bracket_lost_beside_fstring(package: SourcePackage) -> Iterator[PutFault]:
-    places = package.spots(PYTHON, r"^\s+[\w.]+\(f['\"][^\n]*['\"](\))$")
+    places = spots(package, r"^\s+[\w.]+\(f['\"][^\n]*['\"](\))$")
     yield from in_use(package, ((spot, spot.of_file("")) for spot in places))
 
 
 @kind("python")
 def python_import_of_ros_1(package: SourcePackage) -> Iterator[PutFault]:
-    yield from parses(spot.put("rospy") for spot in package.spots(PYTHON, r"^import (rclpy)$"))
+    yield from parses(spot.put("rospy") for spot in spots(package, r"^import (rclpy)$"))
 
 
 @kind("python")
 def python_conflict_markers(package: SourcePackage) -> Iterator[PutFault]:
-    places = package.spots(PYTHON, r"^(import \w+)\n")
+    places = spots(package, r"^(import \w+)\n")
     markers = "<<<<<<< HEAD\n{}\n=======\n>>>>>>> main"
     yield from in_use(package, ((spot, spot.of_file(markers.format(spot.word))) for spot in places))

@@ -12,6 +12,7 @@ from bench.faults.source_package import SourcePackage
 FILES = r"\.(urdf|xacro)$"
 urdf_kind = used_kind("urdf")
 LITERAL = r"[\w-]+"
+NOT_HERE = "a file that is included and not here may define it"
 
 
 def own(package: SourcePackage, pattern: str, group: int = 1) -> Iterator[Spot]:
@@ -38,7 +39,13 @@ def urdf_mistyped_parent(package: SourcePackage) -> Iterator[PutFault]:
 def urdf_link_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, rf"^\s*<link\s+name\s*=\s*\"({LITERAL})\"\s*/>[ \t]*\n"):
         if re.search(rf"link\s*=\s*\"{spot.word}\"", spot.text):
-            yield spot.drop()
+            yield spot.drop().known(has_all_included(package, spot), NOT_HERE)
+
+
+def has_all_included(package: SourcePackage, spot: Spot) -> bool:
+    """Return whether the files that a robot includes of packages are those of the repository."""
+    found = re.findall(r"<xacro:include[^>]*filename\s*=\s*\"\$\(find ([^)]*)\)", spot.text)
+    return all(each in package.siblings for each in found)
 
 
 @urdf_kind

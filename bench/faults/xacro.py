@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from bench.faults.comments import without_comments
 from bench.faults.fault import PutFault
 from bench.faults.source_package import SourcePackage
-from bench.faults.urdf import own, urdf_kind
+from bench.faults.urdf import NOT_HERE, has_all_included, own, urdf_kind
 
 
 @urdf_kind
@@ -61,9 +61,7 @@ def urdf_property_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in own(package, r"^\s*<xacro:property\s+name\s*=\s*\"(\w{2,})\"\s+value=[^>]*/>[ \t]*\n"):
         is_only = len(re.findall(rf"xacro:property\s+name\s*=\s*\"{spot.word}\"", spot.text)) == 1
         if is_only and re.search(rf"\$\{{[^}}]*\b{spot.word}\b", spot.text):
-            found = re.findall(r"<xacro:include[^>]*filename\s*=\s*\"\$\(find ([^)]*)\)", spot.text)
-            is_here = all(each in package.siblings for each in found)
-            yield spot.drop().known(is_here, "a file that is included and not here may define it")
+            yield spot.drop().known(has_all_included(package, spot), NOT_HERE)
 
 
 @urdf_kind

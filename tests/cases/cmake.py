@@ -182,6 +182,15 @@ CASES = {
         ),
     ),
     "CMK110": (
+        *(cmake(f"{first}add_executable(talker src/a.cpp)\n{last}", src__a_DOT_cpp=MAIN)
+          for first, last in (
+              ("target_link_libraries(talker m)\ntarget_include_directories(talker PUBLIC include)\n", ""),
+              ("install(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n", ""),
+              ("if(UNKNOWN_ONE)\n  target_link_libraries(talker m)\nendif()\n", ""),
+              ("someones_macro(talker)\ntarget_link_libraries(talker m)\n", ""),
+              ("macro(link)\n  target_link_libraries(talker m)\nendmacro()\n", "link()\n"),
+              ("include(${OTHER}/a.cmake)\ntarget_link_libraries(talker m)\n", ""),
+          )),
         cmake("find_package(rclcpp REQUIRED)\nfind_package(std_msgs REQUIRED)\n"
               "ament_export_dependencies(rclcppstd_msgs)\n",
               "  <depend>rclcpp</depend>\n  <depend>std_msgs</depend>\n"),
@@ -244,11 +253,31 @@ CASES = {
               my_pkg____init___DOT_py="", my_pkg__words_DOT_py="WORD = 'a'\n"),
     ),
     "CMK202": (
+        *(cmake(f"{lines}add_library(part SHARED src/core.cpp)\ninstall(TARGETS part DESTINATION lib)\n",
+                src__core_DOT_cpp="int core() {return 1;}\n",
+                src__part_DOT_cpp="RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::Part)\n")
+          for lines in ("", "add_library(other src/part)\n", "# src/part.cpp\n",
+                        "set(SOURCES src/${NAME}.cpp)\n", "file(GLOB ALL src/*.cpp)\n")),
         cmake("add_library(core SHARED src/core.cpp)\ninstall(TARGETS core DESTINATION lib)\n",
               src__core_DOT_cpp="int core() {return 1;}\n",
               src__part_DOT_cpp="RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::Part)\n"),
     ),
     "CMK201": (
+        *(cmake(f"{lines}add_executable(talker src/a.cpp)\n", src__a_DOT_cpp=f"#include <my_pkg/words.hpp>\n{MAIN}",
+                include__my_pkg__words_DOT_hpp="#pragma once\n", **more)
+          for lines, more in (
+              ("", {}),
+              ("add_executable(listener src/b.cpp)\n", {"src__b_DOT_cpp": f"#include <my_pkg/words.hpp>\n{MAIN}"}),
+              ("ament_export_include_directories(include)\n", {}),
+              ("include_directories(src)\n", {}),
+              ("set(CMAKE_CXX_FLAGS -Iinclude)\n", {}),
+              ("someones_macro(a)\n", {}),
+              ("", {"lib__my_pkg__words_DOT_hpp": ""}),
+          )),
+        cmake("add_executable(talker src/a.cpp)\n", src__a_DOT_cpp=f'#include "my_pkg/words.hpp"\n{MAIN}',
+              include__my_pkg__words_DOT_hpp="#pragma once\n", src__my_pkg__words_DOT_hpp="#pragma once\n"),
+        cmake("add_executable(talker src/a.cpp)\n", include__my_pkg__words_DOT_hpp="#pragma once\n",
+              src__a_DOT_cpp=f"#if A\n#include <my_pkg/words.hpp>\n#endif\n{MAIN}"),
         *(cmake("add_executable(talker src/a.cpp)\n", "  <depend>fleet_robot_msgs</depend>\n",
                 src__a_DOT_cpp=f"#include <fleet_robot_msgs/msg/b.hpp>\n{more}#include <{name}/msg/a.hpp>\n{MAIN}")
           for name, more in (("fleet_roobt_msgs", "#include <fleet_robot_msgs/msg/c.hpp>\n"), ("fleet_roobt_msgs", ""),
@@ -280,6 +309,10 @@ CASES = {
               "  DESTINATION lib/${PROJECT_NAME})\n", src__a_DOT_cpp=MAIN),
         cmake("find_package(std_msgs REQUIRED)\ninclude_directories(${STD_MSGS_INCLUDE_DIRS})\n",
               "  <depend>std_msgs</depend>\n"),
+        *(Example(bad={**OLD, "old/package.xml": manifest(build_type=made_by, name="old"), **USER,
+                       "user/CMakeLists.txt": USER["user/CMakeLists.txt"].replace(
+                           END, "include_directories(${OLD_INCLUDE_DIRS})\n" + END)}, good={}, on="")
+          for made_by in ("ament_cmake", "cmake")),
         cmake('include_directories("${CMAKE_CURENT_SOURCE_DIR}/include")\n'),
     ),
 }  # fmt: skip

@@ -91,6 +91,8 @@ CASES = {
     "SET001": (python({**set001.missing_setup_cfg.examples[0].bad, "setup.py": WITH_OPTIONS}),),
     "SET002": (
         python({**set002.PACKAGE, "setup.cfg": set002.HALF, "setup.py": WITH_OPTIONS}),
+        *(python({**set002.PACKAGE, "my_pkg/talker.py": MAIN, "setup.cfg": cfg})
+          for cfg in (set002.HALF, set002.HALF.replace("lib/my_pkg", "bin"))),
         *(
             python({**set002.PACKAGE, "setup.cfg": cfg, "setup.py": handles(line)})
             for cfg in (set002.HALF, set002.WRONG, set002.WRONG.replace("lib/your_pkg", "bin", 1).replace("your", "my"))

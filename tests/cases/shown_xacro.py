@@ -190,7 +190,63 @@ CHILDREN = tuple(
          CHILD.format("b", "${p}base", "tip")),
     )
 )  # fmt: skip
+WITH_ARGUMENT = tuple(
+    robot(
+        '<xacro:arg name="p" default=""/>',
+        '<xacro:property name="p" value="$(arg p)"/>',
+        '<link name="${p}base"/><link name="${p}tip"/>',
+        CHILD.format("a", "${p}base", first),
+        CHILD.format(*second),
+    )
+    for first, *second in (
+        ("tip", "b", "world", "${p}base"),
+        ("${p}tip", "b", "world", "${p}base"),
+        ("tip", "b", "world", "${p}tip"),
+    )
+)
+ENDS = tuple(
+    robot(
+        '<link name="a"/><link name="b"/><xacro:macro name="tip" params=""><child link="b"/></xacro:macro>',
+        f'<joint name="j" type="fixed">{ends}</joint>',
+        *more,
+    )
+    for ends, *more in (
+        ('<parent link="a"/>',),
+        ('<child link="b"/>',),
+        ('<parent link=""/><child link="b"/>',),
+        ('<parent link="a"/><xacro:tip/>',),
+        ('<parent link="a"/><child link="a"/>',),
+        ('<parent link="a"/><child link="b"/>',),
+        ("", '<ros2_control name="c" type="system"><joint name="j"/></ros2_control>'),
+    )
+)
+WORDS = (
+    robot('<link name="a"><visua/><visual><orgin xyz="0 0 0"/><geometry><sphere radius="1"/></geometry></visual>',
+          '<inertial><mass value="1"/><inertai/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>',
+          '<sensor/><xacro:visua/><collision_checking/></link><link name="b"/>',
+          '<joint name="j" type="fixed"><parent link="a"/><child link="b"/><limits effort="1"/><axes/></joint>'),
+    *(robot(f'<ros2_control name="c" type="{kind}"><joint name="j">', *(
+        f'<{tag} name="{name}"/>' for tag in ("command_interface", "state_interface") for name in names),
+        "</joint></ros2_control>", name=place)
+      for kind, names, place in (
+          ("systeem", ("position", "possition", "positions", "gripper"), ""),
+          ("System", ("velcity", "efort", "accelleration"), ' name="robot"'),
+          ("${kind}", ("${name}",), ""),
+          ("mine", (), ""),
+      )),
+)  # fmt: skip
+LIMITS = robot(
+    '<link name="a"/><link name="b"/>',
+    *(
+        f'<joint name="{kind}" type="{kind}"><parent link="a"/><child link="b"/>{inside}</joint>'
+        for kind, inside in (("revolute", '<xacro:property name="x" value="1"/>'), ("prismatic", "<xacro:limits/>"))
+    ),
+    '<xacro:macro name="limits" params=""><limit effort="1" velocity="1"/></xacro:macro>',
+)
 LOOSE = (
+    LIMITS,
+    *ENDS,
+    *WORDS,
     robot('<xacro:something_else><origin xyz="0 0" rpy="0 0 0"/></xacro:something_else>', name=""),
     robot('<xacro:macro name="m" params="">', '<inertial><origin xyz="O 0 0"/><mass value="1"/></inertial>',
           '<gazebo><xacro:if value="1"><origin xyz="0"/></xacro:if></gazebo>',
@@ -219,4 +275,4 @@ ELSEWHERE = Example(
     },
     good={},
 )
-CASES = {"URD001": (RIGHT, *CALLS, *NAMES, *TREES, ELSEWHERE, *PREFIXES, *MIMICS, *CHILDREN, *LOOSE)}
+CASES = {"URD001": (RIGHT, *CALLS, *NAMES, *TREES, ELSEWHERE, *PREFIXES, *MIMICS, *CHILDREN, *WITH_ARGUMENT, *LOOSE)}

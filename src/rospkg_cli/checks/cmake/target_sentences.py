@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...package.cmake.cmake_project import CMake
+from .early_references import EarlyReference
 from .mistyped_links import MistypedLink
 from .target_references import TargetReference
 
@@ -37,6 +38,13 @@ def said(cmake: CMake, reference: TargetReference) -> str:
     if reference.kind == "export":
         return f"no `install(… EXPORT …)` fills {name}, which `{reference.call.name}` exports"
     return f"`{reference.call.name}` names the target {name}, which nothing creates"
+
+
+def made_below(cmake: CMake, early: EarlyReference) -> str:
+    reference = early.reference
+    name, text = cmake.quoted(reference.word), STOPS.get(reference.call.name, "which is not built by this project")
+    start = f"`{reference.call.name}` names the target {name} above the `{early.maker}()` that makes it"
+    return f'{start}: CMake stops with "{text}"; move it below'
 
 
 def stops(reference: TargetReference) -> str:

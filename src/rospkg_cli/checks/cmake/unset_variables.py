@@ -11,8 +11,10 @@ from ...languages.cmake.file import assigned_names
 from ...languages.cmake.syntax import CommandArgument
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.set_variables import SetVariables
+from ...package.workspace import Workspace
 from ...ros.link_targets import MESSAGES, ROS_NAME
 from ...ros.read_table import rows
 from ...source import Span
@@ -56,7 +58,12 @@ class UnsetVariable:
 
 @dataclass(frozen=True)
 class UnsetVariables:
-    cmake: CMake
+    package: CMakePackage
+    workspace: Workspace
+
+    @property
+    def cmake(self) -> CMake:
+        return self.package.cmake
 
     def all(self) -> Iterator[UnsetVariable]:
         """Yield each place once; nothing where a file that can't be read may set any variable."""
@@ -124,7 +131,13 @@ class UnsetVariables:
     def packages(self) -> dict[str, str]:
         """Name in small letters → name of the packages whose variables are known."""
         names = [each.name for each in self.cmake.packages]
-        return {name.lower(): name for name in names if CERTAIN.fullmatch(name) or is_of_ros(name)}
+        certain = (each for each in names if CERTAIN.fullmatch(each) or is_of_ros(each) or self.is_made_here(each))
+        return {name.lower(): name for name in certain}
+
+    def is_made_here(self, name: str) -> bool:
+        """Return whether ament_package() writes the variables of a package of the workspace."""
+        facts = self.workspace.named(name)
+        return facts is not None and facts.build_type == "ament_cmake"
 
     def near_own(self, name: str) -> str | None:
         """Return a variable that the package itself sets, where no other one can be intended."""

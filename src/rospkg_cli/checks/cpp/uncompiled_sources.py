@@ -21,6 +21,8 @@ from ..depends.compiled_sources import are_sources_known, own_compiled
 
 SOURCES = (".cpp", ".cc", ".cxx", ".c++")
 MAIN = regex(r"\bint\s+main\s*\(")
+MADE_OF_NAMES = regex(r"\}(?:_\w+)?\.c|GLOB")
+"""What makes the names of sources of those of targets, `${name}.cpp`, or takes all that are there."""
 STARTS_ROS = regex(r"\brclcpp::init\s*\(")
 MACROS = {"RCLCPP_COMPONENTS_REGISTER_NODE": "component", "PLUGINLIB_EXPORT_CLASS": "plugin"}
 ASIDE = frozenset(
@@ -72,10 +74,25 @@ class UncompiledSources:
         return any(each not in read and self.package.cmake.package_files.has_file(each) for each in around)
 
     def is_mentioned(self, path: str) -> bool:
-        """Return whether a CMake file has the name, in a comment too, or a file of the package includes it."""
+        """Return whether a CMake file has the name, in a comment too, or a file of the package includes it.
+
+        The name without its ending counts as well; where it is that of a target and no file makes sources of names,
+        among sources alone.
+        """
         name = posixpath.basename(path)
-        word = re.compile(rf"(?<![\w.-]){re.escape(posixpath.splitext(name)[0])}(?![\w-])")
-        return name in self.included or any(word.search(file.source.text) for file in self.package.cmake.files)
+        stem, texts = posixpath.splitext(name)[0], [file.source.text for file in self.package.cmake.files]
+        is_target = self.package.cmake.target(stem) is not None and not any(
+            MADE_OF_NAMES.search(each) for each in texts
+        )
+        word = re.compile(rf"(?<![\w.-]){re.escape(name if is_target else stem)}(?![\w-])")
+        is_source = stem in self.source_names or name in self.included
+        return is_source or any(word.search(text) for text in texts)
+
+    @cached_property
+    def source_names(self) -> frozenset[str]:
+        """The last parts of the sources of all targets, as they are written."""
+        words = (word for target in self.package.cmake.targets for word in target.sources)
+        return frozenset(posixpath.basename(word.text) for word in words)
 
     @cached_property
     def included(self) -> frozenset[str]:

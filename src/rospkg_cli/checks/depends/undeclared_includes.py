@@ -172,8 +172,9 @@ class IncludeDependencies:
 
     @cached_property
     def fetched(self) -> tuple[str, ...]:
-        """The words of commands that download, add or find what the system need not have."""
-        calls = self.cmake.named("add_subdirectory", "externalproject_add", "fetchcontent_declare", "ament_vendor")
+        """The words of commands that download, add or find what the system need not have, in a superbuild too."""
+        calls = [each for each in self.cmake.unreachable if each.name == "externalproject_add"]
+        calls += self.cmake.named("add_subdirectory", "externalproject_add", "fetchcontent_declare", "ament_vendor")
         return tuple(word.text for call in calls for word in call.words)
 
     def is_own(self, header: str) -> bool:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import path_in_package
+from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.targets import Target
-from ...languages.cmake.values import UNKNOWN
+from ...languages.cmake.values import UNKNOWN, Word
 from ...languages.cpp.file import CppFile
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...package.workspace import Workspace
@@ -24,7 +25,8 @@ from .undeclared_includes import IncludeDependencies
 
 PLAIN = frozenset({"add_executable", "add_library"})
 """Commands that make targets which are linked with nothing but what other commands name."""
-FOR_ALL = ("include_directories", "link_libraries")
+FOLDERS = regex(r"\$\{([\w.+-]+?)_INCLUDE_DIRS?\}")
+WORDS = frozenset({"AFTER", "BEFORE", "SYSTEM"})
 PASSED_ON = EXPORTED | {"build_depend"}
 
 
@@ -49,7 +51,9 @@ class UnlinkedIncludes:
         if not self.includes.declared.is_checked or not cmake.is_complete or cmake.reads_unknown_files:
             return
         links = cmake.named("target_link_libraries", "ament_target_dependencies")
-        if cmake.named(*FOR_ALL) or any(cmake.target(call.texts[0]) is None for call in links if call.texts):
+        if any(map(self.serves_all, cmake.calls)) or any(
+            cmake.target(call.texts[0]) is None for call in links if call.texts
+        ):
             return  # a link of a target that is not there is one that another lacks
         seen: set[str] = set()
         for target in cmake.targets:
@@ -58,6 +62,20 @@ class UnlinkedIncludes:
                     if each.package not in seen:
                         seen.add(each.package)
                         yield each
+
+    def serves_all(self, call: EvaluatedCommand) -> bool:
+        """Return whether a command may bring the headers of a package of ROS to all targets."""
+        if call.name != "include_directories":
+            return call.name == "link_libraries"
+        return not all(word.text in WORDS or self.is_no_package(word, call) for word in call.words)
+
+    def is_no_package(self, word: Word, call: EvaluatedCommand) -> bool:
+        """Return whether a folder is one of the package itself, or of what is no package of ROS: `${Boost_…}`."""
+        if word.is_known:
+            return path_in_package(word.text, call.folder) is not None
+        named = FOLDERS.fullmatch(self.includes.cmake.source_text(word).strip('"'))
+        kind_of = self.includes.declared.workspace.kind_of
+        return named is not None and kind_of(named[1]) is not NameKind.PACKAGE and bool(keys_for_cmake(named[1]))
 
     def of(self, target: Target) -> Iterator[UnlinkedInclude]:
         included = {name: use for name, use in self.included(target) if name in self.found}

@@ -16,6 +16,9 @@ BUILD_TYPES = ("ament_cmake", "ament_python")
 NAMES = {"msg": "message", "srv": "service", "action": "action"}
 MEANT = {"messages": "msg", "message": "msg", "services": "srv", "service": "srv"}
 """What people write for a kind that is not near to it."""
+ENDINGS = ("_msgs", "_srvs", "_interfaces")
+PLURALS = {"msgs": "msg", "srvs": "srv"}
+"""Modules that no package of interfaces has, whatever it is: rosidl's have the names of the kinds."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +85,8 @@ class KnownInterfaces:
     def meant_kind(self, package: str, word: str) -> str | None:
         """Return the kind that a module of a package of interfaces is intended to be: `std_msgs.msgs`."""
         known = self.of(package)
+        if known is None and not self.is_here(package) and package.endswith(ENDINGS):
+            return PLURALS.get(word)
         if not known or word in KINDS:
             return None
         near = MEANT.get(word) or next(iter(near_names(word, KINDS, 1)), None)

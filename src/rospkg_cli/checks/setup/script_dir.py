@@ -58,11 +58,12 @@ class ScriptDir:
         values = {key: self.folder(section, key) for section, key in SCRIPT_OPTIONS}
         is_moved = moves_scripts(self.package.setup)
         is_for_tools = not (self.has_nodes_in_lib or right & set(values.values()))
+        is_for_lib = bool(self.nodes) or bool(right & set(values.values()))
         right |= {TOOLS} if is_for_tools or is_moved else set()
         for section, key in SCRIPT_OPTIONS if self.cfg is not None and self.package.executables else ():
             option = self.cfg.get(section, key) if self.cfg else None
             folder = values[key]
-            if option is None and self.nodes and not is_moved and self.package.setup.argument("options") is None:
+            if option is None and is_for_lib and not is_moved and self.package.setup.argument("options") is None:
                 found.append((section, key, None))
             elif option is not None and folder is not None and folder not in right:
                 found.append((section, key, option.value))

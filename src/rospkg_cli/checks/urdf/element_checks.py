@@ -44,6 +44,16 @@ class ElementCheck:
         for fault in self.motion(joint):
             yield Fault(fault.span, f"{fault.message}; urdfdom refuses the robot")
 
+    def ends(self, joint: Element) -> Iterator[Fault]:
+        """Yield the end that a joint with one lacks, or two that are one link, where no tree is made of its robot."""
+        given = {tag: end for tag in ("parent", "child") if (end := first(joint, tag)) is not None}
+        for tag in ("parent", "child") if given else ():
+            if not (fills(joint) or (tag in given and (given[tag].get("link") or fills(given[tag])))):
+                yield Fault(name_span(joint), f"the joint has no `<{tag} link=…>`: urdfdom refuses the robot")
+        ends = [end.attributes["link"] for end in given.values() if "link" in end.attributes]
+        if len(ends) == 2 and ends[0].value == ends[1].value != "":
+            yield Fault(ends[1].value_span, f"the joint joins `{ends[1].value}` to itself: urdfdom refuses the robot")
+
     def inside(self, link: Element) -> Iterator[Fault]:
         if inertial := first(link, "inertial"):
             yield from self.inertial(inertial)
@@ -147,7 +157,8 @@ def first(element: Element, tag: str) -> Element | None:
 
 def fills(element: Element) -> bool:
     """Return whether xacro may put something into an element."""
-    return any(":" in child.tag for child in element.children) or any("xacro:" in name for name in element.attributes)
+    makes = any(":" in child.tag and child.tag != "xacro:property" for child in element.children)
+    return makes or any("xacro:" in name for name in element.attributes)
 
 
 def name_span(element: Element) -> Span:

@@ -1,4 +1,4 @@
-"""Names in a macro of xacro that lack the prefix which all joints of the macro have."""
+"""Names in a macro or a robot of xacro that lack the prefix which all joints of it have."""
 
 from __future__ import annotations
 
@@ -10,15 +10,16 @@ from ..fault import Fault
 
 PREFIXED = regex(r"(\$\{(\w+)\})(.+)")
 FEWEST = 2
-"""Joints of a macro that show what its names begin with."""
+"""Joints of a macro, or of a robot, that show what its names begin with."""
+MACRO = "xacro:macro"
 
 
 def prefix_faults(root: Element) -> Iterator[Fault]:
-    """Yield the names in a macro that lack the prefix: mimicked joints, and links; a call without one finds them."""
-    for macro in root.walk():
-        if macro.tag != "xacro:macro":
-            continue
-        joints = [each for each in macro.walk() if each.tag == "joint" and each.attributes.get("type")]
+    """Yield the names in a macro or robot that lack the prefix: of mimicked joints, and of links."""
+    macros = [each for each in root.walk() if each.tag == MACRO]
+    for macro in (root, *macros):
+        inside = within(macro)
+        joints = [each for each in inside if each.tag == "joint" and each.attributes.get("type")]
         prefix = prefix_of([joint.get("name") or "" for joint in joints])
         names = {joint.get("name") or "" for joint in joints}
         for mimic in (each for joint in joints if prefix for each in joint.children if each.tag == "mimic"):
@@ -27,20 +28,31 @@ def prefix_faults(root: Element) -> Iterator[Fault]:
                 yield lacking(macro, given, prefix, "joint")
             elif given is not None and given.value.startswith(prefix) and not is_given_elsewhere(root, given.value):
                 yield from longer_name(given, names)
-        yield from children(macro, joints, prefix) if prefix else ()
+        links = {each.get("name") or "" for each in inside if each.tag == "link"}
+        yield from children(macro, joints, links, prefix) if prefix else ()
+
+
+def within(part: Element) -> list[Element]:
+    """Return the elements of a macro, or those of a robot that are in none of its macros."""
+    found: list[Element] = []
+    waiting = list(part.children)
+    while waiting:
+        each = waiting.pop()
+        if each.tag != MACRO:
+            found.append(each)
+            waiting += each.children
+    return found
 
 
 def lacking(macro: Element, given: Attribute, prefix: str, kind: str) -> Fault:
-    message = (
-        f"`{given.value}` lacks the prefix of `{prefix}{given.value}`: where a call of the macro "
-        f"`{macro.get('name')}` gives one, no {kind} has this name; write the prefix"
-    )
+    where = f"where a call of the macro `{macro.get('name')}` gives one" if macro.tag == MACRO else "where one is given"
+    lost = f"`{given.value}` lacks the prefix of `{prefix}{given.value}`"
+    message = f"{lost}: {where}, no {kind} has this name; write the prefix"
     return Fault(given.value_span, message, "info")
 
 
-def children(macro: Element, joints: Sequence[Element], prefix: str) -> Iterator[Fault]:
+def children(macro: Element, joints: Sequence[Element], links: set[str], prefix: str) -> Iterator[Fault]:
     """Yield the child links without the prefix, where the link that has it is no joint's child."""
-    links = {each.get("name") for each in macro.walk() if each.tag == "link"}
     ends = [end for joint in joints for end in joint.children if end.tag == "child"]
     given = [end.attributes["link"] for end in ends if "link" in end.attributes]
     taken = {each.value for each in given}

@@ -15,6 +15,7 @@ from ..fault import Fault
 from .element_checks import ElementCheck, first, name_span
 from .kinematic_tree import KinematicTree
 from .loose_parts import loose_faults
+from .robot_words import control_faults, misspelt_parts
 from .substitutions import substitution_fault
 from .xacro_calls import XacroCalls
 
@@ -51,12 +52,14 @@ def unsorted_faults(robot: RobotFile, piece: bool) -> Iterator[Fault]:
     check = ElementCheck(document.source)
     if robot.is_xacro:
         yield from loose_faults(root, check)
+    yield from control_faults(root)
     if not links and not joints:
         return  # part of a robot, for other files to include
     for link in links:
         yield from check.link(link)
     for joint in joints:
         yield from check.joint(joint)
+    yield from (fault for part in (*links, *joints) for fault in misspelt_parts(part))
     yield from repeated(root, "link")
     yield from repeated(root, "joint", joints)
     if is_whole(root, (*links, *joints)):
@@ -65,6 +68,8 @@ def unsorted_faults(robot: RobotFile, piece: bool) -> Iterator[Fault]:
         yield from KinematicTree(root, links, joints).faults(piece=piece or document.source.path.endswith(".xacro"))
         if not piece:
             yield from named_joints(root, joints)
+    else:
+        yield from (fault for joint in joints for fault in check.ends(joint))
 
 
 def is_named_only(joint: Element) -> bool:

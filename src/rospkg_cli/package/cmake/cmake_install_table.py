@@ -25,6 +25,7 @@ INSTALLS_ON_ITS_OWN = frozenset({"externalproject_add", "ament_vendor"})
 """Not FetchContent: the other project that it builds has a lib/ and a share folder of its own name."""
 MAKES_PROGRAMS = regex(r"executable|program|install|node(?:s|let)?(?:_|$)")
 """Names of commands of other packages that may make programs: `agnocast_register_node`."""
+MAKES_HEADERS = regex(r"(?:\w+_)?(?:generate|make)_(?:\w+_)?headers?")
 
 
 def cmake_table(cmake: CMake, name: str) -> InstallTable:
@@ -123,7 +124,7 @@ class CMakeTableBuilder:
             if self.may_install(call):
                 for what in ALL[:2]:
                     yield UnknownPart(what, f"`{call.name}` may install anything", call.path, call.command.span)
-        for call in foreign_commands(self.cmake):
+        for call in (each for each in foreign_commands(self.cmake) if not MAKES_HEADERS.fullmatch(each.name)):
             why = f"`{call.name}` of another package may install anything"
             yield UnknownPart("share", why, call.path, call.command.span)
             if not self.makes_programs or MAKES_PROGRAMS.search(call.name) or "EXECUTABLE" in call.texts:

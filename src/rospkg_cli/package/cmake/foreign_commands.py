@@ -14,7 +14,7 @@ FAMILIAR = regex(
     r"|qt\d?|pkg|cmake|fetchcontent|externalproject|gtest|find|check|target|get|set|enable|print|write_basic"
     r"|configure_package_config|generate_export|nav2_add|call_for_each)_\w+"
     r"|add_\w*test|autoware_ament_\w+|cpmaddpackage|extract_package_metadata|test_big_endian|processorcount"
-    r"|doxygen_add_docs|\w*generate_\w*headers?|feature_summary|exec_program|make_directory|include_external_msproject"
+    r"|doxygen_add_docs|feature_summary|exec_program|make_directory|include_external_msproject"
 )
 """Commands of CMake's modules, ament and well-known libraries, which put nothing into the share directory, or whose
 files are read by other means; and those whose verb is not one of installing."""

@@ -22,11 +22,15 @@ class InstalledPython:
         self.is_known = table is not None and table.knows("module") and table.knows("executable")
         rows = table.rows if table else ()
         self.sources = frozenset(row.source for row in rows if row.what in ("module", "executable"))
+        self.shared = frozenset(row.source for row in rows if row.what == "share")
 
     def has(self, path: str) -> bool:
-        if path in self.sources or self.is_known:
-            return path in self.sources
-        if path.rpartition("/")[2] in self.programs:
+        if path in self.sources:
+            return True
+        is_program = path.rpartition("/")[2] in self.programs
+        if self.is_known:
+            return is_program and path in self.shared and not self.is_run_by_cmake(path)
+        if is_program:
             return True
         in_a_package = self.files.exists(f"{path.rpartition('/')[0]}/__init__.py")
         return in_a_package and (self.packages or not self.cmake)
@@ -59,6 +63,12 @@ class InstalledPython:
         """The names of the scripts that install(PROGRAMS) names."""
         words = " ".join(match.group(1) for match in PROGRAMS.finditer(self.cmake)).split()
         return frozenset(word.rpartition("/")[2] for word in words)
+
+    def is_run_by_cmake(self, path: str) -> bool:
+        """Return whether a macro for other packages names a script: it runs in their builds and tests."""
+        name, files = path.rpartition("/")[2], self.files
+        macros = (each for each in files.paths if each.endswith((".cmake", ".cmake.in")))
+        return any(name in files.readable_text(each) for each in macros)
 
     @cached_property
     def packages(self) -> bool:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.early_references import EarlyReferences
 from ...checks.cmake.mistyped_libraries import MistypedLibraries
 from ...checks.cmake.mistyped_links import MistypedLinks
 from ...checks.cmake.target_references import TargetReferences, by_name
-from ...checks.cmake.target_sentences import mistyped, said, stops
+from ...checks.cmake.target_sentences import made_below, mistyped, said, stops
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...rule import rule
@@ -88,7 +89,8 @@ def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
     `install(… EXPORT …)` fills. Of imported targets (`rclcpp::rclcpp`) it finds those that are one or two letters off,
     and those that a package of the workspace does not export; of libraries by a plain name those that are one or two
     letters off a library of the package.
-    In lists of packages it finds two names without a space between them.
+    It finds targets that are named above the command that makes them, and in lists of packages two names without a
+    space between them.
 
     ## Why is this bad?
     CMake stops, or the linker does where a library is misspelt. This is what is left when a target was renamed or
@@ -112,6 +114,8 @@ def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
         related = [Related(each.word.path, each.word.span, "and here") for each in others]
         level = None if any(map(references.is_certain, (reference, *others))) else Severity.WARNING
         yield Hit(reference.word.path, reference.word.span, message, level, tuple(related))
+    for early in EarlyReferences(package.cmake).all():
+        yield Hit(early.reference.word.path, early.reference.word.span, made_below(package.cmake, early))
     for word, near, is_certain in MistypedLibraries(package.cmake).all():
         message = f"nothing makes the library `{word.text}` (did you mean `{near}`?): the linker does not find it"
         yield Hit(word.path, word.span, f"{message}; correct it", None if is_certain else Severity.WARNING)

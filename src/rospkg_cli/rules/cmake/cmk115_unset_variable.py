@@ -8,7 +8,6 @@ from ...checks.cmake.unread_lists import UnreadLists
 from ...checks.cmake.unset_variables import UnsetVariable, UnsetVariables
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
-from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 
 LINES = """\
@@ -27,7 +26,7 @@ def cmake(lines: str) -> str:
 @rule(
     "CMK115",
     "unset-variable",
-    over=CMakePackage,
+    over=UnsetVariables,
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "it says what is installed, or where",
@@ -44,7 +43,7 @@ def cmake(lines: str) -> str:
         ),
     ),
 )
-def unset_variable(package: CMakePackage) -> Iterator[Hit]:
+def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     """
     ## What it does
     Finds variables in CMakeLists.txt that nothing sets and that are nearly called like one that is set.
@@ -62,11 +61,11 @@ def unset_variable(package: CMakePackage) -> Iterator[Hit]:
     a macro of another one is called. Where a file is included that can't be read. In `message()`. Under an unknown
     condition only names near to those of CMake are told, as warnings.
     """
-    for each in UnsetVariables(package.cmake).all():
+    for each in variables.all():
         is_sure = each.call.name == "install" and not each.call.maybe
         level = Severity.INFO if not each.near else Severity.ERROR if is_sure else None
         yield Hit(each.call.path, each.span, message(each), level)
-    for lost in UnreadLists(package.cmake).all():
+    for lost in UnreadLists(variables.cmake).all():
         text = f"nothing reads `{lost.name}` (did you mean `{lost.near}`?): what is appended is lost; correct the name"
         yield Hit(lost.path, lost.span, text)
 

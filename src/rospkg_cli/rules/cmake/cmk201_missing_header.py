@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from ...checks.cpp.foreign_headers import ForeignHeader, ForeignHeaders
 from ...checks.cpp.missing_headers import MissingHeader, MissingHeaders
+from ...checks.cpp.unreached_headers import UnreachedHeader, UnreachedHeaders
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -58,7 +59,8 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     Finds `#include`s of headers of the package, or of another one of the workspace, that do not exist.
     They begin with the name of that package (`my_pkg/words.hpp`), or are nearly called like a header in the same
     folder. So are headers in a folder whose name is one or two letters off that of a package that has them, and
-    headers of ROS 1 (`ros/ros.h`, `std_msgs/String.h`), the first of each file that the build compiles.
+    headers of ROS 1 (`ros/ros.h`, `std_msgs/String.h`), the first of each file that the build compiles. Of headers that
+    are there it finds the first, where no command of CMake tells the compiler of any folder.
 
     ## Why is this bad?
     The compiler stops with "No such file or directory". This is what is left when a header was renamed or moved.
@@ -77,9 +79,17 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
         level = None if first.is_compiled else Severity.WARNING
         related = tuple(Related(each.path, each.span, "and here") for each in others)
         yield Hit(first.path, first.span, message(first), level, related, fix)
+    for lost in UnreachedHeaders(headers).first():
+        yield Hit(lost.path, lost.span, unreached(lost))
     for other in ForeignHeaders(headers).all():
         level = None if other.is_compiled else Severity.WARNING
         yield Hit(other.path, other.span, of_nobody(other), level)
+
+
+def unreached(each: UnreachedHeader) -> str:
+    start = f"no command tells the compiler of `{each.folder}/`, where `{each.header}` is"
+    advice = f"add `target_include_directories(… PUBLIC {each.folder})`"
+    return f'{start}: it stops with "No such file"; {advice}'
 
 
 def by_header(found: Iterable[MissingHeader]) -> Iterable[list[MissingHeader]]:

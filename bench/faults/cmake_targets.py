@@ -1,0 +1,130 @@
+"""Faults of what CMake builds, links and installs, of which each call is right by itself."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from bench.faults.cmake_names import FAMILIES
+from bench.faults.fault import PutFault, Spot
+from bench.faults.kinds import kind
+from bench.faults.known import INTERFACES
+from bench.faults.source_package import SourcePackage
+
+CMAKE = r"^CMakeLists\.txt$"
+CALL = r"^{}\(\s*(\$\{{PROJECT_NAME\}}|\w+)\b[^()]*\)[ \t]*\n"
+
+
+def calls(package: SourcePackage, command: str) -> Iterator[Spot]:
+    """Yield the calls of a command at the top level that are all there is of it for their target."""
+    for spot in package.spots(CMAKE, CALL.format(command)):
+        if len(re.findall(rf"{command}\(\s*{re.escape(spot.word)}\b", spot.text)) == 1:
+            yield spot
+
+
+def own_name(package: SourcePackage, spot: Spot) -> str:
+    return package.name if spot.word == "${PROJECT_NAME}" else spot.word
+
+
+@kind("cmake targets")
+def target_source_lost(package: SourcePackage) -> Iterator[PutFault]:
+    """A source that registers a node or a plugin is no longer compiled."""
+    for spot in package.spots(CMAKE, r"^\s+((?:[\w-]+/)*([\w-]+\.cpp))[ \t]*\n(?=[^()]*\))"):
+        loaded = r"RCLCPP_COMPONENTS_REGISTER_NODE|PLUGINLIB_EXPORT_CLASS"
+        if package.holds(rf"^{re.escape(spot.word)}$", loaded):
+            yield spot.drop(spot[2])
+
+
+@kind("cmake targets")
+def target_links_lost(package: SourcePackage) -> Iterator[PutFault]:
+    """Nothing of ROS is linked any more to what includes it."""
+    for spot in calls(package, "ament_target_dependencies"):
+        if not package.holds(CMAKE, rf"target_link_libraries\(\s*{re.escape(spot.word)}\b|ament_auto"):
+            found = re.findall(r"[a-z]\w+", spot.match[0])[1:]
+            yield spot.drop(own_name(package, spot), *found)
+
+
+@kind("cmake targets")
+def target_dependency_lost(package: SourcePackage) -> Iterator[PutFault]:
+    """One package that the sources of the only target include is not linked."""
+    targets = list(package.spots(CMAKE, r"^\s*add_(?:executable|library)\(\s*([\w${}]+)"))
+    pattern = r"^ament_target_dependencies\([^()]*?(?<=\s)(\"?(sensor_msgs|nav_msgs|std_srvs|cv_bridge)\"?)(?=[\s)])"
+    for spot in package.spots(CMAKE, pattern) if len(targets) == 1 else ():
+        others = set(re.findall(r"\b[a-z]\w+", spot.match[0])[2:]) - {spot[2]}
+        is_known = all(each in {*package.siblings, *INTERFACES} or each.startswith(FAMILIES) for each in others)
+        if package.holds(r"^(src|include)/.*\.(cpp|hpp)$", rf"#include\s*[<\"]{spot[2]}/"):
+            yield spot.put("", spot[2]).known(is_known, "a package that is not here may bring it")
+
+
+@kind("cmake targets")
+def target_include_folder_lost(package: SourcePackage) -> Iterator[PutFault]:
+    """The package's own headers are not found."""
+    own = package.matching(r"^include/.*\.hp?p?$")
+    places = [
+        *calls(package, "target_include_directories"),
+        *package.spots(CMAKE, r"^(include_directories)\([^()]*\)\n"),
+    ]
+    if own and len(places) == 1 and package.holds(r"^src/.*\.cpp$", rf"#include\s*[<\"]{package.name}/"):
+        yield places[0].drop("include", own_name(package, places[0]), *(each.rpartition("/")[2] for each in own))
+
+
+@kind("cmake targets")
+def target_twice(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(CMAKE, r"^(add_executable\(\s*(\w+)[^()]*\))[ \t]*\n"):
+        yield spot.put(f"{spot.word}\n{spot.word}", spot[2])
+
+
+@kind("cmake targets")
+def target_of_library_not_installed(package: SourcePackage) -> Iterator[PutFault]:
+    """The library of a component or a plugin stays in the build folder."""
+    for spot in package.spots(CMAKE, r"^install\(\s*TARGETS\s+(\w+)\s[^()]*\)[ \t]*\n"):
+        registered = rf"rclcpp_components_register_nodes?\(\s*{spot.word}\b"
+        if package.holds(CMAKE, registered) and f"add_library({spot.word}" in spot.text:
+            yield spot.drop()
+
+
+@kind("cmake targets")
+def target_before_it_is_made(package: SourcePackage) -> Iterator[PutFault]:
+    """What links a target stands above what makes it."""
+    pattern = r"^(add_executable\(\s*(\w+)[^()]*\)\n)\s*(ament_target_dependencies\(\s*\2[^()]*\)\n)"
+    for spot in package.spots(CMAKE, pattern):
+        before, after = spot.match.start(), spot.match.end()
+        text = spot.text[:before] + spot[3] + spot[1] + spot.text[after:]
+        yield spot.rewritten(text, spot[2])
+
+
+@kind("cmake targets")
+def script_without_interpreter(package: SourcePackage) -> Iterator[PutFault]:
+    """A program in Python does not begin with `#!` any more."""
+    installed = package.words(CMAKE, r"install\(\s*PROGRAMS[^()]*?([\w./-]+\.py)\b(?=[^()]*DESTINATION\s+lib/)")
+    for file in sorted(installed & set(package.files)):
+        for spot in package.spots(rf"^{re.escape(file)}$", r"\A()#!", 0):
+            line = spot.text.find("\n") + 1
+            text = spot.text[line:]
+            if not re.match(r"#!", text):
+                yield spot.rewritten(text, file.rpartition("/")[2])
+
+
+@kind("cmake targets")
+def script_without_executable_bit(package: SourcePackage) -> Iterator[PutFault]:
+    """`colcon build --symlink-install` links a program that is not executable."""
+    for spot in package.spots(CMAKE, r"install\(\s*PROGRAMS\s+([\w./-]+\.py)\s+DESTINATION\s+lib/"):
+        if spot.word in package.files:
+            path = package.path(spot.word)
+            yield PutFault(path, (spot.word.rpartition("/")[2],), {path: package.data(spot.word)}, 0, frozenset({path}))
+
+
+@kind("cmake targets")
+def cmake_minimum_lost(package: SourcePackage) -> Iterator[PutFault]:
+    for spot in package.spots(CMAKE, r"^(cmake_minimum_required)\([^()]*\)[ \t]*\n"):
+        yield spot.drop("cmake_minimum_required")
+
+
+@kind("cmake targets")
+def cmake_variable_quoted_as_one(package: SourcePackage) -> Iterator[PutFault]:
+    """A list in quotes is one name, which no package has."""
+    pattern = r"^ament_target_dependencies\(\s*[\w${}]+\s+(?:PUBLIC\s+)?(\$\{(\w+)\})\s*\)"
+    for spot in package.spots(CMAKE, pattern):
+        values = re.search(rf"^set\(\s*{spot[2]}\s+([^()]*)\)", spot.text, re.MULTILINE)
+        if values and len(values[1].split()) > 1:
+            yield spot.put(f'"{spot.word}"', spot[2], *values[1].split()[:3])
