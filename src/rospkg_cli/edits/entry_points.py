@@ -23,9 +23,9 @@ def repair_entry_point(setup: SetupPy, entry: EntryPoint) -> tuple[Edit, ...]:
     if entry.fault == "joined":
         return separate_with_commas(setup, entry)
     if entry.fault == "no-attribute" and "." in entry.module:
-        module, _, attribute = entry.module.rpartition(".")
-        path = setup.file_of(module) and not setup.file_of(entry.module)
-        return rewrite_entry_point(entry, f"{entry.name} = {module}:{attribute}") if path else ()
+        is_attribute = setup.file_of(entry.module.rpartition(".")[0]) and not setup.file_of(entry.module)
+        head, _, attribute = entry.text.rpartition(".")
+        return rewrite_entry_point(entry, f"{head}:{attribute}") if is_attribute else ()
     match = SLASHES.fullmatch(entry.text)
     if match is None:
         return ()
