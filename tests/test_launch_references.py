@@ -464,3 +464,20 @@ def test_a_macro_of_elsewhere_may_make_all_programs(own: str, expected: list[str
 def test_where_a_launch_is_started_is_not_known(path: str, found: int) -> None:
     text = python(f"    return LaunchDescription([Node(package='my_pkg', executable='a', parameters=[{path}])])")
     assert len(said({**BASE, "launch/a.launch.py": f"import pathlib\n{text}"}, "LCH003")) == found
+
+
+@pytest.mark.parametrize(
+    ("given", "found"),
+    [
+        ("param_file", ["`bringup_launch.py` of `nav2_bringup` takes no argument `param_file`"]),
+        ("params_file", []),
+        ("own_option", []),
+        ("mpa", []),
+    ],
+)
+def test_a_slip_in_an_argument_of_a_well_known_launch_file(given: str, found: list[str]) -> None:
+    text = include(given).replace("my_pkg)/launch/arm.launch.xml", "nav2_bringup)/launch/bringup_launch.py")
+    said = lint_files({**BASE, "launch/robot.launch.xml": text}, ["LCH015"]).findings
+    assert [(each.severity.value, each.message.partition(":")[0]) for each in said] == [
+        ("warning", one) for one in found
+    ]

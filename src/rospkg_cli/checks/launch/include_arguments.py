@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Collection, Iterator
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.launch.file_references import references_in
+from ...package.launch.file_references import FileReference, references_in
 from ...package.launch.launch_file import Include
 from ...package.launch.launch_signature import LaunchSignature
+from ...ros.known_launch_files import known_arguments
 from ...source import Span
 from ...suggest import near_names, nearest
 from .missing_references import LaunchContext
@@ -38,16 +40,27 @@ class IncludeContext:
     def mismatches(self) -> Iterator[ArgumentMismatch]:
         """Yield the unknown and the missing arguments of includes, as far as the included file is known."""
         for include in self.scope.file.includes if not (self.scope.file.is_ros1 or self.scope.is_unused_test) else ():
-            target = self.target(include)
-            if target is not None:
+            folder = self.scope.file.path.rpartition("/")[0]
+            named = next(references_in(include.file, folder, "include"), None)
+            if named is not None and (target := self.target(named)) is not None:
                 package, signature = target
                 yield from self.mismatches_of(include, package, signature)
+            elif named is not None and self.scope.workspace.named(named.package) is None:
+                yield from self.slips(include, named)
 
-    def target(self, include: Include) -> tuple[str, LaunchSignature] | None:
-        folder = self.scope.file.path.rpartition("/")[0]
-        named = next(references_in(include.file, folder, "include"), None)
+    def target(self, named: FileReference) -> tuple[str, LaunchSignature] | None:
         known = self.scope.workspace.included_arguments
-        return known.find(self.scope.package.name, named.package, named.path) if named is not None else None
+        return known.find(self.scope.package.name, named.package, named.path)
+
+    def slips(self, include: Include, named: FileReference) -> Iterator[ArgumentMismatch]:
+        """Yield what is nearly an argument of a well-known launch file: any other name a later release may take."""
+        names = known_arguments(named.package, named.path)
+        given = {text.literal: text for text, _ in include.arguments}
+        for argument, text in given.items():
+            near = mistyped(argument, names - given.keys()) if argument and argument not in names else None
+            if argument and near:
+                file = posixpath.basename(named.path)
+                yield ArgumentMismatch(text.span, file, named.package, argument, False, near)
 
     def mismatches_of(self, include: Include, package: str, signature: LaunchSignature) -> Iterator[ArgumentMismatch]:
         name = signature.source.rpartition("/")[2]
