@@ -43,8 +43,23 @@ def test_cpp_names_a_file_that_is_not_installed(lines: tuple[str, ...]) -> None:
 @pytest.mark.parametrize(
     "lines",
     [
-        (f'load({LOOKUP} + "/names/a.txt");',),
         (f'load({LOOKUP} + "/data/" + name);',),
+        ('auto share = get_package_share_path("my_pkg");', 'load(share / "data" / name);'),
+        (f"std::string share = {LOOKUP};", 'load(share + std::string("/data/") + name + ".csv");'),
+    ],
+)
+def test_cpp_looks_into_a_folder_that_is_not_installed(lines: tuple[str, ...]) -> None:
+    assert in_cpp(*lines) == ["data"]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        (f'load({LOOKUP} + "/names/a.txt");',),
+        (f'load({LOOKUP} + "/names/" + name);',),
+        (f'load({LOOKUP} + "/data" + name);',),
+        (f'load({LOOKUP} + "/nobodys/" + name);',),
+        (f'std::ofstream out({LOOKUP} + "/data/" + name);',),
         (f'// load({LOOKUP} + "/data/x.csv");',),
         (f"auto share = {LOOKUP};", 'share = "/tmp";', 'load(share + "/data/x.csv");'),
         (f'if (std::filesystem::exists({LOOKUP} + "/data/x.csv")) load();',),

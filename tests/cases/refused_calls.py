@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import CMAKE, Example
+from rospkg_cli.example import CMAKE, Example, manifest
 from rospkg_cli.rules.plugins import plg007_unexported_tree_nodes as plg007
 
 SOURCES = {"src/core.cpp": "int core() {return 1;}\n", "launch/a.launch.xml": "<launch/>\n", "plugin.xml": "<class/>\n"}
@@ -25,8 +25,86 @@ def nodes(lines: str, source: str = NODES) -> Example:
     return Example(bad=files, good={}, on="ament_cmake")
 
 
+def globbed(lines: str, **files: str) -> Example:
+    """A package whose sources CMake looks for, with more files; `__` in the name of a file is `/`."""
+    named = {name.replace("__", "/") + ".cpp": text for name, text in files.items()}
+    text = CMAKE.replace("ament_package", f"{lines}\nadd_library(core SHARED ${{SOURCES}})\nament_package")
+    return Example(bad={"CMakeLists.txt": text, "src/core/a.cpp": CODE, **named}, good={}, on="ament_cmake")
+
+
+CODE = "int core() {return 1;}\n"
 SHARED = "add_library(wait_node MODULE src/wait.cpp)\ninstall(TARGETS wait_node DESTINATION lib)"
+TESTED = """\
+if(BUILD_TESTING)
+  find_package(ament_cmake_gtest REQUIRED)
+  ament_add_gtest(test_core test/test_core.cpp)
+  {}
+endif()
+{}
+"""
+
+
+def tested(inside: str, outside: str) -> Example:
+    """A package with a test, and what is said of it inside and outside of `if(BUILD_TESTING)`."""
+    files = {
+        "package.xml": manifest("  <test_depend>ament_cmake_gtest</test_depend>\n", "ament_cmake"),
+        "test/test_core.cpp": "int main() {return 0;}\n",
+    }
+    return package(TESTED.format(inside, outside), files)
+
+
+LINKED = "target_link_libraries(test_core core)"
+ROBOT = """\
+<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:include filename="$(find my_pkg)/{}/arm.xacro"/>
+  <link name="base"/>
+</robot>
+"""
+
+
+def robot(folder: str, *installed: str) -> Example:
+    """A robot that includes a file of another folder of its package."""
+    text = CMAKE.replace(
+        "ament_package", f"install(DIRECTORY {' '.join(installed)} DESTINATION share/my_pkg)\nament_package"
+    )
+    included = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"/>\n'
+    files = {"CMakeLists.txt": text, "urdf/arm.urdf.xacro": ROBOT.format(folder), f"{folder}/arm.xacro": included}
+    return Example(bad=files, good={}, on="ament_cmake")
+
+
 CASES = {
+    "URD002": (robot("control", "urdf"), robot("control", "urdf", "control"), robot("xacro", "urdf")),
+    "CMK107": (
+        tested("", LINKED),
+        tested(LINKED, "target_link_libraries(core m)"),
+        tested("", f"if(TARGET test_core)\n  {LINKED}\nendif()"),
+        tested("", f"if(WITH_MORE)\n  {LINKED}\nendif()\nfunction(more)\n  {LINKED}\nendfunction()\nmore()"),
+        tested("else()\n  add_library(test_core src/core.cpp)", LINKED),
+        tested("", f"include(${{team_DIR}}/team.cmake)\n{LINKED}"),
+    ),
+    "CMK124": (
+        globbed("file(GLOB SOURCES src/*.cpp)"),
+        globbed('file(GLOB SOURCES CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR} "${CMAKE_SOURCE_DIR}/src/?.cpp")'),
+        globbed("file(GLOB_RECURSE SOURCES src/*.cpp)"),
+        globbed("file(GLOB_RECURSE SOURCES *.cpp)"),
+        globbed("file(GLOB_RECURSE SOURCES lib/*.cpp)"),
+        globbed("file(GLOB SOURCES src/*.cpp)", test__b=CODE),
+        globbed("file(GLOB SOURCES lib/core/*.cpp)", test__b=CODE),
+        globbed("file(GLOB SOURCES src/*.cpp src/core/*.cpp)"),
+        globbed("file(GLOB SOURCES src/*.hpp)\nfile(GLOB UNUSED src/*.cpp)\nfile(WRITE SOURCES src/*.cpp)"),
+        globbed("if(WITH_MORE)\n  file(GLOB SOURCES src/*.cpp)\nendif()"),
+        globbed("file(GLOB SOURCES ${CMAKE_BINARY_DIR}/*.cpp)\nfile(GLOB SOURCES src/[ab].cpp)"),
+        Example(
+            bad={
+                "CMakeLists.txt": CMAKE.replace("ament_package", "add_subdirectory(src)\nament_package"),
+                "src/CMakeLists.txt": "file(GLOB SOURCES src/*.cpp)\nadd_library(core SHARED ${SOURCES})\n",
+                "src/a.cpp": CODE,
+                ".old/src/b.cpp": CODE,
+            },
+            good={},
+            on="ament_cmake",
+        ),
+    ),
     "PLG007": (
         nodes(SHARED),
         nodes(f"add_definitions(-DBT_PLUGIN_EXPORT)\n{SHARED}"),

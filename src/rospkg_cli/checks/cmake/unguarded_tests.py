@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.cmake_project import CMake
 from ...ros.manifest import DEPENDENCY_TAGS
+from .distro_guards import guarded_commands
 
 TEST_PACKAGES = frozenset("""
     ament_lint_auto ament_lint_common ament_cmake_gtest ament_cmake_gmock ament_cmake_pytest ament_cmake_nose
@@ -22,6 +25,13 @@ TEST_COMMANDS = frozenset("""
     ament_xmllint ament_clang_format
 """.split())  # fmt: skip
 FOR_TESTS = ("test_depend",)
+OF_TARGETS = frozenset("""
+    target_link_libraries target_include_directories target_compile_definitions target_compile_options target_sources
+    target_compile_features ament_target_dependencies rosidl_target_interfaces set_target_properties
+""".split())  # fmt: skip
+"""Commands that stop where their target was not made."""
+ASKED_FOR = regex(r"TARGET|TEST|test")
+"""`if(TARGET …)` and options of the package's own."""
 
 
 @dataclass(frozen=True)
@@ -43,3 +53,18 @@ def unguarded(package: CMakePackage) -> Iterator[UnguardedTest]:
     for call in cmake.calls:
         if call.name in TEST_COMMANDS and not call.testing and not call.maybe and not call.function:
             yield UnguardedTest(call, call.name)
+    yield from of_test_targets(cmake)
+
+
+def of_test_targets(cmake: CMake) -> Iterator[UnguardedTest]:
+    """Yield what is said, outside, of targets that are made inside alone."""
+    made = {each.name for each in cmake.targets if not each.call.testing}
+    made |= {call.texts[0] for call in cmake.unreachable if call.words}
+    tests = {each.name for each in cmake.targets if each.word.is_known} - made
+    if not tests or cmake.reads_unknown_files:
+        return
+    asked = {id(each) for file in cmake.files for each in guarded_commands(file.body, ASKED_FOR)}
+    for call in cmake.calls:
+        first = call.texts[0] if call.name in OF_TARGETS and call.words else ""
+        if first in tests and not (call.testing or call.maybe or call.function) and id(call.command) not in asked:
+            yield UnguardedTest(call, f"{call.name}({first} …)")

@@ -13,6 +13,8 @@ from .share_names import CAUGHT, LOOKUP, NAME
 
 BEHIND = regex(r'\s*[+/]\s*(?:std::string\()?"([\w./ -]+)"\s*\)?\s*(?![\w\s+/"]*[+/])')
 """What is put behind a base; not where more is put behind that."""
+FOLDER = regex(r'\s*[+/]\s*(?:std::string\()?"(/?[\w.-]+(?:/[\w.-]+)*)(?:/"\s*\)?\s*\+|/?"\s*/)')
+"""The folder behind a base, where more is put behind it: `+ "/maps/" + name`, `/ "maps" / name`."""
 VARIABLE = regex(r"(\w+)\s*(?:=|\{|\()\s*(?:\w+::)*\Z")
 """What is before a call whose result a variable is set to."""
 
@@ -35,7 +37,7 @@ def share_file_paths(file: CppFile) -> Iterator[NamedShareFile]:
         name = NAME.match(text, call.end()) if "prefix" not in call.group() else None
         if name is None:
             continue
-        if behind := BEHIND.match(text, name.end()):
+        if behind := BEHIND.match(text, name.end()) or FOLDER.match(text, name.end()):
             yield NamedShareFile(name[1], behind[1], Span(*behind.span(1)))
         elif (variable := VARIABLE.search(code, 0, call.start())) is not None:
             yield from behind_variable(text, code, name[1], variable[1])
@@ -46,5 +48,5 @@ def behind_variable(text: str, code: str, package: str, variable: str) -> Iterat
     assigned = regex(rf"\b{variable}\s*(?:=(?!=)|\+=|\{{)")
     if len([*assigned.finditer(code)]) == 1:
         for use in named.finditer(code):
-            if behind := BEHIND.match(text, use.end()):
+            if behind := BEHIND.match(text, use.end()) or FOLDER.match(text, use.end()):
                 yield NamedShareFile(package, behind[1], Span(*behind.span(1)))

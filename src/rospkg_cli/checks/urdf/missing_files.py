@@ -13,6 +13,7 @@ from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_file import ResourceReference, RobotFile
 from ...package.workspace import Workspace
+from ...ros.share_layout import FOLDERS
 from ...source import Span
 from ...suggest import nearest
 from ..closest_path import closest_path
@@ -144,7 +145,7 @@ class RobotInWorkspace:
                 return "not installed"
             return "absent" if path not in facts.run_time_files else None
         top = path.partition("/")[0]
-        partly = "/" not in path or top in self.share_folders(facts)
+        partly = "/" not in path or top in self.share_folders(facts) or top not in FOLDERS
         return "not installed" if partly and facts.knows("share_files") else None
 
     def is_told(self, facts: PackageFacts, path: str, state: State) -> bool:

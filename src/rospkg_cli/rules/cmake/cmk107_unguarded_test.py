@@ -40,7 +40,7 @@ def unguarded_test(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
     Finds test frameworks, linters and tests outside of `if(BUILD_TESTING)` in CMakeLists.txt.
-    All of a package are one finding.
+    So does what is said there of targets that are made inside alone. All of a package are one finding.
 
     ## Why is this bad?
     Where packages are built for release, tests are off and their dependencies are not there: "Could not find a package

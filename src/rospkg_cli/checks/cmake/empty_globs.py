@@ -1,0 +1,86 @@
+"""`file(GLOB …)` that matches no file, although another folder holds what it looks for."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from functools import cached_property
+
+from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
+from ...languages.cmake.values import Word
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
+
+READ = (".cpp", ".cc", ".cxx", ".c", ".cu", ".msg", ".srv", ".action", ".idl", ".proto", ".py", ".yaml")
+"""Endings of what is lost where it is not found; headers are listed for editors alone."""
+OPTIONS = frozenset({"CONFIGURE_DEPENDS", "FOLLOW_SYMLINKS"})
+WITH_VALUE = frozenset({"RELATIVE", "LIST_DIRECTORIES"})
+
+
+@dataclass(frozen=True)
+class EmptyGlob:
+    word: Word
+    variable: str
+    meant: str
+    """The pattern that matches, relative to the folder of the CMake file."""
+
+
+@dataclass(frozen=True)
+class EmptyGlobs:
+    cmake: CMake
+
+    def all(self) -> Iterator[EmptyGlob]:
+        """Yield the only pattern of a glob where it matches nothing, and nearly the same one does."""
+        for call in self.cmake.named("file"):
+            patterns = patterns_of(call)
+            if len(patterns) != 1 or call.maybe or not self.is_used(call.texts[1]):
+                continue
+            path = path_in_package(patterns[0].text, call.folder)
+            if path is None or not path.endswith(READ) or "*" not in path or "[" in path or self.is_found(call, path):
+                continue
+            if not self.cmake.package_files.absent.is_expected(path) and (folder := self.holding(path)) is not None:
+                meant = posixpath.join(posixpath.relpath(folder or ".", call.folder or "."), posixpath.basename(path))
+                yield EmptyGlob(patterns[0], call.texts[1], meant.removeprefix("./"))
+
+    def is_used(self, variable: str) -> bool:
+        return any(f"${{{variable}}}" in file.source.text for file in self.cmake.files)
+
+    def is_found(self, call: EvaluatedCommand, path: str) -> bool:
+        """Return whether a pattern matches a file; one of GLOB_RECURSE looks below its folder too."""
+        folder, name = posixpath.split(path)
+        deep = call.texts[0].upper() == "GLOB_RECURSE"
+        start = f"{shell(folder)}/" if folder else ""
+        pattern = re.compile(f"{start}(.*/)?{shell(name)}" if deep else shell(path))
+        return any(pattern.fullmatch(each) for each in self.cmake.package_files.every)
+
+    def holding(self, path: str) -> str | None:
+        """Return the folder that holds such files: the only one, or the only one of the same name."""
+        folder, name = posixpath.split(path)
+        pattern = re.compile(shell(name))
+        fits = {posixpath.dirname(each) for each in self.files if pattern.fullmatch(posixpath.basename(each))}
+        same = {each for each in fits if posixpath.basename(each) == posixpath.basename(folder)} if folder else set()
+        found = same or fits
+        return next(iter(found)) if len(found) == 1 else None
+
+    @cached_property
+    def files(self) -> tuple[str, ...]:
+        return tuple(each for each in self.cmake.package_files.paths if "/." not in f"/{each}")
+
+
+def patterns_of(call: EvaluatedCommand) -> list[Word]:
+    """Return the patterns of `file(GLOB variable …)`; none for other forms of `file`."""
+    if len(call.words) < 3 or call.texts[0].upper() not in ("GLOB", "GLOB_RECURSE"):
+        return []
+    found, before = [], ""
+    for word in call.words[2:]:
+        if before not in WITH_VALUE and word.text not in WITH_VALUE | OPTIONS:
+            found.append(word)
+        before = word.text
+    return found
+
+
+def shell(pattern: str) -> str:
+    """Return a shell pattern as a regular expression, in which `*` stays within a folder."""
+    parts = re.split(r"([*?])", pattern)
+    return "".join("[^/]*" if each == "*" else "[^/]" if each == "?" else re.escape(each) for each in parts)
