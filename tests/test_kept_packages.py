@@ -210,7 +210,7 @@ def test_plain_data_makes_no_other_objects() -> None:
 
 
 def test_every_field_of_the_workspace_is_recorded_or_in_the_key() -> None:
-    assert set(field_names(Workspace)) == {"packages", "selected", *GIVEN}
+    assert set(field_names(Workspace)) == {"packages", "selected", "nearest", *GIVEN}
     own = {"packages", "selected", "names"}
     assert all(name in vars(RecordedWorkspace) for name in {*own, *METHODS, "named", "at", "kind_of", "is_available"})
     assert all(isinstance(vars(RecordedFacts)[name], property) for name in field_names(PackageFacts))

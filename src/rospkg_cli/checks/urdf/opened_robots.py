@@ -19,6 +19,7 @@ OPENERS = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h
 LAUNCH = (".py", ".xml", ".launch", ".yaml", ".yml")
 LETTERS = regex(r"[^\W\d_]{2}")
 PAGES = (".md", ".rst", ".txt")
+LETTERS = regex(r"[^\W\d_]{2}")
 COMMAND = r"(?:\b(?:ros2|xacro\w*|check_urdf|urdf_to_\w+|rviz2?|gz|gazebo|ign|python3?)[\s(]|:=)"
 """What stands in a line of a page that tells how to open a robot; others only tell that it is there."""
 DOCSTRING = regex(r"\A(?:\s|#[^\n]*\n)*[ru]?(\"{3}|'{3})[\s\S]*?\1")
@@ -33,7 +34,8 @@ class OpenedRobots:
     def has(self, path: str) -> bool:
         """Return whether a file may be opened: a text of the package names it, or one of a package that names this.
 
-        Robots name files in full; launch files and code often put the suffix behind a name.
+        Robots name files in full; launch files and code often put the suffix behind a name, which then has letters:
+        `1` stands everywhere.
         """
         may_be = not self.is_copy(path) and (self.puts_together or self.is_named_elsewhere(path))
         return may_be or self.is_named(path)
@@ -56,7 +58,8 @@ class OpenedRobots:
         typed = re.compile(rf"^(?=.*{COMMAND}).*{before}{full}", re.MULTILINE)
         for other, text in self.texts:
             how = plain if other.endswith((".yaml", ".yml")) else typed if other.endswith(PAGES) else stem
-            how = re.compile(before + full) if other.endswith(ROBOTS) else how
+            in_full = other.endswith(ROBOTS) or not LETTERS.search(word)
+            how = re.compile(before + full) if in_full else how
             is_beside = not is_copy or "/" not in other or not other.endswith(PAGES)
             if other != path and name.partition(".")[0] in text and is_beside and how.search(text):
                 return True
