@@ -94,3 +94,34 @@ def test_a_variable_that_names_a_target_uses_nothing(naming: str) -> None:
     assert said("CMK103", NODE + naming) == ["warning node"]
     assert said("CMK103", f"{NODE}{naming}{INSTALLED}") == []
     assert said("CMK103", f"{NODE}set(NODES node)\ninstall(TARGETS ${{NODES}} DESTINATION lib/a)\n") == []
+
+
+MADE = """\
+from launch import LaunchDescription
+from nav2_common.launch import {maker}
+
+
+def generate_launch_description():
+    return LaunchDescription([{maker}(package='nav2_amcl', {key}='amcl')])
+"""
+
+
+@pytest.mark.parametrize(
+    "maker, key, expected",
+    [
+        ("Node", "executable", ["nav2_amcl"]),
+        ("Node", "node_executable", ["nav2_amcl"]),
+        ("make_node", "plugin", ["nav2_amcl"]),
+        ("Node", "name", []),
+    ],
+)
+def test_nodes_that_a_class_of_another_package_makes(maker: str, key: str, expected: list[str]) -> None:
+    files = {
+        "package.xml": manifest("  <exec_depend>nav2_common</exec_depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package", "install(DIRECTORY launch DESTINATION share/my_pkg)\nament_package"
+        ),
+        "launch/a.launch.py": MADE.format(maker=maker, key=key),
+    }
+    found = [each.message.split("`")[1] for each in lint_files(files, ["DEP103"]).findings]
+    assert [name for name in found if name.startswith("nav2")] == expected

@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Literal
 
+from ...languages.python.evaluate.values import Text
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
+from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile
+from ...package.launch.python_to_text import text_of
 from ...package.launch.text import LaunchText, Substitution
 from ...package.launch.text import Literal as LiteralText
 from ...source import Span
@@ -24,6 +27,9 @@ launch goes on without a component, a controller or another process, and an erro
 
 PROGRAMS = {"xacro": "xacro", "rviz2": "rviz2", "rqt": "rqt_gui"}
 """Programs on the PATH that come with a package of ROS."""
+
+STARTED_BY = ("executable", "node_executable", "plugin", "node_plugin")
+"""Keywords that say which part of a package a node is."""
 
 VERBS = {
     **{verb: f"ros2{verb}" for verb in ("action", "bag", "component", "lifecycle", "param", "service", "topic")},
@@ -71,6 +77,7 @@ def every_reference(file: LaunchFile) -> Iterator[PackageReference]:
             yield from (replace(use, fails="component") for use in uses)
         else:
             yield from package_named(file, node.package, "starts a node of")
+    yield from of_others(file)
     for each in file.substitutions:
         is_late = not file.source.slice(each.span).partition("(")[0].rpartition(".")[2].startswith("get_package_")
         yield from (replace(use, is_late=is_late) for use in found_by(file, each))
@@ -83,6 +90,20 @@ def every_reference(file: LaunchFile) -> Iterator[PackageReference]:
         yield PackageReference(package, file.path, span, "reads the MoveIt configuration of", is_late=False)
     for controller, span in spawned_controllers(file):
         yield PackageReference(controller, file.path, span, "loads the controller of", fails="controller")
+
+
+def of_others(file: LaunchFile) -> Iterator[PackageReference]:
+    """Yield the packages of nodes that classes and functions of other packages make: `nav2_common.launch.Node`.
+
+    A function that nothing calls may be there for code that writes launch files.
+    """
+    evaluated = file.evaluated if file.has_entry_point else None
+    for call in evaluated.calls if evaluated is not None else ():
+        package = call.get("package") if not class_of(call) else None
+        if evaluated is None or any(each.start <= call.span.start < each.end for each in evaluated.deferred):
+            continue
+        if isinstance(package, Text) and any(call.get(each) is not None for each in STARTED_BY):
+            yield from package_named(file, text_of(package), "starts a node of")
 
 
 def package_named(file: LaunchFile, text: LaunchText | None, does: str) -> Iterator[PackageReference]:

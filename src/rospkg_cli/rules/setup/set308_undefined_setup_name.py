@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...edits.setup_py import import_module, import_name
 from ...example import SETUP_PY, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...languages.python.called_modules import CalledModule, called_modules
 from ...languages.python.undefined_names import UndefinedName, is_in_function, undefined_names
 from ...package.setup.setup_py import SetupPy
 from ...rule import rule
@@ -46,6 +47,11 @@ OTHERS = {
             fix=Safety.SAFE,
         ),
         Example(
+            bad={**LAUNCH, "setup.py": f"import glob\n\n{BAD}"},
+            good={"setup.py": f"import glob\n\n{GOOD.replace('glob(', 'glob.glob(')}"},
+            fix=Safety.SAFE,
+        ),
+        Example(
             bad={"setup.py": SETUP_PY.replace("name=package_name", "name=«pakage_name»")},
             good={"setup.py": SETUP_PY},
         ),
@@ -55,14 +61,21 @@ def undefined_setup_name(setup: SetupPy) -> Iterator[Hit]:
     """
     ## What it does
     Finds names that setup.py uses and that it neither defines nor imports.
+    It finds modules too that are called like the function of their name: `import glob`, and then `glob(…)`.
 
     ## Why is this bad?
-    The build stops with a NameError. A `glob(…)` that was copied without its import is the usual case.
+    The build stops with a NameError, or with a TypeError. A `glob(…)` that was copied without its import is the usual
+    case.
 
     ## When it is quiet
     Where setup.py imports `*`, runs strings as code or looks names up in `globals()`, and where a NameError is caught.
     """
     reported: set[str] = set()
+    for called in called_modules(setup.file):
+        start = f"`{called.name}` is a module here, and is called like a function"
+        message = f"{start}: setup.py stops with \"TypeError: 'module' object is not callable\"; {advice_for(called)}"
+        level = Severity.WARNING if is_in_function(setup.file, called.span) else None
+        yield Hit(setup.path, called.span, message, level, fix=qualified(setup, called))
     for found in undefined_names(setup.file):
         if found.name in reported:
             continue
@@ -79,6 +92,19 @@ def undefined_setup_name(setup: SetupPy) -> Iterator[Hit]:
             Severity.WARNING if is_in_function(setup.file, found.span) else None,
             fix=fix,
         )
+
+
+def advice_for(called: CalledModule) -> str:
+    if called.function:
+        return f"write `{called.function}(…)`"
+    return "name the function of it that is meant"
+
+
+def qualified(setup: SetupPy, called: CalledModule) -> Fix | None:
+    if not called.function:
+        return None
+    edit = Edit(setup.path, called.span, called.function)
+    return Fix(f"write `{called.function}`", (edit,), Safety.SAFE)
 
 
 def import_of(setup: SetupPy, found: UndefinedName) -> str:
