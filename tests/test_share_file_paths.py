@@ -56,6 +56,7 @@ def test_cpp_looks_into_a_folder_that_is_not_installed(lines: tuple[str, ...]) -
     "lines",
     [
         (f'load({LOOKUP} + "/names/a.txt");',),
+        (f'std::string command = {LOOKUP} + "/names/a.txt ";',),
         (f'load({LOOKUP} + "/names/" + name);',),
         (f'load({LOOKUP} + "/data" + name);',),
         (f'load({LOOKUP} + "/nobodys/" + name);',),

@@ -86,6 +86,7 @@ CASES = {
         globbed("file(GLOB SOURCES src/*.cpp)"),
         globbed('file(GLOB SOURCES CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR} "${CMAKE_SOURCE_DIR}/src/?.cpp")'),
         globbed("file(GLOB_RECURSE SOURCES src/*.cpp)"),
+        globbed("file(GLOB SOURCES src/*.cpp)\nif(NOT SOURCES)\n  list(APPEND SOURCES src/core/a.cpp)\nendif()"),
         globbed("file(GLOB_RECURSE SOURCES *.cpp)"),
         globbed("file(GLOB_RECURSE SOURCES lib/*.cpp)"),
         globbed("file(GLOB SOURCES src/*.cpp)", test__b=CODE),

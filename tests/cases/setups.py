@@ -117,6 +117,10 @@ CASES = {
         python({**set101.entry_point_module_missing.examples[0].bad, ".gitignore": "my_pkg/taker.py\n"}),
         python({**set101.entry_point_module_missing.examples[0].bad, ".gitignore": "my_pkg/talker.py\n"}),
         python({**set101.entry_point_module_missing.examples[0].bad, ".gitmodules": "path = my_pkg/taker.py\n"}),
+        *(
+            python({"setup.py": setup_py(scripts("talker = talker.Talker:main")), "my_pkg/talker.py": MAIN, **more})
+            for more in ({}, {"package.xml": manifest("  <exec_depend>talker</exec_depend>\n")})
+        ),
     ),
     "SET102": tuple(
         python({"setup.py": setup_py(scripts("talker = my_pkg.talker:main")), "my_pkg/talker.py": text})

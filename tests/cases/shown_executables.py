@@ -43,6 +43,10 @@ CASES = {
         nodes({"my_pkg/listener.py": None, "my_pkg/inner/__init__.py": "", "my_pkg/inner/a.py": NODE}),
         nodes({"launch/a.launch.xml": '<launch><node pkg="my_pkg" exec="listener"/></launch>\n'}),
         nodes({"my_pkg/listener.py": NODE.replace("import rclpy", "import rospy")}),
+        *(nodes({"setup.py": setup_py(scripts()), "my_pkg/talker.py": None, "my_pkg/listener.py": None, **only})
+          for only in ({"my_pkg/test_arm.py": NODE}, {"my_pkg/arm_demo.py": NODE}, {"my_pkg/test_arm_old.py": NODE},
+                       {"my_pkg/test_arm.py": "import pytest\n" + NODE},
+                       {"my_pkg/test_arm.py": NODE + "\n\ndef test_it():\n    main()\n"})),
     ),
     "SET107": (
         python(SCRIPT),

@@ -44,7 +44,10 @@ class EmptyGlobs:
                 yield EmptyGlob(patterns[0], call.texts[1], meant.removeprefix("./"))
 
     def is_used(self, variable: str) -> bool:
-        return any(f"${{{variable}}}" in file.source.text for file in self.cmake.files)
+        """Return whether a file reads a variable, and none asks whether there is anything in it."""
+        texts = [file.source.text for file in self.cmake.files]
+        asked = re.compile(rf"\bif\s*\(\s*(?:NOT\s+)?{re.escape(variable)}\b")
+        return any(f"${{{variable}}}" in text for text in texts) and not any(map(asked.search, texts))
 
     def is_found(self, call: EvaluatedCommand, path: str) -> bool:
         """Return whether a pattern matches a file; one of GLOB_RECURSE looks below its folder too."""

@@ -23,6 +23,7 @@ VARIABLE = regex(r"(\w+)\s*(?:=|\{|\()\s*(?:\w+::)*\Z")
 class NamedShareFile:
     package: str
     file: str
+    """Without blanks behind it, which a command line has there."""
     span: Span
     """Of the text behind the share directory, between the quotes."""
 
@@ -38,7 +39,7 @@ def share_file_paths(file: CppFile) -> Iterator[NamedShareFile]:
         if name is None:
             continue
         if behind := BEHIND.match(text, name.end()) or FOLDER.match(text, name.end()):
-            yield NamedShareFile(name[1], behind[1], Span(*behind.span(1)))
+            yield NamedShareFile(name[1], behind[1].rstrip(), Span(*behind.span(1)))
         elif (variable := VARIABLE.search(code, 0, call.start())) is not None:
             yield from behind_variable(text, code, name[1], variable[1])
 
@@ -49,4 +50,4 @@ def behind_variable(text: str, code: str, package: str, variable: str) -> Iterat
     if len([*assigned.finditer(code)]) == 1:
         for use in named.finditer(code):
             if behind := BEHIND.match(text, use.end()) or FOLDER.match(text, use.end()):
-                yield NamedShareFile(package, behind[1], Span(*behind.span(1)))
+                yield NamedShareFile(package, behind[1].rstrip(), Span(*behind.span(1)))

@@ -98,7 +98,8 @@ class PythonPackage:
         )
 
     def misplaced(self, module: str) -> str | None:
-        """Return the package's own module that a foreign name must refer to: the same except for the package's name.
+        """Return the package's own module that a foreign name must refer to: the same except for the package's name, or
+        what it begins with.
 
         A name that package.xml depends on is taken as it is.
         """
@@ -106,7 +107,7 @@ class PythonPackage:
         if root in STANDARD or self.manifest.depends_on(root):
             return None
         tails = {other.partition(".")[2]: other for other in self.on_disk}
-        return tails.get(module) or (tails.get(rest) if rest else None)
+        return tails.get(module) or (tails.get(rest) or tails.get(root) if rest else None)
 
     def suggestion(self, module: str) -> str | None:
         """Return the most similar module of the package that no entry point starts."""

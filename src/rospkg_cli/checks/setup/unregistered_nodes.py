@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import posixpath
+import re
 from collections.abc import Iterator
 from functools import cached_property
 
@@ -21,6 +22,9 @@ from .python_package import PythonPackage
 SCRIPTS = "console_scripts"
 ASIDE = regex(r"(?:^|_)(?:tests?|demos?|examples?|utils?|tools?|old|backup|bak|copy)(?:_|\d*$)|^_")
 """What modules are called that are there for import, or for their developers."""
+TRIED = regex(r"(?:^|_)(?:tests?|demos?|examples?)(?:_|\d*$)")
+"""Of these, what nodes are called that a package is for, where it has no other."""
+TESTS = regex(r"^(?:def test_|(?:import|from) (?:unittest|pytest)\b)", re.MULTILINE)
 
 RUNS = tuple(".md .rst .txt .sh .bash .py .xml .yaml .yml .cfg .toml .service Makefile Dockerfile".split())
 
@@ -88,10 +92,16 @@ class UnregisteredNodes:
 
     def is_used(self, module: str) -> bool:
         """Return whether a module is there for import or for its developers, or a file names its file."""
-        name = posixpath.basename(self.package.setup.modules[module])
-        if ASIDE.search(module.rpartition(".")[2]) or module in self.imported:
+        path = self.package.setup.modules[module]
+        if module in self.imported or (ASIDE.search(module.rpartition(".")[2]) and not self.is_all(module, path)):
             return True
-        return any(name in text for text in self.texts)
+        return any(posixpath.basename(path) in text for text in self.texts)
+
+    def is_all(self, module: str, path: str) -> bool:
+        """Return whether a node that is called like a test, and holds none, is what a package without others is for."""
+        rest, count = TRIED.subn("x", module.rpartition(".")[2])
+        is_tried = self.starts_nothing and count > 0 and not ASIDE.search(rest)
+        return is_tried and not TESTS.search(self.files.readable_text(path))
 
     @cached_property
     def imported(self) -> frozenset[str]:

@@ -45,9 +45,9 @@ def empty_source_glob(package: CMakePackage) -> Iterator[Hit]:
     Relative patterns begin in the folder of the CMakeLists.txt that is read, also below `add_subdirectory()`.
 
     ## When it is quiet
-    For headers, which CMake need not know; for variables that nothing uses; below a condition that can't be evaluated;
-    where more than one folder holds such files, and none of these is called as the pattern says; and where a .gitignore
-    or a submodule that is not checked out explains it.
+    For headers, which CMake need not know; for variables that nothing uses, or that an `if(VARIABLE)` asks about; below
+    a condition that can't be evaluated; where more than one folder holds such files, and none of these is called as the
+    pattern says; and where a .gitignore or a submodule that is not checked out explains it.
     """
     for each in EmptyGlobs(package.cmake).all():
         name = package.cmake.source_text(each.word).strip('"')
