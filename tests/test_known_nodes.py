@@ -296,3 +296,8 @@ def test_a_parameter_of_older_releases_is_an_info() -> None:
 )
 def test_slips_in_names(name: str, right: str, found: bool) -> None:
     assert is_slip(name, right) is found
+
+
+def test_a_prefix_may_stand_before_a_name() -> None:
+    launch = LAUNCH.format("moveit_servo", "{'moveit_servo.use_smoothing': True, 'moveit_servo.scale': 1.0}")
+    assert said(launch) == []

@@ -139,3 +139,29 @@ def test_programs_by_another_ending_or_of_another_package(package: str, name: st
     texts = in_python(f"Node(package='{package}', executable='{name}')", code="LCH002")
     assert len(texts) == bool(found)
     assert all(text.startswith(found) for text in texts)
+
+
+@pytest.mark.parametrize(
+    "package, path, better",
+    [
+        ("slam_toolbox", "launch/online_async.launch.py", "launch/online_async_launch.py"),
+        ("slam_toolbox", "launch/online_asyn_launch.py", "launch/online_async_launch.py"),
+        ("slam_toolbox", "launch/online_async_launch.xml", "launch/online_async_launch.py"),
+        ("slam_toolbox", "online_async_launch.py", "launch/online_async_launch.py"),
+        ("slam_toolbox", "launch/online_async_launch.py", ""),
+        ("slam_toolbox", "launch/mapping.launch.py", ""),
+        ("not_known", "launch/online_async.launch.py", ""),
+    ],
+)
+def test_launch_files_of_well_known_packages(package: str, path: str, better: str) -> None:
+    text = f'<launch>\n  <include file="$(find-pkg-share {package})/{path}"/>\n</launch>\n'
+    texts = said("launch/a.launch.xml", text, "LCH003")
+    assert len(texts) == bool(better)
+    start = f"warning: `{package}` has no file `{path}`: the launch stops"
+    assert all(each.startswith(start) and each.endswith(f"did you mean `{better}`?") for each in texts)
+
+
+def test_launch_files_of_a_package_that_is_here_are_those_of_its_sources() -> None:
+    text = '<launch>\n  <include file="$(find-pkg-share slam_toolbox)/launch/online_async.launch.py"/>\n</launch>\n'
+    own = {"src/slam_toolbox/package.xml": manifest("", "ament_cmake", "slam_toolbox")}
+    assert not any("online_async_launch" in each for each in said("launch/a.launch.xml", text, "LCH003", **own))

@@ -20,6 +20,7 @@ from bench import (
     ros1_packages,
     runtime_dependencies,
     well_known,
+    well_known_launch,
     well_known_parameters,
 )
 from bench.tables import Origin, Revision, header
@@ -40,6 +41,7 @@ GENERATED: dict[str, tuple[str, Origin]] = {
         ros1_packages,
         runtime_dependencies,
         well_known,
+        well_known_launch,
         well_known_parameters,
     )
     for name, about in script.ABOUT.items()

@@ -5,11 +5,14 @@ from __future__ import annotations
 from functools import cache
 from typing import Literal
 
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..suggest import near_names
 from .read_table import rows, sets
 
 TABLE = "well_known.txt"
+LAUNCH_FILES = "well_known_launch.txt"
+LAUNCH_NAME = regex(r"[._-]launch|\.(?:py|xml|ya?ml)$|[_-]")
 Kind = Literal["programs", "components", "plugins"]
 ENDINGS = ("_node", ".py", "_exe", "_server")
 """Of names of programs; some packages have them, and some do not."""
@@ -85,6 +88,22 @@ def packages_with_plugin(name: str) -> tuple[str, ...]:
     """Return the packages that have a plugin."""
     found = name.replace(" ", "%20")
     return tuple(package for package, names in rows(TABLE, "plugins").items() if found in names)
+
+
+def other_launch_file(package: str, path: str) -> str | None:
+    """Return the launch file of a package that a path is meant for; None where it has the path, or none is near."""
+    known = sets(LAUNCH_FILES).get(package, frozenset())
+    if path in known:
+        return None
+    same = [each for each in known if plain_launch_name(each) == plain_launch_name(path)]
+    names = {each.rpartition("/")[2]: each for each in known}
+    near = same or [names[each] for each in closest(path.rpartition("/")[2], set(names))]
+    return near[0] if len(near) == 1 else None
+
+
+def plain_launch_name(path: str) -> str:
+    """Return the name of a launch file without what names differ by: `bringup` for `launch/bringup.launch.py`."""
+    return LAUNCH_NAME.sub("", path.rpartition("/")[2].lower())
 
 
 @cache

@@ -18,6 +18,7 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.launch.ros1 import is_named_ros1
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
+from ...ros.well_known import other_launch_file
 from ...source import Span
 from ...suggest import slips
 from ...unreadable import UnreadableError
@@ -48,6 +49,8 @@ class MissingReference:
     """The file with the closest path; or, for `elsewhere`, where the file is installed."""
     other_spans: tuple[Span, ...] = ()
     """Other places that name it."""
+    is_well_known: bool = False
+    """Whether it is in a well-known package, whose sources are not here."""
 
     @property
     def is_for_rviz(self) -> bool:
@@ -126,6 +129,8 @@ class LaunchContext:
         facts = self.package if own else self.workspace.named(named.package)
         if facts is None and (better := DOUBLED.sub(r"\1", named.path)) != named.path:
             return MissingReference(named.span, named.package, named.path, "absent", named.use, better)
+        if facts is None and named.use == "include" and (other := other_launch_file(named.package, named.path)):
+            return MissingReference(named.span, named.package, named.path, "absent", named.use, other, (), True)
         if facts is None or facts.may_write(named.path):
             return None
         if not facts.knows("share_files"):

@@ -9,6 +9,7 @@ from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
+from ...ros.known_nodes import KnownParameter
 from ...source import Span
 from ...suggest import near_names, same_words
 from .declaring_packages import ENOUGH, is_its_own
@@ -99,7 +100,7 @@ def mistyped_sim_time(launched: LaunchParameters) -> Iterator[tuple[str, Span, s
 def unknown_to_known(nodes: KnownNodes) -> Iterator[LaunchedName]:
     """Yield the names that a well-known package does not declare, where it declares one near name that is not given."""
     for group in nodes.groups():
-        unknown = [each for each in group.values if not any(one.fits(each.name) for one in group.declared)]
+        unknown = [each for each in group.values if not any(may_fit(one, each.name) for one in group.declared)]
         is_owner = len(unknown) <= (1 - ENOUGH) * len(group.values) or len(group.values) == 1
         for each in unknown:
             is_removed = any(one.fits(each.name) for one in group.removed)
@@ -107,6 +108,11 @@ def unknown_to_known(nodes: KnownNodes) -> Iterator[LaunchedName]:
                 near = list(meant(each, group))
                 if len(near) == 1:
                     yield LaunchedName(group.path, each.key, group.packages[0], each.name, near[0], is_removed)
+
+
+def may_fit(known: KnownParameter, name: str) -> bool:
+    """Return whether a name may be a parameter, perhaps behind a prefix, as code gives one to a parameter library."""
+    return known.fits(name) or name.endswith(f".{known.name}")
 
 
 def meant(value: GivenValue, group: KnownGroup) -> Iterator[str]:

@@ -80,7 +80,8 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     Finds files that a launch file names and that do not exist.
     It follows paths in the share directory of this package or of another one of the workspace (`$(find-pkg-share x)/…`,
     `FindPackageShare`, `get_package_share_directory`), and paths relative to the launch file. A parameter file that is
-    given by a bare name, while the package installs one of that name, is looked for in the current directory.
+    given by a bare name, while the package installs one of that name, is looked for in the current directory. Of
+    packages that everybody uses it knows the launch files, and tells of an include of nearly one of them.
 
     ## Why is this bad?
     The build is green, and the launch stops at an included file that can't be opened. A node whose parameter file is
@@ -99,7 +100,8 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
             softer, why = level_at(scope.file, each.span)
             if not softer and scope.is_unread(each):
                 softer, why = "info", "but nothing uses the argument"
-            mild = each.use == "default" or each.is_for_rviz or scope.is_for_url(each) or is_for_nodes(scope, each)
+            mild = each.use == "default" or each.is_for_rviz or each.is_well_known
+            mild = mild or scope.is_for_url(each) or is_for_nodes(scope, each)
             level = Severity(softer) if softer else Severity.WARNING if mild else None
             others = tuple(Related(scope.file.path, span, "here too") for span in each.other_spans)
             yield Hit(scope.file.path, each.span, message(scope, each, why), level, others)
