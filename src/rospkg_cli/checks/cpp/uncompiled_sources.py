@@ -81,9 +81,9 @@ class UncompiledSources:
         """
         name = posixpath.basename(path)
         stem, texts = posixpath.splitext(name)[0], [file.source.text for file in self.package.cmake.files]
-        is_target = self.package.cmake.target(stem) is not None and not any(
-            MADE_OF_NAMES.search(each) for each in texts
-        )
+        target, has_file = self.package.cmake.target(stem), self.package.cmake.package_files.has_file
+        is_whole = target is not None and all(has_file(word.text) for word in target.sources)  # CMK102 tells of others
+        is_target = is_whole and not any(MADE_OF_NAMES.search(each) for each in texts)
         word = re.compile(rf"(?<![\w.-]){re.escape(name if is_target else stem)}(?![\w-])")
         is_source = stem in self.source_names or name in self.included
         return is_source or any(word.search(text) for text in texts)
