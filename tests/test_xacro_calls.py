@@ -149,3 +149,17 @@ def test_what_is_defined_without_its_prefix(prefix: str, expected: list[str]) ->
     assert all("the `<property>` that defines this lacks its `xacro:`" in message for _, message in found)
     macro = f'<{prefix}macro name="wheel"><link name="a"/></{prefix}macro><xacro:wheel/>'
     assert [level for level, _ in said(robot=macro)] == expected
+
+
+def test_calls_without_one_parameter_are_one_fault() -> None:
+    head = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">'
+    macros = "".join(
+        f'<xacro:macro name="{name}" params="side {more}"/>' for name, more in (("a", ""), ("b", ""), ("c", "d"))
+    )
+    calls = "\n".join(["<xacro:a/>", "<xacro:b/>", "<xacro:a/>", "<xacro:b/>", '<xacro:c side="1"/>'])
+    files = {"package.xml": manifest(), "urdf/r.xacro": f'{head}\n<link name="l"/>{macros}\n{calls}\n</robot>\n'}
+    found = {each.message: len(each.related) for each in lint_files(files, ["URD001"]).findings}
+    assert found == {
+        "the macros `a` and `b` need their parameter `side`: xacro stops here": 3,
+        "the macro `c` needs its parameter `d`: xacro stops here": 0,
+    }

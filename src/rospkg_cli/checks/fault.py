@@ -50,7 +50,8 @@ def joined(faults: Sequence[Fault], message: str, title: str) -> Fault:
     edits = tuple(edit for repair in repairs for edit in repair.edits)
     certain = all(repair.is_certain for repair in repairs)
     repair = TextRepair(title, edits, certain) if len(repairs) == len(faults) else None
-    related = (*first.related, *((each.span, "here too") for each in others))
+    again = (place for each in others for place in ((each.span, "here too"), *each.related))
+    related = tuple(dict.fromkeys((*first.related, *again)))
     return Fault(first.span, message, first.level, repair, related)
 
 

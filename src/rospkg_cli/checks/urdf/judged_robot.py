@@ -11,6 +11,7 @@ from .macro_prefix import prefix_faults
 from .opened_robots import OpenedRobots
 from .validation import robot_faults
 from .xacro_calls import XacroCalls, ancestors
+from .xacro_problems import of_one_parameter
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,7 @@ class JudgedRobot:
         told.update(fault.span for fault in made)
         later = prefix_faults(self.robot.document.root) if self.robot.is_xacro else ()
         others = [fault for fault in later if fault.span not in told]
-        found = once_each(sorted([*written, *made, *others], key=lambda fault: fault.span))
+        found = of_one_parameter(once_each(sorted([*written, *made, *others], key=lambda fault: fault.span)))
         found = [self.weighed(fault) for fault in found]
         if all(fault.level for fault in found) or not self.is_idle:
             return found

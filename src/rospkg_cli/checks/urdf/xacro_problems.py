@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
+from ...lazy_regex import regex
 from ...package.urdf.expansion.expansion import FoundProblem, XacroProblem
 from ...suggest import nearest
-from ..fault import Fault, Level, softer
+from ..enumeration import in_ticks
+from ..fault import Fault, Level, joined, softer
 from .expanded_tree import only_near
 from .xacro_calls import XacroCalls
 
@@ -20,6 +24,7 @@ SENTENCES = {
     XacroProblem.BLOCK: "no block is called `{name}`{hint}: " + STOPS,
     XacroProblem.CONDITION: "this condition is `{name}`, which is neither true nor false: " + STOPS,
 }
+LACKING = regex(r"the macro `([^`]*)` needs its parameter (.*)")
 UNPREFIXED = {XacroProblem.NAME: "property", XacroProblem.MACRO: "macro"}
 """What old files define by an element without the prefix; xacro 2.1.1 passes over it."""
 
@@ -58,3 +63,17 @@ def problem_fault(problem: FoundProblem, calls: XacroCalls, *, is_sure: bool) ->
         return softer(Fault(problem.span, message), "warning", "where the condition around it holds")
     level: Level | None = "warning" if may_be_elsewhere or not is_sure else None
     return Fault(problem.span, message, level)
+
+
+def of_one_parameter(faults: Iterable[Fault]) -> list[Fault]:
+    """Return the faults with those as one that are calls of several macros without the same parameter."""
+    groups: dict[object, list[Fault]] = {}
+    for fault in faults:
+        lacking = LACKING.fullmatch(fault.message)
+        groups.setdefault((lacking.group(2), fault.level) if lacking else id(fault), []).append(fault)
+    return [same[0] if len(same) == 1 else joined(same, of_macros(same), "") for same in groups.values()]
+
+
+def of_macros(faults: Iterable[Fault]) -> str:
+    found = [match for fault in faults if (match := LACKING.fullmatch(fault.message))]
+    return f"the macros {in_ticks(match.group(1) for match in found)} need their parameter {found[0].group(2)}"
