@@ -351,3 +351,11 @@ def test_packages_and_keys_stand_by_their_like(name: str, block: int) -> None:
     found = manifest_of(Source("package.xml", manifest_text))
     at = add_dependency(found, "exec_depend", name).span.start
     assert (at > manifest_text.index("python3-a")) == bool(block)
+
+
+def test_a_package_is_looked_for_at_the_depth_of_the_others() -> None:
+    text = cmk005.ONE.replace("«ament_target_dependencies»(talker rclcpp std_msgs)\n", "")
+    text = text.replace("find_package(rclcpp REQUIRED)\n", "").replace("find_package(", "   find_package(")
+    source = "#include <rclcpp/rclcpp.hpp>\n\nint main() {return 0;}\n"
+    files = {**CMAKE_FILES, **cmk005.FILES, "src/talker.cpp": source, "CMakeLists.txt": text}
+    assert "\n   find_package(rclcpp REQUIRED)\n" in fixed(files, "CMakeLists.txt", "DEP107")

@@ -114,6 +114,12 @@ def match_case(file: CMakeFile, lines: str) -> str:
     return re.sub(r"^([ \t]*)([a-z_]\w*)(?=\()", lambda match: match[1] + match[2].upper(), lines, flags=re.MULTILINE)
 
 
+def margin(file: CMakeFile, command: CommandInvocation) -> str:
+    """Return the blanks at the beginning of the line of a command."""
+    line = file.source.slice(file.source.line_span(file.source.position(command.span.start)[0]))
+    return line[: len(line) - len(line.lstrip())]
+
+
 def start_with_comments(source: Source, command: CommandInvocation) -> int:
     """Return where a command begins, with the comment lines right above it."""
     at = source.line_span(source.position(command.span.start)[0]).start

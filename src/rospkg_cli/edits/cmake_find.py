@@ -6,7 +6,7 @@ from ..finding import Edit
 from ..languages.cmake.evaluated_command import EvaluatedCommand
 from ..languages.cmake.syntax import CommandInvocation
 from ..package.cmake.cmake_project import CMake
-from .cmake_commands import add_after, add_before
+from .cmake_commands import add_after, add_before, margin
 from .plain_names import PLAIN
 
 
@@ -20,8 +20,8 @@ def add_find_package(cmake: CMake, name: str, before: EvaluatedCommand) -> tuple
     commands = [each for each in file.body if isinstance(each, CommandInvocation) and each.span.end <= end]
     found = [each for each in commands if each.name == "find_package"]
     if found:
-        return (add_after(file, found[-1], line),)
-    return (add_before(file, before.command, line),)
+        return (add_after(file, found[-1], margin(file, found[-1]) + line),)
+    return (add_before(file, before.command, margin(file, before.command) + line),)
 
 
 def add_find_package_among(cmake: CMake, name: str, *, testing: bool) -> tuple[Edit, ...]:
@@ -31,7 +31,8 @@ def add_find_package_among(cmake: CMake, name: str, *, testing: bool) -> tuple[E
     if not alone or not PLAIN.fullmatch(name):
         return ()
     last = next((call for call in reversed(alone) if call.path == cmake.root.path), alone[-1])
-    return (add_after(cmake.file(last.path), last.command, f"find_package({name} REQUIRED)"),)
+    file = cmake.file(last.path)
+    return (add_after(file, last.command, f"{margin(file, last.command)}find_package({name} REQUIRED)"),)
 
 
 def is_alone(cmake: CMake, call: EvaluatedCommand) -> bool:

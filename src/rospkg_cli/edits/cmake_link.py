@@ -9,7 +9,7 @@ from ..finding import Edit
 from ..languages.cmake.file import CMakeFile
 from ..package.line_width import AMENT_WIDTH
 from ..source import Span
-from .cmake_commands import listed, remove
+from .cmake_commands import listed, margin, remove
 
 OLD, NEW = "ament_target_dependencies", "target_link_libraries"
 
@@ -61,7 +61,7 @@ def link_arguments(removed: RemovedCommand, replacement: Replacement, added: int
             yield Edit(file.path, Span(span.start - len(blanks), span.end), made)
     if each_alone and closes_alone(file):
         end = removed.command.span.end - 1
-        yield Edit(file.path, Span(end, end + 1), f"\n{margin(removed)})")
+        yield Edit(file.path, Span(end, end + 1), f"\n{margin(removed.file, removed.command)})")
 
 
 def becomes_too_long(removed: RemovedCommand, parts: Sequence[ReplacedArgument], added: int) -> bool:
@@ -100,16 +100,9 @@ def blanks_before(removed: RemovedCommand, at: int) -> str:
     return text[start:at]
 
 
-def margin(removed: RemovedCommand) -> str:
-    """Return the blanks before the command."""
-    source = removed.file.source
-    line = source.slice(source.line_span(source.position(removed.command.span.start)[0]))
-    return line[: len(line) - len(line.lstrip())]
-
-
 def indent(removed: RemovedCommand) -> str:
     """Return the blanks before arguments on lines of their own."""
-    return margin(removed) + ("\t" if removed.file.indent.startswith("\t") else "  ")
+    return margin(removed.file, removed.command) + ("\t" if removed.file.indent.startswith("\t") else "  ")
 
 
 def include_directories_command(removed: RemovedCommand, replacement: Replacement, upper: bool) -> str:
@@ -118,7 +111,7 @@ def include_directories_command(removed: RemovedCommand, replacement: Replacemen
     name = "TARGET_INCLUDE_DIRECTORIES" if upper else "target_include_directories"
     target = source.slice(removed.command.arguments[0].span)
     keyword = replacement.keyword or "PUBLIC"
-    before = margin(removed)
+    before = margin(removed.file, removed.command)
     line = f"{before}{name}({target} {keyword} {' '.join(replacement.includes)})"
     if len(line) > AMENT_WIDTH:
         end = f"\n{before}" if closes_alone(removed.file) else ""
