@@ -31,7 +31,7 @@ ROBOTS = tuple(
     ROBOTIS-GIT/turtlebot3 ROBOTIS-GIT/turtlebot3_simulations turtlebot/turtlebot4 turtlebot/turtlebot4_simulator
     Slamtec/sllidar_ros2 YDLIDAR/ydlidar_ros2_driver Livox-SDK/livox_ros_driver2 ouster-lidar/ouster-ros
     UniversalRobots/Universal_Robots_ROS2_Driver UniversalRobots/Universal_Robots_ROS2_Description
-    moveit/moveit_resources iRobotEducation/create3_sim orbbec/OrbbecSDK_ROS2 micro-ROS/micro-ROS-Agent
+    moveit/moveit_resources iRobotEducation/create3_sim micro-ROS/micro-ROS-Agent
     """.split()
 )
 """Repositories of drivers and robots, beside the common ones."""

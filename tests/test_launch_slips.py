@@ -165,3 +165,11 @@ def test_launch_files_of_a_package_that_is_here_are_those_of_its_sources() -> No
     text = '<launch>\n  <include file="$(find-pkg-share slam_toolbox)/launch/online_async.launch.py"/>\n</launch>\n'
     own = {"src/slam_toolbox/package.xml": manifest("", "ament_cmake", "slam_toolbox")}
     assert not any("online_async_launch" in each for each in said("launch/a.launch.xml", text, "LCH003", **own))
+
+
+@pytest.mark.parametrize(
+    "package, ends", [("slam_toolbx", "did you mean `slam_toolbox`?"), ("other_thing", "clone it")]
+)
+def test_a_package_that_nobody_has_is_perhaps_another(package: str, ends: str) -> None:
+    texts = in_python(f"Node(package='{package}', executable='e')", code="DEP103")
+    assert any(text.endswith(ends) for text in texts)

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from ..checks.depends.brought_dependencies import Bringer
 from ..checks.depends.declared_dependencies import DeclaredDependencies
 from ..checks.depends.name_source import source_of
+from ..checks.depends.similar_names import SimilarNames
 from ..checks.depends.undeclared_includes import IncludeDependencies, IncludedPackage
 from ..checks.enumeration import in_ticks
 from ..finding import Fix, Hit, Related, Safety, Severity
@@ -66,6 +67,8 @@ def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
             return f"add {written(declared, tag, name)}"
         case "pip":
             return f"<{tag}>{name}</{tag}> installs it from PyPI, and prevents a release"
+        case "unknown" if near := SimilarNames(declared.workspace).meant(name):
+            return f"did you mean `{near}`?"
         case "unknown" if not declared.workspace.is_complete:
             return "a repository that is listed and not checked out may have it"
         case "unknown":
