@@ -211,3 +211,8 @@ def of_nobody(source: str, find: str = "", **more: str) -> list[GIVEN]:
 def test_headers_that_are_installed_from_another_folder(rule: str, expected: list[GIVEN]) -> None:
     lines = f"install(DIRECTORY {rule})\n"
     assert findings('#include "base/buses.hpp"', base_lines=lines, base__lib__bus="") == expected
+
+
+@pytest.mark.parametrize(("name", "expected"), [("words", []), ("wodrs", [(ERROR, "")])])
+def test_headers_of_a_package_of_interfaces_lie_one_folder_deeper(name: str, expected: list[GIVEN]) -> None:
+    assert findings(f'#include "base/{name}.hpp"', base__include__base__base__words="") == expected

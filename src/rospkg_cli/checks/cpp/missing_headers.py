@@ -73,10 +73,16 @@ class MissingHeaders:
         return (folder, meant) if facts is not None and (meant or self.has_all(facts, folder)) else None
 
     def is_there(self, header: str) -> bool:
-        """Return whether a file of the package ends with the path, or a package of the workspace has the header."""
+        """Return whether a file of the package ends with the path, or a package of the workspace has the header.
+
+        rosidl lets those who use a package of interfaces look in `include/<package>` as well.
+        """
         ends = self.by_name.get(posixpath.basename(header), ())
         wanted = f"/{posixpath.normpath(header)}"
-        return any(f"/{path}".endswith(wanted) for path in ends) or bool(self.workspace.having("header_files", header))
+        if any(f"/{path}".endswith(wanted) for path in ends) or self.workspace.having("header_files", header):
+            return True
+        folder = header.partition("/")[0]
+        return any(facts.name == folder for facts in self.workspace.having("header_files", f"{folder}/{header}"))
 
     def knows_own(self, header: str) -> bool:
         """Return whether the build makes no header of that name, and no folder of git or a submodule lacks it."""
