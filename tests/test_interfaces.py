@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from interface_texts import REFUSED, TAKEN
 
+from rospkg_cli.checks.interfaces.grammar import grammar_faults
 from rospkg_cli.checks.interfaces.member_names import is_accepted
 from rospkg_cli.engine.fixing.apply import apply_fixes
 from rospkg_cli.example import BACKDROPS, INTERFACES_BODY, manifest
@@ -226,3 +227,12 @@ def test_a_name_that_rosidl_refuses_is_not_listed() -> None:
     cmake = GENERATE.format(before="", inside="msg/Status.msg")
     found = lint_files({"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": cmake, **files}, ["IDL005"])
     assert [finding.fix for finding in found.findings] == [None]
+
+
+def test_lines_that_end_as_in_c_are_one_fault() -> None:
+    def said(text: str) -> list[tuple[str, int]]:
+        return [(each.message.partition(",")[0], len(each.related)) for each in grammar_faults(read("msg", text))]
+
+    assert said("int32 a;\nstring b;  # the name\nint64 c;\n") == [("the lines end with `;`", 2)]
+    assert said("int32 a;\nint64 c\n") == [("a line ends without `;`: one field a line", 0)]
+    assert said("int32 a;\nint64 c;\nint d\n")[1][0].startswith("`int`")

@@ -6,13 +6,24 @@ from collections.abc import Iterator
 
 from ...package.interfaces.grammar_problem import GrammarProblem
 from ...package.interfaces.interface_file import InterfaceFile
-from ..fault import Fault, TextRepair
+from ..fault import Fault, TextRepair, joined
 from .grammar_sentences import sentence_of, title_of
 
 
 def grammar_faults(interface: InterfaceFile) -> Iterator[Fault]:
+    """Yield what rosidl refuses; lines that all end as in C are one fault."""
+    text = interface.source.text
+    ends = [each for each in interface.problems if text[each.span.start : each.span.end].endswith(";")]
+    if len(ends) > 1:
+        faults = [Fault(each.span, "", repair=repair_of(each)) for each in ends]
+        yield joined(
+            faults,
+            "the lines end with `;`, which rosidl refuses: one field a line, without a sign at its end",
+            "remove each `;`",
+        )
     for problem in interface.problems:
-        yield Fault(problem.span, sentence_of(problem), repair=repair_of(problem))
+        if len(ends) < 2 or problem not in ends:
+            yield Fault(problem.span, sentence_of(problem), repair=repair_of(problem))
 
 
 def repair_of(problem: GrammarProblem) -> TextRepair | None:
