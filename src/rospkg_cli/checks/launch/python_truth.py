@@ -57,8 +57,9 @@ def use_faults(use: SubstitutionUse, *, is_tested: bool) -> Iterator[Fault]:
         yield Fault(use.span, f"{message}; look it up in an OpaqueFunction", "warning")
     elif use.name == "+" and any(map(is_plain, use.operands)):
         yield Fault(use.span, f"`+` raises TypeError for {shown} and a string: put both into a list, `[a, b]`")
-    elif use.name == 'f""':
-        message = "the f-string holds the name of an object, `<launch… object at 0x…>`"
+    elif use.name in ('f""', "str()"):
+        text = "the f-string" if use.name == 'f""' else "`str()`"
+        message = f"{text} holds the name of an object, `<launch… object at 0x…>`"
         yield Fault(use.span, f"{message}, not the value of {shown}; make it a list of its parts", "warning")
     elif is_comparison(use):
         outcome = "never" if use.name == "==" else "always"

@@ -22,7 +22,8 @@ from ...languages.python.evaluate.values import (
 )
 from ...languages.python.file import PythonFile
 from ...source import Span
-from .launch_classes import class_of
+from .evaluated_launch import SubstitutionUse
+from .launch_classes import class_of, is_substitution
 from .substitution_tracking import SubstitutionTracker
 
 ENTRIES = ("generate_launch_description", "generate_test_description")
@@ -76,7 +77,12 @@ def with_default(machine: EvaluationState, call: Call) -> Value | None:
 
 
 def as_text(machine: EvaluationState, call: Call) -> Value | None:
-    """str(x): whatever x may be, it is a text then."""
+    """str(x): whatever x may be, it is a text then; of a substitution the name of the object."""
+    given = call.positional[0] if call.positional else None
+    if given is not None and is_substitution(given):
+        if isinstance(machine, SubstitutionTracker):
+            machine.uses.append(SubstitutionUse(call.span, "operator", "str()", (given,)))
+        return Unknown(call.span, "it holds the name of an object")
     found = LIBRARY["str"](machine, call)
     return Unknown(call.span, found.why) if isinstance(found, Unknown) and found.options else found
 
