@@ -28,7 +28,8 @@ def references(document: Document) -> Iterator[ResourceReference]:
             yield from named_in(document.source, attribute.value_span, use, properties, is_file=is_file)
         if element.chunks and not element.is_self_closing:
             for span in text_spans(element):
-                yield from named_in(document.source, span, use, properties)
+                is_file = element.tag == "uri" and not element.children
+                yield from named_in(document.source, span, use, properties, is_file=is_file)
 
 
 def text_spans(element: Element) -> Iterator[Span]:
@@ -50,7 +51,7 @@ def named_in(
         group = "rest" if match.group("package") else "below"
         rest = match.group(group) or ""
         start, end = match.span(group) if match.group(group) else (match.end(), match.end())
-        if is_file and rest and match.start() == 0:
+        if is_file and rest and not text[: match.start()].strip():
             rest, end = text[start:].rstrip(), len(text.rstrip())
         where = Span(span.start + start, span.start + end)
         yield ResourceReference(
