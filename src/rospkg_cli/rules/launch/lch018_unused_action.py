@@ -26,10 +26,7 @@ def generate_launch_description():
     "LCH018",
     "unused-action",
     over=LaunchConfigurations,
-    severity=Severity.WARNING,
-    levels={
-        Severity.INFO: "it declares an argument, another action starts the same, or its package has no such executable"
-    },
+    severity=Severity.INFO,
     examples=(
         Example(
             bad={"package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"), "launch/a.launch.py": BAD},
@@ -48,14 +45,11 @@ def unused_action(configurations: LaunchConfigurations) -> Iterator[Hit]:
 
     ## When it is quiet
     A name that a comment mentions was taken out on purpose, and so was one that begins with `_`. Arguments whose use
-    LCH008 or LCH017 reports are left to these. A leftover is an info: a node whose package is here and has no such
-    executable, or what another action starts as well, in this file or in a launch file beside it.
+    LCH008 or LCH017 reports are left to these. It is an info: many an action is left out on purpose.
     """
     for action in unused_actions(configurations):
         message = f"{action.what} is made and never added to the launch description: {action.harm}"
-        is_leftover = action.is_argument or action.is_gone or action.starter
-        level = Severity.INFO if is_leftover else None
-        yield Hit(configurations.file.path, action.span, f"{message}; {advice(action, configurations)}", level)
+        yield Hit(configurations.file.path, action.span, f"{message}; {advice(action, configurations)}")
 
 
 def advice(action: UnusedAction, configurations: LaunchConfigurations) -> str:
