@@ -83,6 +83,8 @@ def workspace(**texts: str) -> dict[str, str]:
         ("geometry_msgs/Pose2d a", "write `geometry_msgs/Pose2D`"),
         ("sensor_msgs/Pose a", "write `geometry_msgs/Pose`"),
         ("String label", "write `string`"),
+        ("std_msgs/Square s", "write `shapes/Square`"),
+        ("elsewhere/Square s", ""),
         ("Other o", ""),
     ],
 )
@@ -90,6 +92,11 @@ def test_types_across_the_workspace(text: str, said: str) -> None:
     found = lint_files(workspace(Robot=text + "\n", Other="int32 a\n"), ["IDL004"]).findings
     assert bool(found) is bool(said)
     assert all(said in finding.message for finding in found)
+
+
+def test_a_namesake_of_several_packages_is_no_advice() -> None:
+    files = workspace(Robot="std_msgs/Square s\n", Square="float32 side\n")
+    assert not lint_files(files, ["IDL004"]).findings
 
 
 def test_a_package_that_generates_messages_is_believed() -> None:

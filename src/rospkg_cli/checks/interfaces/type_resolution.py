@@ -54,7 +54,7 @@ class InterfaceInWorkspace:
         for kind in self.interface.types:
             known = self.messages(kind)
             if known is None:
-                absent = core_suggestion(kind.package, kind.base) is not None
+                absent = core_suggestion(kind.package, kind.base) is not None or self.namesake(kind) is not None
             else:
                 absent = kind.base not in known and "_" not in kind.base  # one with `_` is generated of a service
             if absent and kind not in bare:
@@ -64,7 +64,7 @@ class InterfaceInWorkspace:
         """Return the similar type where there is exactly one."""
         known = self.messages(kind)
         if known is None:
-            return core_suggestion(kind.package, kind.base)
+            return core_suggestion(kind.package, kind.base) or self.namesake(kind)
         prefix = f"{kind.package}/" if kind.package else ""
         if not prefix and kind.base in FOREIGN_TYPES:
             return FOREIGN_TYPES[kind.base]
@@ -72,6 +72,13 @@ class InterfaceInWorkspace:
             return prefix + found
         other = core_package_of(kind.base, kind.package)
         return f"{other}/{kind.base}" if other else None
+
+    def namesake(self, kind: FieldType) -> str | None:
+        """Return the only message of the workspace that has the name of one that a core package lacks."""
+        if kind.base in CORE_MESSAGES.get(kind.package, (kind.base,)):
+            return None
+        packages = [each.name for each in self.workspace.having("interfaces", f"msg/{kind.base}")]
+        return f"{packages[0]}/{kind.base}" if len(packages) == 1 else None
 
     def service_or_action(self, kind: FieldType) -> str | None:
         """Return the service or action of this package that has the name of a type."""

@@ -52,8 +52,8 @@ def unknown_type(scope: InterfaceInWorkspace) -> Iterator[Hit]:
     """
     ## What it does
     Finds types in interface files that no .msg file defines.
-    Neither this package nor the named package of the workspace has the file, or the name of a core package is misspelt.
-    A package that is not available is believed.
+    Neither this package nor the named package of the workspace has the file, or the name of a core package is misspelt
+    or that of a message of another package here. A package that is not available is believed.
 
     ## Why is this bad?
     The build stops before anything is compiled: a generator of rosidl ends with "FileNotFoundError: …/Battery.json"
