@@ -82,6 +82,13 @@ CASES = {
         tested("else()\n  add_library(test_core src/core.cpp)", LINKED),
         tested("", f"include(${{team_DIR}}/team.cmake)\n{LINKED}"),
     ),
+    "CMK115": tuple(map(package, (
+        "target_link_libraries(${node_name} m)\nament_target_dependencies(${node_name} rclcpp)",
+        "if(WITH_MORE)\n  target_link_libraries(${node_name} m)\nendif()",
+        "rosidl_generate_interfaces(${PROJECT_NAME} ${ALL_MESSAGES} DEPENDENCIES ${MESSAGE_PACKAGES})",
+        "rosidl_generate_interfaces(${PROJECT_NAME} ${ALL_MESSAGES} msg/A.msg)",
+        "set_names(node_name)\ntarget_link_libraries(${node_name} m)",
+    ))),
     "CMK124": (
         globbed("file(GLOB SOURCES src/*.cpp)"),
         globbed('file(GLOB SOURCES CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR} "${CMAKE_SOURCE_DIR}/src/?.cpp")'),

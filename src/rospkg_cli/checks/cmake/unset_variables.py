@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import takewhile
 
 from ...languages.cmake.command_blocks import Block
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import assigned_names
 from ...languages.cmake.syntax import CommandArgument
+from ...languages.cmake.values import Word
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
@@ -39,6 +41,8 @@ CERTAIN = regex(r"rclcpp\w*|tf2\w*|Boost|OpenCV")
 SUFFIXES = {"INCLUDE_DIR": "INCLUDE_DIRS", "INCLUDES": "INCLUDE_DIRS", "LIBRARY": "LIBRARIES", "LIBS": "LIBRARIES",
             "TARGET": "TARGETS"}  # fmt: skip
 """What people write, and what ament_package() sets."""
+OF_TARGETS = ("ament_target_dependencies", "target_link_libraries", "target_include_directories", "add_executable")
+"""Commands whose first argument is a target."""
 SHORTEST = 6
 """Letters of a name that the package could have intended for one of its own; two may be wrong from twice that on."""
 
@@ -103,6 +107,19 @@ class UnsetVariables:
                 name = self.variables.empty_variable(word)
                 if name is not None and not self.nearest(name):
                     yield UnsetVariable(name, "", rule.call, word.span, f"${{{name}}}", "")
+        for call, word in self.needed():
+            name = self.variables.empty_variable(word) if not call.maybe else None
+            if name is not None and not self.nearest(name):
+                yield UnsetVariable(name, "", call, word.span, f"${{{name}}}", "")
+
+    def needed(self) -> Iterator[tuple[EvaluatedCommand, Word]]:
+        """Yield the arguments without which CMake stops: the target of a command, the files of interfaces."""
+        for call in self.cmake.named(*OF_TARGETS):
+            yield from ((call, word) for word in call.words[:1])
+        for call in self.cmake.named("rosidl_generate_interfaces"):
+            files = tuple(takewhile(lambda word: not word.text.isupper(), call.words[1:]))
+            if all(self.variables.empty_variable(word) for word in files):
+                yield from ((call, word) for word in files)
 
     def nearest(self, name: str) -> str | None:
         """Return the variable that is intended by one that nothing sets."""

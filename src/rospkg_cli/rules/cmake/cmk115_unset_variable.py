@@ -48,8 +48,9 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     ## What it does
     Finds variables in CMakeLists.txt that nothing sets and that are nearly called like one that is set.
     Near is one or two letters off one of CMake (`PROJECTNAME`) or of the package's own, or in other letters than the
-    package that is found sets it (`RCLCPP_INCLUDE_DIRS`). In `install(TARGETS)` it finds any that nothing sets. It also
-    finds lists that are appended to, stand nowhere else, and are one or two letters off one that is read.
+    package that is found sets it (`RCLCPP_INCLUDE_DIRS`). In `install(TARGETS)`, as the target of
+    `target_link_libraries()` and its like, and as the files of `rosidl_generate_interfaces()` it finds any that nothing
+    sets. It also finds lists that are appended to, stand nowhere else, and are one or two letters off one that is read.
 
     ## Why is this bad?
     A variable that is not set is empty in CMake, without a word: what should be installed to `share/my_pkg` goes to
@@ -63,7 +64,8 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     """
     for each in variables.all():
         is_sure = each.call.name == "install" and not each.call.maybe
-        level = Severity.INFO if not each.near else Severity.ERROR if is_sure else None
+        is_lost = not each.near and each.call.name == "install"
+        level = Severity.INFO if is_lost else Severity.ERROR if is_sure else None
         yield Hit(each.call.path, each.span, message(each), level)
     for lost in UnreadLists(variables.cmake).all():
         text = f"nothing reads `{lost.name}` (did you mean `{lost.near}`?): what is appended is lost; correct the name"
@@ -71,6 +73,10 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
 
 
 def message(each: UnsetVariable) -> str:
+    if not each.near and each.call.name != "install":
+        return (
+            f"`{each.name}` is set nowhere: it is empty, and `{each.call.name}` stops CMake; set it, or remove the call"
+        )
     if not each.near:
         return f"`{each.name}` is set nowhere: it is empty, and no target is installed by it; set it, or remove it"
     shown = len(each.before) <= LONGEST and "\n" not in each.before
