@@ -72,7 +72,21 @@ def robot(folder: str, *installed: str) -> Example:
     return Example(bad=files, good={}, on="ament_cmake")
 
 
+def world(text: str, opened: str = "") -> Example:
+    """A package with a world that a launch file may open."""
+    launch = f"from ament_index_python.packages import get_package_share_path\n\n{opened}\n"
+    files = {"worlds/room.world": text, "launch/a.launch.py": launch + "def generate_launch_description(): ...\n"}
+    return Example(bad=files, good={}, on="ament_python")
+
+
+OPENED = "ROOM = get_package_share_path('my_pkg') / 'worlds' / 'room.world'"
 CASES = {
+    "RPK001": (
+        world('<sdf version="1.6">\n  <world name="a">\n</sdf>\n', OPENED),
+        world('<sdf version="1.6">\n  <world name="a">\n</sdf>\n'),
+        world('<sdf version="1.6">\n  <world name="a"/>\n', OPENED),
+        world('<sdf version="1.6">\n  <!-- a -- b -->\n</sdf>\n', OPENED),
+    ),
     "URD002": (robot("control", "urdf"), robot("control", "urdf", "control"), robot("xacro", "urdf")),
     "CMK107": (
         tested("", LINKED),

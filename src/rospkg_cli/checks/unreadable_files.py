@@ -69,7 +69,7 @@ class UnreadableFile:
             return "warning", "; xacro and Python stop there, urdfdom reads past it"
         if self.file.code is ReadProblem.XML_AFTER_ROOT and LIBRARY.match(self.files.readable_text(path)):
             return "warning", "; pluginlib reads past it, other readers stop there: put `<class_libraries>` around all"
-        if path.endswith((".urdf", ".xacro")) and not self.opened.has(path):
+        if path.endswith((".urdf", ".xacro", ".sdf", ".world")) and not self.opened.has(path):
             return "warning", "; no file of the package opens it"
         if self.file.code is ReadProblem.ENCODING and self.is_in_comments:
             return "info", "; CMake reads past these bytes, since only comments hold them"

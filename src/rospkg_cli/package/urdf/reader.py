@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ...files import ReaderInput
 from ...languages.xml.parser import Document, Element, read_xml
 from ...lazy_regex import regex
+from ...read_problem import ReadProblem
 from ...source import Source, Span
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
@@ -16,6 +17,8 @@ from .robot_file import RobotFile
 
 ROBOTS = (".urdf", ".xacro")
 WORLDS = (".sdf", ".world")
+TINYXML_STOPS = frozenset({ReadProblem.XML_MISMATCH})
+"""What Gazebo stops at as well; it reads past two hyphens in a comment and text before `<?xml …?>`."""
 DECLARATION = regex(r"\s*(?:<!--.*?-->\s*)*(<\?xml[^>]*\?>)", re.DOTALL)
 
 
@@ -29,7 +32,7 @@ def read_robot_files(reading: ReaderInput) -> Iterator[RobotFile | Unreadable]:
             if "<!DOCTYPE" not in source.text:
                 yield robot_file(source)
         except UnreadableError as error:
-            if path.endswith(ROBOTS):
+            if path.endswith(ROBOTS) or error.unreadable.code in TINYXML_STOPS:
                 yield error.unreadable
 
 

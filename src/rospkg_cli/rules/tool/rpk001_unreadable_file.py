@@ -57,13 +57,13 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
 
     ## When it is quiet
     Files that neither the build, nor an installed file, nor a test by its name reads may be broken. A file of
-    interfaces is reported by its own rules, a file that is too large by RPK007. A robot is a warning where no file of
-    the workspace opens it, and where urdfdom reads past the fault: an undeclared prefix, or something behind the root
-    element, in a plain `.urdf`; so are several `<library>` of a plugin description without a root, and a Python module
-    that is no program and that no other file names, and a launch file for ROS 1. It is an info where only comments of a
-    CMake file are not UTF-8, and where such a module is a snippet, whose first line is indented, or is laid aside
-    (`old/`, `a_backup.py`). A `<` in the value of an attribute of a plugin description is no fault, since pluginlib
-    takes it.
+    interfaces is reported by its own rules, a file that is too large by RPK007. Of worlds and SDF only tags that don't
+    match are told, as Gazebo reads past the rest. A robot or a world is a warning where no file of the workspace opens
+    it, and where urdfdom reads past the fault: an undeclared prefix, or something behind the root element, in a plain
+    `.urdf`; so are several `<library>` of a plugin description without a root, and a Python module that is no program
+    and that no other file names, and a launch file for ROS 1. It is an info where only comments of a CMake file are not
+    UTF-8, and where such a module is a snippet, whose first line is indented, or is laid aside (`old/`, `a_backup.py`).
+    A `<` in the value of an attribute of a plugin description is no fault, since pluginlib takes it.
     """
     file = scope.file
     if not (file.grammar or file.skipped):
