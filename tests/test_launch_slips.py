@@ -99,7 +99,7 @@ def test_what_is_read_twice_is_told_once_and_mended_once() -> None:
     """Substitutions in the condition of a group are found with the group, and with what is inside of it."""
     text = '<launch>\n  <group if="$(arg on)">\n    <node pkg="p" exec="e"/>\n  </group>\n</launch>\n'
     (found,) = said("launch/a.launch.xml", text, "LCH006")
-    assert found.startswith("error: `$(arg …)` is ROS 1's")
+    assert found.startswith("error: `$(arg on)` is ROS 1's")
 
 
 @pytest.mark.parametrize(

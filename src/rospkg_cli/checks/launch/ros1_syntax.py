@@ -10,6 +10,9 @@ from ...ros.launch_entities import ROS1_ENTITIES, ROS1_SUBSTITUTIONS
 from ...source import Span
 from ..fault import Fault, TextRepair
 
+LONGEST = 60
+"""Letters of a substitution that the message shows in full, where it is the only one of its kind."""
+
 
 def first_sign(file: LaunchFile) -> Span:
     """Return the first place by which a file is one for ROS 1: `type=` of a node, `$(find …)`, `$(arg …)`."""
@@ -32,7 +35,9 @@ def ros1_syntax(file: LaunchFile) -> Iterator[Fault]:
             new = f"`$({now} …)`" if now else "`$(env NAME default)`"
             is_renamed = now and file.source.slice(name) == each.name
             repair = TextRepair(f"write {new}", ((name, now),)) if is_renamed else None
-            yield Fault(each.span, message(f"`$({each.name} …)`", new), repair=repair)
+            same = {other.shown for other in file.substitutions if other.name == each.name}
+            old = each.shown if len(same) == 1 and len(each.shown) <= LONGEST else f"$({each.name} …)"
+            yield Fault(each.span, message(f"`{old}`", new), repair=repair)
 
 
 def ros1_entities(entity: Entity) -> Iterator[Fault]:
