@@ -224,3 +224,16 @@ def test_rviz_starts_without_its_config(code: str, path: str, more: str, level: 
             "<launch>", '<launch>\n  <arg name="rviz" default="false"/>'
         )
         assert levels(code, NATIVE, {**files, "launch/a.launch.xml": off}) == ["warning"]
+
+
+@pytest.mark.parametrize(("folder", "expected"), [("old", ["warning", "info"]), ("gold", ["error", "warning"])])
+def test_what_runs_out_of_a_folder_laid_aside_is_milder(folder: str, expected: list[str]) -> None:
+    """Nobody starts it; what stops the build stops it there too."""
+    files = {
+        f"{folder}/my_pkg/launch/a.launch.xml": '<launch>\n  <node pkg="my_pkg" exec="a"/>\n</launch>\n',
+        f"{folder}/my_pkg/my_pkg/talker.py": "import cv2\n",
+        **{f"{folder}/my_pkg/{path}": text for path, text in PYTHON.items()},
+        "other/package.xml": manifest("", "cmake", "other"),
+    }
+    found = lint_files(files, ["LCH002", "DEP101", "SET101"]).findings
+    assert [each.severity.value for each in sorted(found, key=lambda each: each.code, reverse=True)] == expected

@@ -75,6 +75,25 @@ NAMED_OTHERWISE = {
 ROBOT = "<robot name='a'>{}</robot>\n"
 MESH = "\n  <mesh filename='package://my_pkg/meshes/{}.stl'/>"
 CATKIN = "project(my_pkg)\n{}\ninstall(PROGRAMS a DESTINATION b)\n"
+JOINED = """\
+from launch import LaunchDescription
+from launch.actions import LogInfo
+from launch.substitutions import LaunchConfiguration
+
+
+def generate_launch_description():
+    return LaunchDescription([LogInfo(msg={} + 'b')])
+"""
+OPENS = """\
+from ament_index_python.packages import get_package_share_directory
+
+PATH = join(get_package_share_directory('my_pkg'), 'config', {})
+"""
+INCLUDING = {
+    "package.xml": manifest("  <depend>other</depend>\n", "ament_cmake").replace("<name>other", "<name>my_pkg"),
+    "CMakeLists.txt": CMAKE.replace("ament_package", "add_library(a a.cpp)\nament_package"),
+    "a.cpp": "#include <other/a.hpp>\n",
+}
 FINDS = "find_package(Boost REQUIRED"
 BRINGUP = manifest("", "cmake", "bringup").replace("  <export>", f"{NEEDS}  <export>")
 LEFT = {"my_pkg/speech/words.py": "A = 1\n"}
@@ -107,6 +126,20 @@ CASES = {
                 on="ament_cmake")
         for parts in (" COMPONENTS thread", " COMPONENTS thread program_options", " COMPONENTS none", "")
     ),
+    "LCH014": (
+        python({**STARTS, "launch/a.launch.py": JOINED.format("str(LaunchConfiguration('a'))")}),
+        python({**STARTS, "launch/a.launch.py": JOINED.format("LaunchConfiguration('a')")}),
+    ),
+    "CMK201": tuple(
+        Example(bad={**{f"a/{path}": each for path, each in INCLUDING.items()},
+                "b/package.xml": manifest("", "ament_cmake", "other"),
+                "b/CMakeLists.txt": CMAKE.replace("my_pkg", "other"), f"b/include/{folder}/a.hpp": ""}, good={}, on="")
+        for folder in ("other/other", "other/others")
+    ),
+    "SET206": tuple(
+        python({"setup.py": setup_py(), "config/a.yaml": "a: 1\n", "launch/a.launch.py": OPENS.format(name)})
+        for name in ("'a.yaml'", "'b.yaml'", "name")
+    ),
     "CMK117": tuple(
         Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", f"{TARGET}{name})\nament_package"), "a.cpp": ""},
                 good={}, on="ament_cmake")
@@ -124,11 +157,16 @@ CASES = {
                 for each in folders}}, good={}, on="")
         for folders in (("legacy/arm",), ("legacy/arm", "now/arm"))
     ),
-    "URD002": tuple(
+    "URD002": (
+        *(
         Example(bad={"CMakeLists.txt": INSTALL.replace("config", "urdf meshes"), "meshes/x.stl": "",
                      "urdf/a.urdf": ROBOT.format("".join(MESH.format(name) for name in names)),
                      "launch/a.launch.py": "PATH = 'urdf/a.urdf'\n"}, good={}, on="ament_cmake")
         for names in ("abc", "ab", "abx", "abcx")
+        ),
+        Example(bad={"CMakeLists.txt": INSTALL.replace("config", "urdf meshes"), "meshes/x y.stl": "",
+                     "urdf/a.urdf": ROBOT.format("<gazebo><uri> package://my_pkg/meshes/x y.stl </uri></gazebo>"),
+                     "launch/a.launch.py": "PATH = 'urdf/a.urdf'\n"}, good={}, on="ament_cmake"),
     ),
     "XML307": (
         python({"CMakeLists.txt": CATKIN.format("catkin_package()")}),

@@ -37,9 +37,15 @@ class ShareUses:
         name = re.escape(self.name)
         started = re.compile(rf"ros2\s+launch\s+{name}\b") if folder == "launch" else None
         written = re.compile(rf"(?:package://{name}|\$\(find(?:-pkg-share)?\s+{name}\))/{re.escape(folder)}/")
-        if any(written.search(text) or references_folder(text, self.name, folder) for text in self.code):
+        opening = (text for text in self.code if written.search(text) or references_folder(text, self.name, folder))
+        if not all(self.opens_nothing(text, folder) for text in opening):
             return True
         return started is not None and any(started.search(text) for text in self.readmes)
+
+    def opens_nothing(self, text: str, folder: str) -> bool:
+        """Return whether a text names nothing but files in a folder that are not there: those are faults of its own."""
+        named = re.findall(rf"[\"'/]{re.escape(folder)}[\"'/](?:[,\s\"'/]*([\w-][\w./-]*\.\w+)[\"'])?", text)
+        return bool(named) and not any(not file or self.files.is_there(f"{folder}/{file}") for file in named)
 
     def opens_in_source(self, folder: str) -> bool:
         """Return whether the README opens the folder's files where they lie: `src/…/config/a.yaml`."""

@@ -6,12 +6,19 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from ...files import PackageFiles
-from ...finding import Edit, Finding, Fix, Hit, Location, Move, Operation
+from ...finding import Edit, Finding, Fix, Hit, Location, Move, Operation, Severity
 from ...light_dataclasses import dataclass, replace
+from ...package.file_role import is_set_aside
 from ...package.workspace import Workspace
 from ...rule import Rule
 from ...source import Source, Span
 from ...unreadable import UnreadableError
+
+OF_RUNS = ("DEP", "LCH", "PRM", "URD")
+"""Families about launches and runs, and about machines that others install packages on."""
+AT_RUN_TIME = ("DEP109", "DEP110")
+"""Rules about imports: their errors do not stop a build."""
+BUILD_FILES = ("package.xml", "CMakeLists.txt", "setup.py", ".cmake")
 
 
 @dataclass
@@ -55,7 +62,7 @@ class FindingBuilder:
         return Finding(
             code=rule.code,
             name=rule.name,
-            severity=hit.level or rule.severity,
+            severity=self.level(rule.code, hit.level or rule.severity, hit.path),
             message=hit.message,
             location=place,
             package=self.package_of(hit.path),
@@ -66,6 +73,17 @@ class FindingBuilder:
                 self.place(o.path, o.span) for o in (hit.fix.operations if hit.fix else ()) if isinstance(o, Edit)
             ),
         )
+
+    def level(self, code: str, level: Severity, path: str) -> Severity:
+        """Return the level of a hit: one lower where nobody starts what is laid aside in a folder called `old/`.
+
+        What stops the build stays: colcon builds such packages too.
+        """
+        is_run = code.startswith(OF_RUNS) or (code == "RPK001" and not path.endswith(BUILD_FILES))
+        stops_build = level is Severity.ERROR and code.startswith("DEP") and code not in AT_RUN_TIME
+        if not is_run or stops_build or not is_set_aside(f"{self.files.folder}/"):
+            return level
+        return Severity.WARNING if level is Severity.ERROR else Severity.INFO
 
     def fix(self, fix: Fix | None) -> Fix | None:
         if fix is None:
