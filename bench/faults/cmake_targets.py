@@ -118,13 +118,3 @@ def script_without_executable_bit(package: SourcePackage) -> Iterator[PutFault]:
 def cmake_minimum_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(CMAKE, r"^(cmake_minimum_required)\([^()]*\)[ \t]*\n"):
         yield spot.drop("cmake_minimum_required")
-
-
-@kind("cmake targets")
-def cmake_variable_quoted_as_one(package: SourcePackage) -> Iterator[PutFault]:
-    """A list in quotes is one name, which no package has."""
-    pattern = r"^ament_target_dependencies\(\s*[\w${}]+\s+(?:PUBLIC\s+)?(\$\{(\w+)\})\s*\)"
-    for spot in package.spots(CMAKE, pattern):
-        values = re.search(rf"^set\(\s*{spot[2]}\s+([^()]*)\)", spot.text, re.MULTILINE)
-        if values and len(values[1].split()) > 1:
-            yield spot.put(f'"{spot.word}"', spot[2], *values[1].split()[:3])

@@ -96,6 +96,10 @@ CASES = {
     "CMK002": (
         Example(bad={"CMakeLists.txt": CMAKE.replace("3.20", "3.5")}, good={}, on="ament_cmake", targets=("lyrical",)),
         Example(bad={"CMakeLists.txt": CMAKE.replace("3.20", "3.4")}, good={}, on="ament_cmake"),
+        *(Example(bad={"CMakeLists.txt": first + CMAKE.partition("\n")[2] + last}, good={}, on="ament_cmake")
+          for first, last in (("", ""), ("cmake_minimum_requierd(VERSION 3.20)\n", ""), ("include(a.cmake)\n", ""),
+                              ("include(${A}/a.cmake)\n", ""), ("", "return()\n"))),
+        Example(bad={"CMakeLists.txt": "project(my_pkg)\n"}, good={}, on="ament_cmake"),
     ),
     "CMK003": tuple(
         Example(bad={"CMakeLists.txt": f"{CMAKE.removesuffix(END)}{line}\n"}, good={}, on="ament_cmake")
@@ -245,7 +249,8 @@ CASES = {
         Example(
             bad={**OLD, "old/CMakeLists.txt": OLD["old/CMakeLists.txt"].replace(END, f"{EXPORTS_RCLPCP}{END}"), **USER},
             good={}, on=""),
-        *(cmake(f"find_package({name} REQUIRED)\n") for name in ("ament_cmkae_ros", "acme_cmake_rso")),
+        *(cmake(f"find_package({name} REQUIRED)\n")
+          for name in ("ament_cmkae_ros", "acme_cmake_rso", "gemetry_msgs", "geometry_mssg")),
     ),
     "CMK109": (
         cmake("find_package(ament_cmake_python REQUIRED)\n",

@@ -160,6 +160,16 @@ CASES = {
         python({**set207.FILES, ".gitignore": "arm_launch.xml\n", "setup.py": NARROW}),
         python({**ROBOTS, "setup.py": GLOBS}),
         python({**CONFIG, "config/view.rviz": "Panels: []\n", "setup.py": YAML}),
+        *(python({**{f"launch/{each}.launch.xml": set207.LAUNCH for each in here},
+                  "setup.py": set207.launch(str([f"launch/{each}.launch.xml" for each in listed])), **more})
+          for here, listed, more in (
+              ("abc", "ab", {}),
+              ("ab", "a", {}),
+              ("abcd", "ab", {}),
+              ("abc", "abc", {}),
+              ("abc", "ab", {"launch/a.launch.xml": '<launch><include file="c.launch.xml"/></launch>\n'}),
+              ("abc", "ab", {".gitignore": "c.launch.xml\n"}),
+          )),
     ),
     "SET209": (
         python({"setup.py": setup_py().replace(ENTRY, ENTRY + ENTRY)}),

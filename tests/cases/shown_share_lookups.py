@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import SETUP_PY, Example, manifest
+from rospkg_cli.example import CMAKE, SETUP_PY, Example, manifest
 from rospkg_cli.rules.depends import dep113_missing_share_file as dep113
 
 from .setups import python
@@ -20,6 +20,7 @@ NEEDS = {
     "package.xml": manifest("  <exec_depend>ament_index_python</exec_depend>\n  <exec_depend>seldom</exec_depend>\n")
 }
 FILES = {**NEEDS, "names/people.txt": "Ada\n", "setup.py": dep113.INSTALLED}
+YAML_ALONE = 'DIRECTORY config DESTINATION share/${PROJECT_NAME} FILES_MATCHING PATTERN "*.yaml"'
 OWN = "get_package_share_directory('my_pkg')"
 
 
@@ -30,6 +31,26 @@ def lookup(*lines: str, **files: str | None) -> Example:
 
 def in_cpp(*lines: str, path: str = "src/talker.cpp") -> Example:
     return python({**NEEDS, path: "".join(f"{line}\n" for line in lines)})
+
+
+def opened_in_cpp(install: str, file: str) -> Example:
+    """A node that reads a file which its package has and may not install."""
+    share = 'ament_index_cpp::get_package_share_directory("my_pkg")'
+    launch: dict[str, str | None] = {f"launch/{each}.launch.xml": "<launch/>\n" for each in "abc"}
+    return Example(
+        bad={
+            "package.xml": manifest("  <depend>ament_index_cpp</depend>\n", "ament_cmake"),
+            "CMakeLists.txt": CMAKE.replace(
+                "ament_package", f"add_executable(talker src/a.cpp)\ninstall({install})\nament_package"
+            ),
+            "src/a.cpp": f'int main() {{read({share} + "/{file}");}}\n',
+            "config/a.yaml": "a: 1\n",
+            "config/words.txt": "a\n",
+            **launch,
+        },
+        good={},
+        on="ament_cmake",
+    )
 
 
 CASES = {
@@ -103,5 +124,13 @@ CASES = {
         lookup(f"join({OWN}, 'names', 'peopl.txt')", setup_DOT_py=SETUP_PY.replace("['package.xml']", "found()")),
         lookup("join(get_package_share_directory('other'), 'names', 'peopl.txt')"),
         lookup("", launch__a_DOT_py=HEAD + f"join({OWN}, 'names', 'peopl.txt')\n"),
+        *(opened_in_cpp(install, file)
+          for install, file in (
+              (YAML_ALONE, "config/words.txt"),
+              (YAML_ALONE, "config/a.yaml"),
+              ("DIRECTORY src DESTINATION share/${PROJECT_NAME}", "config/a.yaml"),
+              ("FILES launch/a.launch.xml launch/b.launch.xml DESTINATION share/${PROJECT_NAME}/launch",
+               "launch/c.launch.xml"),
+          )),
     ),
-}
+}  # fmt: skip

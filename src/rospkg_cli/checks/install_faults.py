@@ -10,6 +10,7 @@ from ..package.package_facts import PackageFacts
 from ..package.setup.setup_py import SetupPy
 from ..package.workspace import Workspace
 from .cmake.share_folders import RuntimeFolders
+from .setup.left_out_files import left_out
 from .setup.share_files import ShareFiles, folder_of
 
 
@@ -47,9 +48,12 @@ class InstallFaults:
 
     @cached_property
     def told_files(self) -> frozenset[str]:
-        """The files next to those that a glob finds, and all in the folders next to them."""
+        """The files next to those that a glob finds or that are listed, and all in the folders next to them."""
+        if self.folders is not None and self.cmake is not None:
+            return frozenset(path for path, _ in self.folders.left_out())
         if self.setup is None or self.shared is None:
             return frozenset()
         beside = {each.path for each in self.shared.uninstalled_neighbours}
+        beside |= {path for path, _ in left_out(self.shared)}
         inside = (path for folder in beside for path in self.shared.package.files.below(folder))
         return frozenset(beside.union(inside))

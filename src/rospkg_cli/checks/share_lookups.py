@@ -26,6 +26,7 @@ from ..suggest import near_names, nearest
 from .closest_path import closest_path
 from .cpp.share_file_paths import share_file_paths
 from .cpp.share_names import share_names
+from .install_faults import InstallFaults
 from .run_imports import RunImports
 
 LOOKUPS = SHARE | {"get_package_prefix"}
@@ -68,6 +69,7 @@ class ShareLookups:
     files: PackageFiles
     facts: PackageFacts
     workspace: Workspace
+    faults: InstallFaults
     sources: tuple[CppFile, ...] = ()
 
     @property
@@ -141,7 +143,9 @@ class ShareLookups:
         if not facts.knows("share_files") or path in facts.share_files or facts.may_write(path):
             return None
         below = (*facts.share_files, *facts.uninstalled, *facts.run_time_files) if is_here else ()
-        if path in facts.uninstalled or path in facts.run_time_files or any(e.startswith(f"{path}/") for e in below):
+        if path in facts.run_time_files or any(each.startswith(f"{path}/") for each in below):
+            return None
+        if path in facts.uninstalled and (not is_read or self.faults.is_told(facts.name, path)):
             return None
         near = None if is_here else closest_path(path, facts.share_files)
         if not is_here and (not near or (facts is self.facts and self.files.absent.is_expected(path))):

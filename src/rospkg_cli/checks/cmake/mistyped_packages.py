@@ -16,6 +16,7 @@ from ...package.workspace import Workspace
 from ...ros.aliases import keys_for_cmake
 from ...ros.link_targets import ROS_NAME
 from ...ros.names import NameKind
+from ...suggest import slips
 from .mistyped_links import nearest
 
 EXPORTED, HANDED = "ament_export_dependencies", "ament_target_dependencies"
@@ -91,7 +92,7 @@ class MistypedPackages:
         if self.is_known(word.text):
             return None
         if call.name not in TAKING:
-            return self.misspelt(word, call, self.unfound) if self.is_looked_for_in_vain(word.text) else None
+            return self.misspelt_search(word, call) if self.is_looked_for_in_vain(word.text) else None
         if word.text in self.found or keys_for_cmake(word.text):
             return None  # a package that is found may find a library, as cv_bridge finds OpenCV
         if self.package.cmake.target(word.text) is not None:
@@ -128,6 +129,13 @@ class MistypedPackages:
     def misspelt(self, word: Word, call: EvaluatedCommand, names: frozenset[str]) -> MistypedPackage | None:
         near = nearest(word.text, names, 2)
         return MistypedPackage(word, call, "misspelt", near) if near is not None else None
+
+    def misspelt_search(self, word: Word, call: EvaluatedCommand) -> MistypedPackage | None:
+        """Return what `find_package` is meant to find: nearly what is declared, or a slip of one known package."""
+        if (found := self.misspelt(word, call, self.unfound)) is not None:
+            return found
+        meant = slips(word.text, self.workspace.index.packages)
+        return MistypedPackage(word, call, "misspelt", meant[0]) if len(meant) == 1 else None
 
     def is_looked_for_in_vain(self, name: str) -> bool:
         """Return whether a name can only be that of a ROS package: the package brings no module to find it by."""

@@ -14,6 +14,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
+from ...package.cmake.referenced_paths import ReferencedPaths
 from ...package.file_role import is_set_aside, role_of
 from ...source import Span
 from ..cmake.target_references import TargetReferences
@@ -53,6 +54,8 @@ class UncompiledSources:
             return
         if any(each.kind == "target" for each in TargetReferences(cmake).broken()):
             return  # CMK110 tells of the target, which would compile the file
+        if any(each.use == "source" for each in ReferencedPaths(cmake).missing()):
+            return  # CMK102 tells of the name, which may be meant for the file
         compiled = own_compiled(cmake, self.sources) or set()
         for source in self.sources:
             if source.path not in compiled and self.is_candidate(source.path) and not self.is_mentioned(source.path):

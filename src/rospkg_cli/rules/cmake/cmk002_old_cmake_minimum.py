@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.unknown_commands import UnknownCommands
 from ...edits.cmake_commands import literal_span
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -15,7 +16,7 @@ from ...ros.distros import Targets
 from ...rule import rule
 from ...source import Span
 
-WANTED = "3.10"
+MINIMUM, WANTED = "cmake_minimum_required", "3.10"
 VERSION = regex(r"(?:[\d.]+?\.\.\.)?(\d{1,9})\.(\d{1,9})(?:\.\d+)*")
 
 
@@ -48,6 +49,7 @@ def old_cmake_minimum(checked: CMakeForTargets) -> Iterator[Hit]:
     """
     ## What it does
     Finds `cmake_minimum_required()` with a version, or an upper end of a range, below 3.10.
+    Where nothing calls it at all, it says so.
 
     ## Why is this bad?
     CMake 4, which Lyrical and later have, prints a deprecation warning for each below 3.10 and stops at one below 3.5.
@@ -59,6 +61,8 @@ def old_cmake_minimum(checked: CMakeForTargets) -> Iterator[Hit]:
     """
     if checked.package.facts.build_type == "catkin":
         return
+    if has_none(checked.package.cmake):
+        yield without_minimum(checked.package.cmake)
     found = sorted(old_minimums(checked.package.cmake), key=lambda old: old[1])
     if not found:
         return
@@ -72,10 +76,24 @@ def old_cmake_minimum(checked: CMakeForTargets) -> Iterator[Hit]:
     yield Hit(word.path, word.span, message(word.text, version), level, related=related, fix=fix)
 
 
+def has_none(cmake: CMake) -> bool:
+    """Return whether no file that is read calls it, or nearly so, and none may do so that can't be read."""
+    commands = (command for file in cmake.files for command in file.syntax.commands)
+    is_called = any(command.name == MINIMUM for command in commands)
+    is_known = cmake.is_complete and cmake.ends_a_package and not cmake.reads_unknown_files
+    return is_known and not is_called and all(near != MINIMUM for _, near in UnknownCommands(cmake).all())
+
+
+def without_minimum(cmake: CMake) -> Hit:
+    start = f"CMakeLists.txt never calls `{MINIMUM}()`: CMake warns, and does all as its oldest versions did"
+    message = f"{start}; begin with `{MINIMUM}(VERSION {WANTED})`"
+    return Hit(cmake.root.path, cmake.root.source.line_span(1), message)
+
+
 def old_minimums(cmake: CMake) -> Iterator[tuple[Word, tuple[int, int]]]:
     """Yield the versions below 3.10, each place once."""
     seen: set[tuple[str, Span]] = set()
-    for call in cmake.named("cmake_minimum_required"):
+    for call in cmake.named(MINIMUM):
         word = call.words[1] if call.texts[:1] == ("VERSION",) and len(call.words) > 1 else None
         match = VERSION.fullmatch(word.text) if word else None
         if word is None or match is None or (word.path, word.span) in seen:

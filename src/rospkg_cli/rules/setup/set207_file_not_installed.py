@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ...checks.setup.left_out_files import left_out
 from ...checks.setup.share_files import ShareFiles, UninstalledNeighbour
 from ...edits.data_files import widen_glob
 from ...example import Example, setup_py
@@ -40,7 +41,7 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     ## What it does
     Finds launch and parameter files that the globs for their folder do not match.
     Other files of the folder are installed: `x_launch.py` is left out by `*.launch.py`, `.yml` by `*.yaml`, and files
-    in subfolders by both.
+    in subfolders by both. Where all launch files but one are listed by their names, it finds that one.
 
     ## Why is this bad?
     The build is green, the other files are found, and this one "was not found in the share directory".
@@ -54,6 +55,10 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     A wider glob may install more than is wanted.
     """
     package = shared.package
+    for path, beside in left_out(shared):
+        start = f"`{path}` is not installed, but the others of its folder are"
+        fails = f"`ros2 launch {package.name} {path.rpartition('/')[2]}` does not find it"
+        yield Hit(beside.setup_text.path, beside.setup_text.shown, f"{start}: {fails}; add it here, or remove it")
     groups: dict[tuple[Span, bool], list[UninstalledNeighbour]] = {}
     for missed in shared.uninstalled_neighbours if package.knows_data_files else ():
         groups.setdefault((missed.glob.span, missed.path.endswith("/")), []).append(missed)
