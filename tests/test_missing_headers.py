@@ -20,7 +20,8 @@ GIVEN = tuple[Severity, str]
 
 def findings(source: str, lines: str = "", **more: str) -> list[GIVEN]:
     """Lint a package whose one source is given; more files are named with `__` for `/`."""
-    cmake = CMAKE.replace("ament_package", f"add_executable(talker src/a.cpp)\n{lines}\nament_package")
+    start = "include_directories(include)\nadd_executable(talker src/a.cpp)"
+    cmake = CMAKE.replace("ament_package", f"{start}\n{lines}\nament_package")
     files = {
         "my_pkg/package.xml": manifest("  <depend>base</depend>\n", "ament_cmake"),
         "my_pkg/CMakeLists.txt": cmake,
@@ -192,6 +193,7 @@ def test_a_package_of_ros_1_has_its_headers() -> None:
 def of_nobody(source: str, find: str = "", **more: str) -> list[GIVEN]:
     """Lint a package that depends on rclcpp and sensor_msgs, with one source, for headers that no package has."""
     depends = "".join(f"  <depend>{name}</depend>\n" for name in ("rclcpp", "sensor_msgs"))
+    find = f"include_directories(include)\n{find}"
     files = {
         "package.xml": manifest(depends, "ament_cmake"),
         "CMakeLists.txt": CMAKE.replace("ament_package", f"{find}add_executable(talker src/a.cpp)\nament_package"),
