@@ -119,7 +119,7 @@ def programs_as_files(package: SourcePackage) -> Iterator[PutFault]:
 def script_not_executable_in_directory(package: SourcePackage) -> Iterator[PutFault]:
     """No bit on a script that `install(DIRECTORY … USE_SOURCE_PERMISSIONS)` puts into lib/."""
     for spot in package.spots(
-        CMAKE, r"install\(\s*DIRECTORY\s+(\w+)/?\s[^()]*DESTINATION\s+lib/[^()]*USE_SOURCE_PERMISSIONS"
+        CMAKE, r"install\(\s*DIRECTORY\s+(\w+)/?\s[^()]*DESTINATION\s+lib/[\w${}]+\s+USE_SOURCE_PERMISSIONS"
     ):
         for file in package.matching(rf"^{spot.word}/\w+\.py$"):
             path = package.path(file)

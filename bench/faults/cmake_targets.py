@@ -107,8 +107,9 @@ def script_without_interpreter(package: SourcePackage) -> Iterator[PutFault]:
 
 @kind("cmake targets")
 def script_without_executable_bit(package: SourcePackage) -> Iterator[PutFault]:
-    """`colcon build --symlink-install` links a program that is not executable."""
-    for spot in package.spots(CMAKE, r"install\(\s*PROGRAMS\s+([\w./-]+\.py)\s+DESTINATION\s+lib/"):
+    """`colcon build --symlink-install` links a program that is not executable; one of another name is a copy."""
+    is_linked = r"(?![^()]*\b(?:RENAME|PERMISSIONS)\b)"
+    for spot in package.spots(CMAKE, rf"install\(\s*PROGRAMS\s+([\w./-]+\.py)\s+DESTINATION\s+lib/{is_linked}"):
         if spot.word in package.files:
             path = package.path(spot.word)
             yield PutFault(path, (spot.word.rpartition("/")[2],), {path: package.data(spot.word)}, 0, frozenset({path}))
