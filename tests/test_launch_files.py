@@ -361,3 +361,24 @@ def test_launch_loads_python_of_another_suffix() -> None:
 
     assert told("import os\n\n\ndef generate_launch_description():\n    pass\n") == []
     assert told("import os\n") == ["RPK001"]
+
+
+@pytest.mark.parametrize(("node", "found"), [('name="a"', 0), ('name="a" pkg="b"', 1), ('exec="b"', 1)])
+def test_a_list_of_nodes_for_another_program(node: str, found: int) -> None:
+    files = {"package.xml": manifest(), "config/launch.xml": f'<launch>\n  <node {node} start="both"/>\n</launch>\n'}
+    codes = {each.code for each in lint_files(files, ["LCH007"]).findings}
+    assert len(codes) == found
+
+
+@pytest.mark.parametrize(
+    ("items", "found"), [("'a.yaml'", 0), ("path", 0), ("1", 1), ("'rate', 1", 1), ("'a', 'b'", 1)]
+)
+def test_a_set_of_one_path_is_that_path(items: str, found: int) -> None:
+    head = "from launch import LaunchDescription\nfrom launch.substitutions import LaunchConfiguration\n"
+    text = (
+        f"{head}from launch_ros.actions import Node\n\n\ndef generate_launch_description():\n"
+        "    path = LaunchConfiguration('a')\n"
+        f"    return LaunchDescription([Node(package='a', executable='b', parameters=[{{{items}}}])])\n"
+    )
+    files = {"package.xml": manifest(), "launch/a.launch.py": text}
+    assert len(lint_files(files, ["LCH014"]).findings) == found

@@ -23,7 +23,7 @@ def parameters_faults(argument: Argument, what: str) -> Iterator[Fault]:
         yield Fault(place, f"{what} takes a list of dicts and files, not {name}: write `[…]`")
     for item in value.items if isinstance(value, Sequence) else ():
         at, holds = span_within(item, place), f"{what} holds dicts and files"
-        if isinstance(item, Sequence) and item.kind == "set":
+        if isinstance(item, Sequence) and item.kind == "set" and not is_path_alone(item):
             yield Fault(at, f"this is a set and no dict of {what}: write `:` between a name and its value")
         elif isinstance(item, Sequence) and any(isinstance(each, Dict) for each in item.items):
             yield Fault(at, f"{holds}, and this is a list inside the list: {RAISES}; put a `*` before it")
@@ -31,6 +31,11 @@ def parameters_faults(argument: Argument, what: str) -> Iterator[Fault]:
             yield Fault(at, f"{holds}, not {type_name(item)}: {RAISES}")
         elif isinstance(item, Dict):
             yield from parameter_value_faults(item, at)
+
+
+def is_path_alone(items: Sequence) -> bool:
+    """Return whether a set holds one text or substitution: launch_ros joins what it holds to the path of a file."""
+    return len(items.items) == 1 and (isinstance(items.items[0], Text | PartialText) or is_substitution(items.items[0]))
 
 
 def single_parameters(value: Value) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...source import Source
-from .entity import from_xml, from_yaml
+from .entity import Entity, from_xml, from_yaml
 from .entity_reader import launch_file
 from .launch_file import LaunchFile
 
@@ -11,7 +11,13 @@ from .launch_file import LaunchFile
 def read_xml_launch(source: Source) -> LaunchFile | None:
     """Read an XML launch file; None where it is some other XML; raises UnreadableError."""
     root = from_xml(source)
-    return launch_file(source, "xml", root, []) if root.name == "launch" else None
+    return launch_file(source, "xml", root, []) if root.name == "launch" and not is_of_another(root) else None
+
+
+def is_of_another(root: Entity) -> bool:
+    """Return whether it is a list for a program of its own: it has nodes, and none names a package or a program."""
+    nodes = [each for each in root.walk() if each.name == "node"]
+    return bool(nodes) and not any({"pkg", "package", "exec", "type"} & each.attributes.keys() for each in nodes)
 
 
 def read_yaml_launch(source: Source) -> LaunchFile | None:
