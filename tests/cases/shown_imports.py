@@ -129,6 +129,14 @@ CASES = {
             neighbour(text, {"setup.py": setup_py()})
             for text in ("import speech\n", "import speech\n\nif __name__ == '__main__':\n    print(speech)\n")
         ),
+        *(
+            neighbour("import speech\n", {"setup.py": setup_py(), "my_pkg/main.py": text})
+            for text in (
+                "import talker\n\nif __name__ == '__main__':\n    print(talker)\n",
+                "from . import talker\n\nif __name__ == '__main__':\n    print(talker)\n",
+                "import talker\n",
+            )
+        ),
         neighbour("import speech\n", {"setup.py": setup_py("scripts=['bin/run'],"), "bin/run": "#!/bin/sh\n"}),
         neighbour("from speech import GREETING as a\nfrom speech.words import b\n"),
         neighbour("from .speech import GREETING\n"),

@@ -35,13 +35,28 @@ class ReachedModules:
     def started(self) -> frozenset[str]:
         """The installed modules that entry points start, and those that these import.
 
-        Of a library it is every module that does nothing when it is started by its path.
+        Of a library it is every module that does nothing when it is started by its path, nor serves one that does.
         """
         waiting = [row.entry.partition(":")[0] for row in self.table.of("executable") if row.entry]
-        for module, source in self.installed.sources.items() if self.is_library else ():
-            file = self.run.modules.at(source)
-            waiting += [module] if file is not None and "__main__" not in file.source.text else []
+        if self.is_library:
+            files = {module: self.run.modules.at(source) for module, source in self.installed.sources.items()}
+            programs = [module for module, file in files.items() if file and "__main__" in file.source.text]
+            beside = self.found_beside(programs)
+            waiting += [module for module, file in files.items() if file and module not in beside]
         return self.imported_from(waiting)
+
+    def found_beside(self, programs: list[str]) -> set[str]:
+        """Return some modules and those that Python finds in their folder when they are started by their path."""
+        found, waiting = set[str](), [*programs]
+        while waiting:
+            module = waiting.pop()
+            source = self.installed.sources.get(module, "")
+            file = self.run.modules.at(source) if source and module not in found else None
+            if file is not None:
+                found.add(module)
+                package = module.rpartition(".")[0]
+                waiting += [f"{package}.{each.module}" for each in file.imports if not each.level]
+        return found
 
     def has(self, path: str) -> bool:
         """Return whether a file is no installed module, or one that something else imports or names."""
