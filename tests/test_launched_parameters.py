@@ -192,7 +192,7 @@ def test_lists_of_plugins(names: str, said: str) -> None:
         (["vrbsoe"], []),
         (["vrbsoe", "rate"], ["`verbose`"]),
         (["fra"], []),
-        (["use_sim_tim"], []),
+        (["use_sim_time"], []),
         (["wheels"], ["`number_of_wheels`"]),
         (["number"], []),
         (["height"], []),
