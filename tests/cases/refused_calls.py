@@ -79,6 +79,8 @@ def world(text: str, opened: str = "") -> Example:
     return Example(bad=files, good={}, on="ament_python")
 
 
+OWN = "add_library(my_pkg SHARED src/core.cpp)\ninstall(TARGETS my_pkg DESTINATION lib)\n"
+OWN += "ament_target_dependencies(core ${PROJECT_NAME})"
 OPENED = "ROOM = get_package_share_path('my_pkg') / 'worlds' / 'room.world'"
 CASES = {
     "RPK001": (
@@ -102,6 +104,13 @@ CASES = {
         "rosidl_generate_interfaces(${PROJECT_NAME} ${ALL_MESSAGES} DEPENDENCIES ${MESSAGE_PACKAGES})",
         "rosidl_generate_interfaces(${PROJECT_NAME} ${ALL_MESSAGES} msg/A.msg)",
         "set_names(node_name)\ntarget_link_libraries(${node_name} m)",
+    ))),
+    "CMK117": tuple(map(package, (
+        OWN,
+        OWN.replace("_library(my_pkg", "_library(other"),
+        "set(${PROJECT_NAME}_FOUND TRUE)\n" + OWN,
+        "find_package(my_pkg)\n" + OWN,
+        "ament_target_dependencies(core my_pkg)",
     ))),
     "CMK124": (
         globbed("file(GLOB SOURCES src/*.cpp)"),

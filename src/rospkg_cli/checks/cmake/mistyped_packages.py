@@ -89,6 +89,8 @@ class MistypedPackages:
     def judged(self, word: Word, call: EvaluatedCommand) -> MistypedPackage | None:
         if self.is_own(word, call):
             return MistypedPackage(word, call, "own")
+        if call.name == HANDED and self.is_own_target(word.text):
+            return MistypedPackage(word, call, "target")
         if self.is_known(word.text):
             return None
         if call.name not in TAKING:
@@ -125,6 +127,14 @@ class MistypedPackages:
         is_its_name = word.text == self.package.facts.name == self.package.cmake.project_name
         is_looked_for = call.name == "find_package" and not call.folder and not call.testing
         return is_its_name and is_looked_for and self.package.is_ament and self.is_looked_for_in_vain(word.text)
+
+    def is_own_target(self, name: str) -> bool:
+        """Return whether a name is that of the package itself, which it does not find, and of a target of it."""
+        cmake = self.package.cmake
+        if name != self.package.facts.name or name in self.found or cmake.target(name) is None:
+            return False
+        texts = (f"{name}_FOUND", "${PROJECT_NAME}_FOUND")  # where someone says that it is found
+        return not cmake.reads_unknown_files and not any(e in file.source.text for file in cmake.files for e in texts)
 
     def misspelt(self, word: Word, call: EvaluatedCommand, names: frozenset[str]) -> MistypedPackage | None:
         near = nearest(word.text, names, 2)
