@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rospkg_cli.example import CMAKE, Example, manifest, scripts, setup_py
 from rospkg_cli.rules.params import prm001_missing_ros_parameters as prm001
+from rospkg_cli.rules.setup import set105_entry_point_not_installed as set105
 from rospkg_cli.rules.setup import set302_package_not_installed as set302
 
 from .setups import OTHER_NAME, python
@@ -98,6 +99,23 @@ FINDS = "find_package(Boost REQUIRED"
 BRINGUP = manifest("", "cmake", "bringup").replace("  <export>", f"{NEEDS}  <export>")
 LEFT = {"my_pkg/speech/words.py": "A = 1\n"}
 CASES = {
+    "SET105": (
+        below(
+            {"setup.py": set105.LISTED.replace("«", "").replace("»", ""), **set105.FILES},
+            {"README.md": "colcon build --symlink-install\n"},
+        ),
+        below(
+            {
+                "setup.py": setup_py(scripts("a = my_pkg.nodes.talker:main", "b = my_pkg.more.a:main")).replace(
+                    "find_packages(exclude=['test'])", "[package_name]"
+                ),
+                **set105.FILES,
+                "my_pkg/more/__init__.py": "",
+                "my_pkg/more/a.py": "def main():\n    print('hello')\n",
+            },
+            {},
+        ),
+    ),
     "SET302": tuple(
         below(LEFT_OUT, {"README.md": text}) for text in ("colcon build --symlink-install\n", "colcon build\n")
     ),

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
+from ...checks.enumeration import in_ticks
 from ...checks.setup.module_tree import ModuleTree
 from ...edits.setup_py import add_packages
 from ...example import Example, scripts, setup_py
 from ...finding import Fix, Hit, Related, Safety, Severity
+from ...package.setup.entry_points import EntryPoint
 from ...rule import rule
 
 LISTED = setup_py(scripts("talker = «my_pkg.nodes.talker»:main")).replace(
@@ -22,6 +24,7 @@ GOOD = LISTED.replace("«", "").replace("»", "").replace("[package_name]", "[pa
     "entry-point-not-installed",
     over=ModuleTree,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "the workspace is built with `--symlink-install`"},
     examples=(Example(bad={**FILES, "setup.py": LISTED}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),),
 )
 def entry_point_not_installed(tree: ModuleTree) -> Iterator[Hit]:
@@ -37,18 +40,31 @@ def entry_point_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     ## When it is quiet
     Where `packages`, `py_modules` or `package_dir` can't be evaluated, where setup.py may write files, and where a
     folder lacks its `__init__.py` (SET301). A package that is listed and not there stops the build first (SET302).
+    Where a file above the package builds with `--symlink-install`, it is a warning.
 
     ## Fix safety
     The module may belong elsewhere instead.
     """
     if not tree.package.knows_installed_modules or tree.missing_folders:
         return
-    for inner, entries in tree.not_installed().items():
-        (first, path), *others = entries
-        edits = add_packages(tree.setup, inner) if inner else ()
-        what = f"add `{inner}` to `packages`" if inner else "move it into a package of `packages`"
-        who = f"`{first.name}` and {len(others)} more raise" if others else f"`{first.name}` raises"
-        message = f"`{path}` is not installed: the build is green, and {who} ModuleNotFoundError; {what}"
-        related = tuple(Related(entry.path, entry.module_span, f"`{entry.name}` too") for entry, _ in others)
-        fix = Fix(f"add `{inner}` to `packages`", edits, Safety.UNSAFE) if edits else None
-        yield Hit(first.path, first.module_span, message, related=related, fix=fix)
+    found = tree.not_installed()
+    named = [inner for inner in found if inner]
+    if named:
+        yield hit(tree, named, [each for inner in named for each in found[inner]])
+    if "" in found:
+        yield hit(tree, (), found[""])
+
+
+def hit(tree: ModuleTree, names: Sequence[str], entries: Sequence[tuple[EntryPoint, str]]) -> Hit:
+    """Return what is said of entry points whose packages one list leaves out, or whose modules lie in none."""
+    (first, path), *others = entries
+    edits = add_packages(tree.setup, *names) if names else ()
+    what = f"add {in_ticks(names)} to `packages`" if names else "move it into a package of `packages`"
+    who = f"`{first.name}` and {len(others)} more raise" if others else f"`{first.name}` raises"
+    but = f", but for `--symlink-install` (`{tree.linking}`)" if tree.linking else ""
+    lacking = f"`{path}` is" if len(names) < 2 else f"`{path}` and others are"
+    message = f"{lacking} not installed: the build is green, and {who} ModuleNotFoundError{but}; {what}"
+    related = tuple(Related(entry.path, entry.module_span, f"`{entry.name}` too") for entry, _ in others)
+    fix = Fix(f"add {in_ticks(names)} to `packages`", edits, Safety.UNSAFE) if edits else None
+    level = Severity.WARNING if tree.linking else None
+    return Hit(first.path, first.module_span, message, level, related, fix)
