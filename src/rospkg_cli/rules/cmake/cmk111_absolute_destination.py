@@ -29,7 +29,9 @@ SLASH_TOO_MANY = regex(r"/(?:share|lib)/\$\{PROJECT_NAME\}(?:/|$)")
     "absolute-destination",
     over=CMakePackage,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the folder is for settings of the system, or a condition is around it"},
+    levels={
+        Severity.WARNING: "the folder is for settings of the system, or in `$ENV{HOME}`, or a condition is around it"
+    },
     examples=(
         Example(
             bad={"CMakeLists.txt": SLASH, "urdf/robot.urdf": URDF},
@@ -58,7 +60,8 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
     For what begins with a variable (`${CMAKE_INSTALL_PREFIX}/share`), also behind a slash where the variable holds the
     prefix or is unknown. Under a condition that can't be evaluated only `/share/${PROJECT_NAME}` and
     `/lib/${PROJECT_NAME}` are told, as warnings.
-    Rules of udev and units of systemd may belong in the system's folders: a warning.
+    Rules of udev and units of systemd may belong in the system's folders: a warning. So is `$ENV{HOME}`, the home of
+    whoever builds.
     """
     seen = set()
     for install in package.cmake.installs:
@@ -81,7 +84,8 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
                 f"`DESTINATION {raw}` is absolute: the files don't go to the install prefix, where ROS looks; write "
                 f"`{wanted(raw, install)}`"
             )
-            level = Severity.WARNING if install.call.maybe else None
+            is_mild = install.call.maybe or raw.startswith("$ENV{HOME}")
+            level = Severity.WARNING if is_mild else None
             yield Hit(word.path, word.span, message, level, fix=fix(package, word, raw))
 
 
