@@ -65,7 +65,7 @@ def test_a_folder_is_needed_where_its_own_package_is_asked_for_it(share: str, le
 
 @pytest.mark.parametrize(("share", "level"), [("mine", Severity.ERROR), ("theirs", Severity.INFO)])
 def test_the_same_holds_for_setup_py(clean, share: str, level: Severity) -> None:
-    launch = OPENS.format(share).replace("rviz", "bt_xml")
+    launch = OPENS.format(share).replace("robot.rviz", "tree.xml").replace("rviz", "bt_xml")
     files = {**clean, "bt_xml/tree.xml": "<root/>\n", "launch/a.launch.py": launch}
     assert [finding.severity for finding in lint_files(files, ["SET206"]).findings] == [level]
 
