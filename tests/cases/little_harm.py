@@ -95,8 +95,6 @@ INCLUDING = {
     "CMakeLists.txt": CMAKE.replace("ament_package", "add_library(a a.cpp)\nament_package"),
     "a.cpp": "#include <other/a.hpp>\n",
 }
-NESTED = {"my_pkg/inner/__init__.py": "", "my_pkg/inner/talker.py": MAIN}
-NESTED_SETUP = setup_py(scripts("talker = my_pkg.inner.talker:main")).replace(set302.FOUND, "[package_name]")
 FINDS = "find_package(Boost REQUIRED"
 BRINGUP = manifest("", "cmake", "bringup").replace("  <export>", f"{NEEDS}  <export>")
 LEFT = {"my_pkg/speech/words.py": "A = 1\n"}
@@ -120,10 +118,6 @@ CASES = {
     ),
     "SET302": tuple(
         below(LEFT_OUT, {"README.md": text}) for text in ("colcon build --symlink-install\n", "colcon build\n")
-    ),
-    "SET105": tuple(
-        below({**NESTED, "setup.py": NESTED_SETUP}, {"README.md": text})
-        for text in ("colcon build --symlink-install\n", "colcon build\n")
     ),
     "SET401": (
         python(NAMED_OTHERWISE),
