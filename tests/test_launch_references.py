@@ -466,6 +466,16 @@ def test_where_a_launch_is_started_is_not_known(path: str, found: int) -> None:
     assert len(said({**BASE, "launch/a.launch.py": f"import pathlib\n{text}"}, "LCH003")) == found
 
 
+def test_a_file_that_is_included_is_not_meant_as_itself() -> None:
+    def suggested(name: str) -> str:
+        text = '<launch><include file="$(find-pkg-share my_pkg)/launch/robott.launch.xml"/></launch>\n'
+        files = {**BASE, f"launch/{name}.launch.xml": text, "launch/wheels_driver_of_all.launch.xml": "<launch/>\n"}
+        (finding,) = lint_files(files, ["LCH003"]).findings
+        return finding.message.partition("did you mean `")[2].partition("`")[0]
+
+    assert suggested("robot") == ""
+
+
 @pytest.mark.parametrize(
     ("given", "found"),
     [

@@ -135,6 +135,7 @@ def test_an_executable_that_is_installed_and_not_made_is_told_once() -> None:
     found = lint_files(files, ["CMK110", "CMK202", "LCH002"]).findings
     assert [(f.code, len(f.related)) for f in found] == [("CMK110", 1)]
     made = files["CMakeLists.txt"].replace("target_link", "add_executable(talker src/other.cpp)\ntarget_link")
+    files["src/other.cpp"] = "int main() {return 0;}\n"
     assert [f.code for f in lint_files({**files, "CMakeLists.txt": made}, ["CMK202"]).findings] == ["CMK202"]
     into_bin = {**files, "CMakeLists.txt": files["CMakeLists.txt"].replace("lib/${PROJECT_NAME}", "bin")}
     assert "LCH002" in [f.code for f in lint_files(into_bin, ["LCH002"]).findings]

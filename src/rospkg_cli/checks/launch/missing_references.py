@@ -167,7 +167,8 @@ class LaunchContext:
             return ("elsewhere", goes) if goes else ("not installed", None)
         if path in facts.uninstalled:
             return "not installed", None
-        return "absent", closest_path(path, facts.share_files)
+        own = self.places if facts is self.package else ()  # a file that includes itself never ends
+        return "absent", closest_path(path, [each for each in facts.share_files if each not in own])
 
     def goes_to(self, path: str) -> str | None:
         """Return where a file of the package goes below the prefix."""
