@@ -157,7 +157,7 @@ def test_a_name_that_nobody_knows_is_not_declared_by_a_safe_fix() -> None:
     assert finding.message.endswith("no distribution has it: clone it")
 
 
-@pytest.mark.parametrize(("name", "meant"), [("turtlesym", True), ("urtlesim", False)])
+@pytest.mark.parametrize(("name", "meant"), [("turtlesym", True), ("urtlesim", True), ("burtlesims", False)])
 def test_what_begins_with_another_letter_is_another_package(name: str, meant: bool) -> None:
     text = f'<launch><node pkg="{name}" exec="x"/></launch>\n'
     (finding,) = found("DEP103", declared("ros2launch", "turtlesim"), launch__a_DOT_launch_DOT_xml=text)

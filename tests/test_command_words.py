@@ -35,7 +35,7 @@ def test_help_of_nothing_names_what_was_meant(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "names, codes",
     [
-        (["PLG00", "IDL001"], {"IDL001", "PLG002", "PLG003", "PLG004", "PLG005", "PLG006"}),
+        (["PLG00", "IDL001"], {"IDL001", "PLG002", "PLG003", "PLG004", "PLG005", "PLG006", "PLG007"}),
         (["set101,dep001"], {"SET101", "DEP001"}),
         (["empty-glob"], {"SET204"}),
         (["Empty-Glob"], {"SET204"}),

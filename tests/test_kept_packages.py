@@ -85,7 +85,7 @@ def test_another_report_of_the_same_checks_nothing(workspace: Path, checked: lis
         (edit("src/my_pkg/package.xml", "<name>my_pkg<", "<name>your_pkg<"), ALL),
         (
             edit("src/my_pkg/package.xml", "</package>", "<depend>other</depend>\n</package>"),
-            ["src/my_pkg", "src/user"],
+            ALL,  # other asks who needs it
         ),
         (add("src/LICENSE", "Apache License\nVersion 2.0, January 2004\n"), None),
         (add("src/fourth/package.xml", manifest().replace("my_pkg", "fourth")), None),
