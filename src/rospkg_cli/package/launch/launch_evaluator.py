@@ -57,7 +57,7 @@ def passed_on(machine: EvaluationState, call: Call) -> Value | None:
 
 def current_folder(machine: EvaluationState, call: Call) -> Value | None:
     """os.getcwd: the folder that the launch is started in, as a rule that of the workspace."""
-    return machine.unknown(call.span, "it depends on the folder that the launch is started in")
+    return machine.unknown(call.span, "it depends on the current folder")
 
 
 def joined(receiver: PartialText, call: Call) -> Value | None:
