@@ -44,7 +44,13 @@ def test_a_robot_that_nothing_includes_has_all_its_joints() -> None:
     joint = '<link name="b"/><joint name="elsewhere" type="fixed"><parent link="a"/><child link="b"/></joint>'
     assert said(piece=body, robot=f'{joint}<xacro:include filename="piece.xacro"/>') == []
     told = said(piece=body, robot='<link name="b"/><xacro:include filename="piece.xacro"/>')
-    assert told == [("error", "no joint of the robot is called `elsewhere`")]
+    assert told == [("error", "no joint of the robot is called `elsewhere`: ros2_control looks for it in vain")]
+
+
+def test_joints_that_a_file_gives_to_ros2_control_in_vain_are_one_fault() -> None:
+    body = '<link name="a"/><ros2_control name="c"><joint name="elsewhere"/><joint name="nowhere"/></ros2_control>'
+    ((_, message),) = said(robot=body)
+    assert message.endswith(": ros2_control looks for it in vain; 1 more is not there either")
 
 
 @pytest.mark.parametrize("missing", [' type="revolute"', '<parent link="a"/>', '<child link="b"/>'])

@@ -10,9 +10,10 @@ from ...light_dataclasses import dataclass
 from ...package.urdf.expansion.expansion import Expansion, Given, Node
 from ...package.urdf.expansion.values import XacroUnknown, shown
 from ...suggest import near_names, nearest
-from ..fault import Fault, Level
+from ..fault import Fault, Level, joined
 from .expanded_places import Found, own_place
 from .lost_prefix import lost_prefix, without_prefix
+from .validation import and_others
 
 WORD = re.compile(r"[_\W]+")
 LONG = 6
@@ -94,13 +95,23 @@ class ExpandedTree:
 
     def named(self) -> Iterator[Found]:
         """Yield what is said of joints and links that the robot does not have: to ros2_control, and to Gazebo."""
+        yield from self.lost_joints()
         for node in self.expansion.children:
-            for child in node.children if node.tag == "ros2_control" else ():
-                if child.tag == "joint" and "name" in child.attributes:
-                    yield from self.unknown(child, child.attributes["name"], self.joint_names, "joint of the robot", "")
             if node.tag == "gazebo" and "reference" in node.attributes:
                 names, harm = self.link_names | self.joint_names, ": Gazebo leaves out what this says"
                 yield from self.unknown(node, node.attributes["reference"], names, "link or joint", harm, "info")
+
+    def lost_joints(self) -> Iterator[Found]:
+        """Yield the joints that ros2_control moves and the robot lacks, those of one file and level as one."""
+        lost: dict[tuple[str, Level | None], list[Fault]] = {}
+        for node in self.expansion.children:
+            for child in node.children if node.tag == "ros2_control" else ():
+                if child.tag == "joint" and "name" in child.attributes:
+                    given, harm = child.attributes["name"], ": ros2_control looks for it in vain"
+                    for path, fault in self.unknown(child, given, self.joint_names, "joint of the robot", harm):
+                        lost.setdefault((path, fault.level), []).append(fault)
+        for (path, _), faults in lost.items():
+            yield path, joined(faults, f"{faults[0].message}{and_others(faults)}", "")
 
     def unknown(
         self, node: Node, given: Given, names: frozenset[str], kind: str, harm: str, level: Level | None = None

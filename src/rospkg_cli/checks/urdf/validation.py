@@ -121,10 +121,19 @@ def named_joints(root: Element, joints: Sequence[Element]) -> Iterator[Fault]:
     mimics = [mimic.attributes.get("joint") for joint in joints if (mimic := first(joint, "mimic"))]
     controls = [part for part in root.children if part.tag == "ros2_control"]
     others = [each.attributes.get("name") for part in controls for each in part.children if each.tag == "joint"]
-    for attribute in (*mimics, *others):
-        if attribute and attribute.value not in names and "$" not in attribute.value:
+    for group, harm in ((mimics, ""), (others, ": ros2_control looks for it in vain")):
+        lost = [each for each in group if each and each.value not in names and "$" not in each.value]
+        for attribute in lost[:1]:
             hint = did_you_mean(attribute.value, names)
-            yield Fault(attribute.value_span, f"no joint of the robot is called `{attribute.value}`{hint}")
+            places = tuple((each.value_span, "here too") for each in lost[1:])
+            message = f"no joint of the robot is called `{attribute.value}`{hint}{harm}{and_others(lost)}"
+            yield Fault(attribute.value_span, message, related=places)
+
+
+def and_others(lost: Sequence[object]) -> str:
+    """Return how many names are lost besides the first one."""
+    count = len(lost) - 1
+    return f"; {count} more {'are' if count > 1 else 'is'} not there either" if count else ""
 
 
 def substitution_faults(document: Document) -> Iterator[Fault]:
