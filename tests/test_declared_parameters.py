@@ -124,6 +124,7 @@ def package(values: str, node: str = NODE, **others: str) -> dict[str, str]:
         ("rate: 5; frame: odom; count: 5", ["PRM006 `rate` is declared as double"]),
         ("rate: 5.0; frame: odom; count: 5.0", ["PRM006 `count` is declared as int"]),
         ("rate: 5.0; frame: 5; count: 5", ["PRM006 `frame` is declared as string"]),
+        ("rate: __RATE__; frame: odom; count: COUNT_OF_ALL", []),
         ("rate: 5.0; frame: y; count: 5", ["PRM006 `frame` is declared as string"]),
         ("rate: 5.0; gains: [1, 2]; count: 5", ["PRM006 `gains` is declared as double[]"]),
         ("rate: $(var rate); gains: [1.0]; count: 5", []),

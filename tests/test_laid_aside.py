@@ -33,6 +33,8 @@ def levels(code: str, on: dict[str, str], files: dict[str, str]) -> list[str]:
         ("src/Deprecated/", True),
         ("depricated/", True),
         ("old_nodes/a.py", True),
+        ("urdf/old_version/a.urdf", True),
+        ("old_town/a.world", False),
         ("a/backup/b.py", True),
         ("msg/Flags_backup.msg", True),
         ("msg/Flags.old.msg", False),

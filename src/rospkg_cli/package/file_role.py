@@ -17,7 +17,7 @@ LAUNCH = regex(r"(^|/)launch(es)?/|[._]launch\.(py|xml|ya?ml)$|\.launch$")
 ASIDE_ANYWHERE = frozenset({"third_party", "vendor", "templates", "template"})
 NOT_INSTALLED = frozenset({"setup.py", "conf.py"})
 LEFT = regex(
-    r"[_.-]*(legacy|depr[ei]cated|old|backups?|bak|obsolete|archived?|attic|discarded|outdated|unused)([_-](files|code|pkgs|packages|nodes|scripts))?[_.-]*",
+    r"[_.-]*(legacy|depr[ei]cated|old|backups?|bak|obsolete|archived?|attic|discarded|outdated|unused)([_-](files|code|pkgs|packages|nodes|scripts|versions?|stuff|models?|launch|urdfs?|configs?))?[_.-]*",
     re.IGNORECASE,
 )
 """Folders for what nobody uses any more."""

@@ -25,7 +25,7 @@ ALMOST = 0.8
 MOST = 0.7
 """The share of what a source file needs that a block has to give to be taken for its file."""
 
-PLACEHOLDER = regex(r"<.*>|[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+|.*[{}@%].*")
+PLACEHOLDER = regex(r"<.*>|[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+|__\w+__|.*[{}@%].*")
 """A text that a launch file replaces before the node gets it."""
 
 
