@@ -125,6 +125,14 @@ CASES = {
     ),
     "DEP110": (
         neighbour("import speech\n"),
+        neighbour(
+            "import speech\n",
+            {
+                "setup.py": setup_py(scripts("talker = my_pkg.talker:main")).replace(
+                    "['package.xml']),", "['package.xml']),\n        ('lib/' + package_name, ['my_pkg/speech.py']),"
+                )
+            },
+        ),
         *(
             neighbour(text, {"setup.py": setup_py()})
             for text in ("import speech\n", "import speech\n\nif __name__ == '__main__':\n    print(speech)\n")

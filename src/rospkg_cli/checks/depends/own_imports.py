@@ -147,8 +147,13 @@ class OwnImports:
         return False
 
     def is_found(self, top: str) -> bool:
-        """Return whether Python may find a module of that name outside of the importing file's folder."""
+        """Return whether Python may find a module of that name outside of the importing file's folder.
+
+        What is installed beside the programs is found by all of them.
+        """
+        beside = f"lib/{self.facts.name}/{top}.py"
         own = top in self.installed.tops or top in STANDARD or self.files.exists(f"{top}.py")
+        own = own or any(row.destination == beside for row in self.table.rows)
         return own or bool(self.workspace.providers_of(top)) or top in {each.name for each in self.facts.dependencies}
 
 
