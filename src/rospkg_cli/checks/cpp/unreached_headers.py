@@ -36,7 +36,8 @@ class UnreachedHeaders:
         """Yield the first include of a header that no compiler finds, where nothing tells of any folder: one cause."""
         cmake = self.headers.package.cmake
         is_known = cmake.is_complete and not cmake.reads_unknown_files and next(foreign_commands(cmake), None) is None
-        if not is_known or any(TELLS.search(file.source.text) for file in cmake.files):
+        finds_itself = any(found.name == self.headers.package.facts.name for found in cmake.packages)
+        if not is_known or finds_itself or any(TELLS.search(file.source.text) for file in cmake.files):
             return
         for source in self.headers.sources:
             if source.path in self.headers.compiled:

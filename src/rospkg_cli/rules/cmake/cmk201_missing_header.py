@@ -31,7 +31,7 @@ int main()
     "missing-header",
     over=MissingHeaders,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "in a file that only others compile"},
+    levels={Severity.WARNING: "in a file that only others compile, or in a folder that no command names"},
     examples=(
         Example(
             bad={
@@ -80,7 +80,7 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
         related = tuple(Related(each.path, each.span, "and here") for each in others)
         yield Hit(first.path, first.span, message(first), level, related, fix)
     for lost in UnreachedHeaders(headers).first():
-        yield Hit(lost.path, lost.span, unreached(lost))
+        yield Hit(lost.path, lost.span, unreached(lost), Severity.WARNING)
     for other in ForeignHeaders(headers).all():
         level = None if other.is_compiled else Severity.WARNING
         yield Hit(other.path, other.span, of_nobody(other), level)
