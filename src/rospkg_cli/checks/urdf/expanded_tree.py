@@ -6,14 +6,14 @@ import re
 from collections.abc import Iterable, Iterator
 from functools import cached_property
 
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.urdf.expansion.expansion import Expansion, Given, Node
 from ...package.urdf.expansion.values import XacroUnknown, shown
 from ...suggest import near_names, nearest
 from ..fault import Fault, Level, joined
 from .expanded_places import Found, own_place
 from .lost_prefix import lost_prefix, without_prefix
-from .validation import and_others
+from .validation import VAIN, and_others
 
 WORD = re.compile(r"[_\W]+")
 LONG = 6
@@ -107,9 +107,9 @@ class ExpandedTree:
         for node in self.expansion.children:
             for child in node.children if node.tag == "ros2_control" else ():
                 if child.tag == "joint" and "name" in child.attributes:
-                    given, harm = child.attributes["name"], ": ros2_control looks for it in vain"
-                    for path, fault in self.unknown(child, given, self.joint_names, "joint of the robot", harm):
-                        lost.setdefault((path, fault.level), []).append(fault)
+                    given = child.attributes["name"]
+                    for path, fault in self.unknown(child, given, self.joint_names, "joint of the robot", VAIN):
+                        lost.setdefault((path, "warning"), []).append(replace(fault, level="warning"))
         for (path, _), faults in lost.items():
             yield path, joined(faults, f"{faults[0].message}{and_others(faults)}", "")
 

@@ -11,7 +11,7 @@ from ...package.urdf.references import text_spans
 from ...package.urdf.robot_file import RobotFile
 from ...source import Span
 from ...suggest import did_you_mean
-from ..fault import Fault
+from ..fault import Fault, Level
 from .element_checks import ElementCheck, first, name_span
 from .kinematic_tree import KinematicTree
 from .loose_parts import loose_faults
@@ -22,6 +22,8 @@ from .xacro_calls import XacroCalls
 HARMLESS = frozenset({"xacro:property", "xacro:arg"})
 """Elements of xacro that add no links."""
 VERSIONS = ("1.0", "1.1", "1.2")
+VAIN = ": ros2_control looks for it in vain"
+"""That of Jazzy and later stops there; an older one starts, and nothing moves."""
 
 
 def robot_faults(robot: RobotFile, calls: XacroCalls | None = None) -> list[Fault]:
@@ -121,13 +123,14 @@ def named_joints(root: Element, joints: Sequence[Element]) -> Iterator[Fault]:
     mimics = [mimic.attributes.get("joint") for joint in joints if (mimic := first(joint, "mimic"))]
     controls = [part for part in root.children if part.tag == "ros2_control"]
     others = [each.attributes.get("name") for part in controls for each in part.children if each.tag == "joint"]
-    for group, harm in ((mimics, ""), (others, ": ros2_control looks for it in vain")):
+    level: Level | None
+    for group, harm, level in ((mimics, "", None), (others, VAIN, "warning")):
         lost = [each for each in group if each and each.value not in names and "$" not in each.value]
         for attribute in lost[:1]:
             hint = did_you_mean(attribute.value, names)
             places = tuple((each.value_span, "here too") for each in lost[1:])
             message = f"no joint of the robot is called `{attribute.value}`{hint}{harm}{and_others(lost)}"
-            yield Fault(attribute.value_span, message, related=places)
+            yield Fault(attribute.value_span, message, level, related=places)
 
 
 def and_others(lost: Sequence[object]) -> str:
