@@ -14,6 +14,7 @@ from ...suggest import nearest
 from ..fault import Fault, softer
 from .argument_types import TYPE_CHECKS, action_list_faults
 from .idle_actions import contains, never_added
+from .joined_commands import joined_command
 from .python_truth import Truth, test_faults, truth_values, use_faults
 from .relative_parameter_files import values_as_files
 from .removed_arguments import renamed
@@ -57,6 +58,8 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
     for call in launch.calls:
         if class_of(call) == "OpaqueFunction":
             yield from function_faults(call, launch)
+        elif class_of(call) == "Command":
+            yield from joined_command(call)
 
 
 def signature_faults(call: Call, name: str, signature: Signature) -> Iterator[Fault]:
