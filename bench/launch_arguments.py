@@ -12,8 +12,8 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from bench.tables import Origin, Revision, write
-from bench.well_known import branches, facts_in, git
+from bench.tables import Origin, write
+from bench.well_known import branches, facts_in, mirrored
 from bench.well_known_renames import REPOSITORIES
 from rospkg_cli.package.launch.included_arguments import IncludedArguments
 from rospkg_cli.package.package_facts import PackageFacts
@@ -38,19 +38,15 @@ Taken = dict[str, set[str]]
 
 def main(folder: Path) -> None:
     by_distro: dict[str, list[PackageFacts]] = {name: [] for name in (*(each.name for each in DISTROS), NEWEST)}
-    commits, newest = [], ""
-    for name in REPOSITORIES:
-        mirror = folder / name.replace("/", "+") / "repo"
-        commit, day = git(mirror, "log", "-1", "--format=%h %cs").decode().split()
-        commits.append(f"{name.partition('/')[2]} {commit}")
-        newest = max(newest, day)
+    mirrors, revision = mirrored(folder, REPOSITORIES)
+    for mirror in mirrors:
         here = {branch.removesuffix("-devel"): facts_in(mirror, branch) for branch, now in branches(mirror) if now}
         for distro, facts in by_distro.items():
             facts += here.get(distro, here[NEWEST])
     found: Taken = {}
     for facts in by_distro.values():
         add(found, facts)
-    write(TABLE, ABOUT[TABLE], rows(found), ORIGIN, Revision(", ".join(commits), newest))
+    write(TABLE, ABOUT[TABLE], rows(found), ORIGIN, revision)
 
 
 def add(found: Taken, packages: list[PackageFacts]) -> None:

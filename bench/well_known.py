@@ -12,7 +12,7 @@ from __future__ import annotations
 import io
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -117,23 +117,27 @@ def facts_in(mirror: Path, branch: str) -> list[PackageFacts]:
     return [facts for facts in found if facts.build_type != "catkin"]
 
 
-def collect(folder: Path) -> tuple[dict[str, Offer], dict[str, Offer], list[str], str]:
-    """Return what is offered now, what was offered, the commits that were read, and the newest of their dates."""
+def mirrored(folder: Path, names: Iterable[str]) -> tuple[list[Path], Revision]:
+    """Return the mirrors of some repositories, with their newest commits and the newest of the dates of these."""
+    mirrors = [folder / name.replace("/", "+") / "repo" for name in names]
+    heads = [git(mirror, "log", "-1", "--format=%h %cs").decode().split() for mirror in mirrors]
+    repositories = (mirror.parent.name.partition("+")[2] for mirror in mirrors)
+    said = (f"{repository} {commit}" for repository, (commit, _) in zip(repositories, heads, strict=True))
+    return mirrors, Revision(", ".join(said), max(day for _, day in heads))
+
+
+def collect(mirrors: Iterable[Path]) -> tuple[dict[str, Offer], dict[str, Offer]]:
+    """Return what is offered now, and what was offered."""
     now: dict[str, Offer] = {}
     before: dict[str, Offer] = {}
-    commits, newest = [], ""
-    for name in REPOSITORIES:
-        mirror = folder / name.replace("/", "+") / "repo"
-        commit, day = git(mirror, "log", "-1", "--format=%h %cs").decode().split()
-        commits.append(f"{name.partition('/')[2]} {commit}")
-        newest = max(newest, day)
+    for mirror in mirrors:
         is_known = False
         for branch, is_current in branches(mirror):
             found = facts_in(mirror, branch) if is_current or is_known else []
             is_known |= is_current and bool(found)
             for facts in found:
                 (now if is_current else before).setdefault(facts.name, Offer()).add(facts)
-    return now, before, commits, newest
+    return now, before
 
 
 def successor(kind: str, package: str, name: str, now: dict[str, Offer]) -> str:
@@ -170,8 +174,8 @@ def rows(now: dict[str, Offer], before: dict[str, Offer]) -> Iterator[str]:
 
 
 def main(folder: Path) -> None:
-    now, before, commits, newest = collect(folder)
-    write(TABLE, ABOUT[TABLE], rows(now, before), ORIGIN, Revision(", ".join(commits), newest))
+    mirrors, revision = mirrored(folder, REPOSITORIES)
+    write(TABLE, ABOUT[TABLE], rows(*collect(mirrors)), ORIGIN, revision)
 
 
 if __name__ == "__main__":

@@ -11,8 +11,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from bench.tables import Origin, Revision, write
-from bench.well_known import branches, facts_in, git
+from bench.tables import Origin, write
+from bench.well_known import branches, facts_in, mirrored
 from bench.well_known_renames import REPOSITORIES
 
 TABLE = "well_known_launch.txt"
@@ -41,12 +41,8 @@ ENDINGS = (".launch.py", "_launch.py", ".launch.xml", "_launch.xml", ".launch.ya
 def main(folder: Path) -> None:
     found: dict[str, set[str]] = {}
     unknown: set[str] = set()
-    commits, newest = [], ""
-    for name in (*REPOSITORIES, *ROBOTS):
-        mirror = folder / name.replace("/", "+") / "repo"
-        commit, day = git(mirror, "log", "-1", "--format=%h %cs").decode().split()
-        commits.append(f"{name.partition('/')[2]} {commit}")
-        newest = max(newest, day)
+    mirrors, revision = mirrored(folder, (*REPOSITORIES, *ROBOTS))
+    for mirror in mirrors:
         for branch in (branch for branch, is_current in branches(mirror) if is_current):
             for facts in facts_in(mirror, branch):
                 unknown |= set() if facts.knows("share_files") else {facts.name}
@@ -54,7 +50,7 @@ def main(folder: Path) -> None:
                 found.setdefault(facts.name, set()).update(files)
     rows = (" ".join([name, *sorted(files)]) for name, files in sorted(found.items()) if files - {""})
     known = [row for row in rows if row.split(" ", 1)[0] not in unknown]
-    write(TABLE, ABOUT[TABLE], known, ORIGIN, Revision(", ".join(commits), newest))
+    write(TABLE, ABOUT[TABLE], known, ORIGIN, revision)
 
 
 if __name__ == "__main__":

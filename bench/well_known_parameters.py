@@ -12,8 +12,8 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from bench.tables import Origin, Revision, write
-from bench.well_known import branches, facts_in, git
+from bench.tables import Origin, write
+from bench.well_known import branches, facts_in, mirrored
 from bench.well_known_renames import REPOSITORIES
 from rospkg_cli.package.package_facts import PackageFacts
 from rospkg_cli.package.params.declared_parameter import DeclaredParameter, type_named
@@ -41,20 +41,14 @@ Names = dict[tuple[str, bool], set[str]]
 def main(folder: Path) -> None:
     found: dict[str, Names] = {}
     before: dict[str, Names] = {}
-    commits, newest = [], ""
-    for name in REPOSITORIES:
-        mirror = folder / name.replace("/", "+") / "repo"
-        commit, day = git(mirror, "log", "-1", "--format=%h %cs").decode().split()
-        commits.append(f"{name.partition('/')[2]} {commit}")
-        newest = max(newest, day)
+    mirrors, revision = mirrored(folder, REPOSITORIES)
+    for mirror in mirrors:
         for branch, is_current in branches(mirror):
             for facts in facts_in(mirror, branch):
                 if not any(word in facts.name for word in ASIDE):
                     add((found if is_current else before).setdefault(facts.name, {}), facts)
     removed = {name: gone(names, found[name]) for name, names in before.items() if name in found}
-    write(
-        TABLE, ABOUT[TABLE], [*rows(found), "[removed]", *rows(removed)], ORIGIN, Revision(", ".join(commits), newest)
-    )
+    write(TABLE, ABOUT[TABLE], [*rows(found), "[removed]", *rows(removed)], ORIGIN, revision)
 
 
 def gone(before: Names, now: Names) -> Names:
