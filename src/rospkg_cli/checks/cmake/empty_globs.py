@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
+from ...languages.cmake.regex import glob
 from ...languages.cmake.values import Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
@@ -51,17 +52,18 @@ class EmptyGlobs:
 
     def is_found(self, call: EvaluatedCommand, path: str) -> bool:
         """Return whether a pattern matches a file; one of GLOB_RECURSE looks below its folder too."""
+        every = self.cmake.package_files.every
+        if call.texts[0].upper() != "GLOB_RECURSE":
+            return glob(path, every) != []
         folder, name = posixpath.split(path)
-        deep = call.texts[0].upper() == "GLOB_RECURSE"
-        start = f"{shell(folder)}/" if folder else ""
-        pattern = re.compile(f"{start}(.*/)?{shell(name)}" if deep else shell(path))
-        return any(pattern.fullmatch(each) for each in self.cmake.package_files.every)
+        depth = len(folder.split("/")) if folder else 0
+        inside = (each for each in every if glob(folder, ["/".join(each.split("/")[:-1][:depth])]) != [])
+        return glob(name, map(posixpath.basename, inside)) != []
 
     def holding(self, path: str) -> str | None:
         """Return the folder that holds such files: the only one, or the only one of the same name."""
         folder, name = posixpath.split(path)
-        pattern = re.compile(shell(name))
-        fits = {posixpath.dirname(each) for each in self.files if pattern.fullmatch(posixpath.basename(each))}
+        fits = {posixpath.dirname(each) for each in self.files if glob(name, [posixpath.basename(each)])}
         same = {each for each in fits if posixpath.basename(each) == posixpath.basename(folder)} if folder else set()
         found = same or fits
         return next(iter(found)) if len(found) == 1 else None
@@ -81,9 +83,3 @@ def patterns_of(call: EvaluatedCommand) -> list[Word]:
             found.append(word)
         before = word.text
     return found
-
-
-def shell(pattern: str) -> str:
-    """Return a shell pattern as a regular expression, in which `*` stays within a folder."""
-    parts = re.split(r"([*?])", pattern)
-    return "".join("[^/]*" if each == "*" else "[^/]" if each == "?" else re.escape(each) for each in parts)
