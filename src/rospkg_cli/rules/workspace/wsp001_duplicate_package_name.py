@@ -50,11 +50,7 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
     side (`one_ws/src` and `other_ws`, `ws/one/src` and `ws/other/src`) are built apart; so is one within another where
     only the inner one is linted. All packages of one name are one finding.
     """
-    by_name: dict[str, list[PackageFacts]] = {}
-    for facts in workspace.packages:
-        by_name.setdefault(facts.name, []).append(facts)
-    for facts in workspace.packages:
-        copies = by_name[facts.name]
+    for facts, copies in ((each, same) for same in workspace.repeated for each in same):
         others = [each for each in copies if each is not facts and are_built_together(facts, each, workspace.selected)]
         earlier = [each for each in copies[: copies.index(facts)] if each in others]
         if facts.folder not in workspace.selected or any(each.folder in workspace.selected for each in earlier):
