@@ -35,8 +35,6 @@ class UnusedAction:
     span: Span
     what: str
     harm: str
-    is_argument: bool
-    """Whether it declares an argument, which the user can set nevertheless."""
     is_gone: bool = False
     """Whether it starts an executable that its package, one of the workspace, does not install: a leftover."""
     starter: str = ""
@@ -61,7 +59,7 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
             harm = HARM.get(kind, "it has no effect")
             is_gone = starts_nothing(call, configurations.workspace)
             starter = started_elsewhere(call, configurations.file, configurations.around)
-            yield UnusedAction(file.span(node), what, harm, kind == "DeclareLaunchArgument", is_gone, starter)
+            yield UnusedAction(file.span(node), what, harm, is_gone, starter)
 
 
 def starts_nothing(call: Call, workspace: Workspace) -> bool:
