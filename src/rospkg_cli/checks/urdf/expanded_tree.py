@@ -10,10 +10,10 @@ from ...light_dataclasses import dataclass, replace
 from ...package.urdf.expansion.expansion import Expansion, Given, Node
 from ...package.urdf.expansion.values import XacroUnknown, shown
 from ...suggest import near_names, nearest
-from ..fault import Fault, Level, joined
+from ..fault import Fault, Level
 from .expanded_places import Found, own_place
 from .lost_prefix import lost_prefix, without_prefix
-from .validation import VAIN, and_others
+from .validation import VAIN, one_fault
 
 WORD = re.compile(r"[_\W]+")
 LONG = 6
@@ -111,7 +111,7 @@ class ExpandedTree:
                     for path, fault in self.unknown(child, given, self.joint_names, "joint of the robot", VAIN):
                         lost.setdefault((path, "warning"), []).append(replace(fault, level="warning"))
         for (path, _), faults in lost.items():
-            yield path, joined(faults, f"{faults[0].message}{and_others(faults)}", "")
+            yield path, one_fault(faults)
 
     def unknown(
         self, node: Node, given: Given, names: frozenset[str], kind: str, harm: str, level: Level | None = None

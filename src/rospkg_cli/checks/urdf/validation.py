@@ -11,7 +11,7 @@ from ...package.urdf.references import text_spans
 from ...package.urdf.robot_file import RobotFile
 from ...source import Span
 from ...suggest import did_you_mean
-from ..fault import Fault, Level
+from ..fault import Fault, Level, joined
 from .element_checks import ElementCheck, first, name_span
 from .kinematic_tree import KinematicTree
 from .loose_parts import loose_faults
@@ -126,17 +126,16 @@ def named_joints(root: Element, joints: Sequence[Element]) -> Iterator[Fault]:
     level: Level | None
     for group, harm, level in ((mimics, "", None), (others, VAIN, "warning")):
         lost = [each for each in group if each and each.value not in names and "$" not in each.value]
-        for attribute in lost[:1]:
-            hint = did_you_mean(attribute.value, names)
-            places = tuple((each.value_span, "here too") for each in lost[1:])
-            message = f"no joint of the robot is called `{attribute.value}`{hint}{harm}{and_others(lost)}"
-            yield Fault(attribute.value_span, message, level, related=places)
+        if lost:
+            start = f"no joint of the robot is called `{lost[0].value}`{did_you_mean(lost[0].value, names)}{harm}"
+            yield one_fault([Fault(each.value_span, start, level) for each in lost])
 
 
-def and_others(lost: Sequence[object]) -> str:
-    """Return how many names are lost besides the first one."""
+def one_fault(lost: Sequence[Fault]) -> Fault:
+    """Return names of one file that are not there as one fault, at the first, which says how many others there are."""
     count = len(lost) - 1
-    return f"; {count} more {'are' if count > 1 else 'is'} not there either" if count else ""
+    more = f"; {count} more {'are' if count > 1 else 'is'} not there either" if count else ""
+    return joined(lost, f"{lost[0].message}{more}", "")
 
 
 def substitution_faults(document: Document) -> Iterator[Fault]:
