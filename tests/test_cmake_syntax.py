@@ -100,6 +100,7 @@ def test_what_cmake_accepts(text: str) -> None:
         ("a([[b]]«c»)\n", "a blank is missing"),
         ("a(#[[b]]«c»)\n", "a blank is missing"),
         ("a()\n«<<<<<<<» HEAD\nb()\n", "merge conflict"),
+        ("a(b\n«<<<<<<<» HEAD\n  c\n=======\n)\n", "merge conflict"),
         ("«\u00a0a»()\n", "is where a command should begin"),
     ],
 )

@@ -95,6 +95,8 @@ def test_what_it_computes_is_what_python_computes(text: str) -> None:
 
 
 ON_DISK = [
+    "import glob, os\nx = []\nd = glob.glob('launch')\nfor n in d:\n    for f in sorted(glob.glob(n + '/*')):\n"
+    "        (d if os.path.isdir(f) else x).append(f)",
     "from glob import glob\nx = sorted(glob('launch/*.launch.py'))",
     "import glob\nx = sorted(glob.glob('launch/**/*.py', recursive=True))",
     "import glob\nx = sorted(glob.glob('launch/**', recursive=True))",

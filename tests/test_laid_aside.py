@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, CMAKE, INTERFACES_CMAKE, existing_files, manifest
+from rospkg_cli.example import BACKDROPS, CMAKE, INTERFACES_CMAKE, SETUP_PY, existing_files, manifest, scripts, setup_py
 from rospkg_cli.package.file_role import is_set_aside
 from rospkg_cli.testing import lint_files
 
@@ -59,7 +59,7 @@ def test_placeholders_of_packages_that_are_set_aside(folder: str, level: str) ->
 
 @pytest.mark.parametrize(
     ("folder", "importer", "level"),
-    [("old", "", "info"), ("old", "import my_pkg.old.words\n", "error"), ("speech", "", "warning")],
+    [("old", "", "info"), ("old", "import my_pkg.old.words\n", "warning"), ("speech", "", "info")],
 )
 def test_a_folder_of_old_modules_is_not_installed(folder: str, importer: str, level: str) -> None:
     files = {f"my_pkg/{folder}/words.py": "A = 1\n", "my_pkg/talker.py": importer}
@@ -74,8 +74,11 @@ def test_a_folder_of_old_modules_is_not_installed(folder: str, importer: str, le
         ("my_pkg/add.py", SNIPPET, "from my_pkg.add import x\n", "error"),
         ("my_pkg/add.py", SNIPPET, "a.adder = 'add.txt'\n", "error"),
         ("my_pkg/add.py", SNIPPET, "adder = added\n", "info"),
-        ("my_pkg/add.py", f"{SNIPPET}if __name__ == '__main__':\n", "", "error"),
-        ("my_pkg/add.py", f"def main():\n{SNIPPET}  a\n", "", "error"),
+        ("my_pkg/add.py", SNIPPET, "import my_pkg.third\n", "error"),
+        ("my_pkg/add.py", SNIPPET, "thirds = third_\n", "warning"),
+        ("my_pkg/talker.py", SNIPPET, SNIPPET, "error"),
+        ("my_pkg/add.py", f"{SNIPPET}if __name__ == '__main__':\n", "", "warning"),
+        ("my_pkg/add.py", f"def main():\n{SNIPPET}  a\n", "", "warning"),
         ("my_pkg/add.py", "# a\n\nprint 1\n", "", "warning"),
         ("my_pkg/add_old.py", "print 1\n", "", "info"),
         ("my_pkg/__init__.py", SNIPPET, "", "error"),
@@ -84,7 +87,25 @@ def test_a_folder_of_old_modules_is_not_installed(folder: str, importer: str, le
     ],
 )
 def test_a_snippet_that_nothing_imports(path: str, text: str, other: str, level: str) -> None:
-    assert levels("RPK001", PYTHON, {path: text, "my_pkg/talker.py": other}) == [level]
+    third = {"my_pkg/third.py": "import my_pkg.add\n"} if "third" in other else {}
+    setup = {"setup.py": setup_py(scripts("talker = my_pkg.talker:main"))}
+    assert levels("RPK001", PYTHON, {**setup, "my_pkg/talker.py": other, **third, path: text}) == [level]
+
+
+@pytest.mark.parametrize(
+    ("line", "level"),
+    [
+        ("install(PROGRAMS scripts/add.py DESTINATION lib/my_pkg)\n", "error"),
+        ("install(DIRECTORY launch scripts/ DESTINATION lib/my_pkg)\n", "error"),
+        ("install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts DESTINATION lib/my_pkg)\n", "error"),
+        ("file(GLOB FOUND scripts/*.py)\ninstall(PROGRAMS ${FOUND} DESTINATION lib/my_pkg)\n", "error"),
+        ("ament_python_install_package(scripts)\ninstall(DIRECTORY scripts_more DESTINATION lib/my_pkg)\n", "warning"),
+    ],
+)
+def test_a_script_that_cmake_installs(line: str, level: str) -> None:
+    text = CMAKE.replace("ament_package", f"{line}ament_package")
+    files = {"CMakeLists.txt": text, "scripts/add.py": "print 1\n", "scripts/__init__.py": ""}
+    assert levels("RPK001", NATIVE, files) == [level]
 
 
 @pytest.mark.parametrize(
@@ -159,7 +180,7 @@ def test_a_robot_includes_what_needs_a_package_where_an_argument_asks_for_it() -
     assert levels("DEP106", NATIVE, {"CMakeLists.txt": INSTALLED, **files}) == ["info"]
 
 
-@pytest.mark.parametrize(("place", "found"), [("${PROJECT_NAME}", []), ("other", ["error"])])
+@pytest.mark.parametrize(("place", "found"), [("${PROJECT_NAME}", []), ("other", ["info"])])
 def test_a_project_of_its_own_below(place: str, found: list[str]) -> None:
     files = {"CMakeLists.txt": CMAKE.replace("ament_package", "add_subdirectory(test)\nament_package")}
     files |= {"test/CMakeLists.txt": TESTER.format(place), "test/a.cpp": "int main() {}\n"}
@@ -209,7 +230,7 @@ LAUNCHED = CMAKE.replace(
         ("CMK101", "rviz/robot.rviz", "", "warning"),
         ("CMK101", "maps/robot.yaml", "", "error"),
         ("LCH004", "rviz/robot.rviz", "FILES rviz/b.rviz DESTINATION share/${PROJECT_NAME}/rviz", "warning"),
-        ("LCH004", "maps/robot.yaml", "FILES maps/b.yaml DESTINATION share/${PROJECT_NAME}/maps", "error"),
+        ("LCH004", "maps/robot.yaml", "FILES maps/b.yaml DESTINATION share/${PROJECT_NAME}/maps", "warning"),
     ],
 )
 def test_rviz_starts_without_its_config(code: str, path: str, more: str, level: str) -> None:
@@ -239,3 +260,90 @@ def test_what_runs_out_of_a_folder_laid_aside_is_milder(folder: str, expected: l
     }
     found = lint_files(files, ["LCH002", "DEP101", "SET101"]).findings
     assert [each.severity.value for each in sorted(found, key=lambda each: each.code, reverse=True)] == expected
+
+
+@pytest.mark.parametrize(
+    ("code", "path", "text", "expected"),
+    [
+        ("LCH002", "launch/{}/a.launch.xml", '<launch>\n  <node pkg="my_pkg" exec="a"/>\n</launch>\n', "warning"),
+        ("PRM001", "config/{}/a.yaml", "talker:\n  ros_parameters:\n    rate: 1\n", "info"),
+    ],
+)
+def test_a_file_laid_aside_within_a_package(code: str, path: str, text: str, expected: str) -> None:
+    kept = levels(code, PYTHON, {path.format("real"): text})
+    assert len(kept) == 1
+    assert kept != ["info"]
+    assert levels(code, PYTHON, {path.format("old"): text}) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "level"),
+    [
+        ("urdf/arm.urdf", "<robot name='r'>", "warning"),
+        ("urdf/arm.urdf", " ", "info"),
+        ("urdf/leg.urdf", "<robot name='r'>", "error"),
+    ],
+)
+def test_a_robot_of_a_name_that_others_have_too(path: str, text: str, level: str) -> None:
+    """Who has a file of that name may mean its own."""
+    part = '<xacro:include filename="$(find my_pkg)/urdf/{}.urdf"/>'
+    top = XACRO.format(part.format("leg") + '<xacro:include filename="$(optenv X arm.urdf)"/>')
+    files = {f"my_pkg/{each}": body for each, body in {**NATIVE, path: text}.items()}
+    files |= {"b/package.xml": manifest("", "ament_cmake", "b"), "b/CMakeLists.txt": CMAKE.replace("my_pkg", "b")}
+    files |= {"b/urdf/top.xacro": top, "b/urdf/arm.urdf": "<robot name='r'/>"}
+    files["my_pkg/src/a.cpp"] = '#include "arms/arm.hpp"\n'
+    assert levels("RPK001", {}, files) == [level]
+
+
+@pytest.mark.parametrize(("included", "level"), [("urdf/parts/leg.urdf", "warning"), ("urdf/leg.urdf", "error")])
+def test_a_robot_of_a_name_that_another_folder_has_too(included: str, level: str) -> None:
+    top = XACRO.format(f'<xacro:include filename="$(find my_pkg)/{included}"/>')
+    files = {**NATIVE, "urdf/top.xacro": top, "urdf/leg.urdf": "<robot name='r'>"}
+    assert levels("RPK001", {}, {**files, "urdf/parts/leg.urdf": "<robot name='r'/>"}) == [level]
+
+
+@pytest.mark.parametrize(("name", "level"), [("game_backup", "info"), ("game", "warning")])
+def test_a_module_called_a_backup_is_asked_mildly_about_fields(name: str, level: str) -> None:
+    code = "from std_msgs.msg import String\n\n\ndef say():\n    text = String()\n    text.dta = 'a'\n"
+    setup = SETUP_PY.replace(
+        "    license=", "    entry_points={'console_scripts': ['a = my_pkg.a:main']},\n    license="
+    )
+    files = {"setup.py": setup, "my_pkg/a.py": "def main():\n    pass\n", f"my_pkg/{name}.py": code}
+    assert levels("IDL010", PYTHON, {**files, "package.xml": manifest("  <exec_depend>std_msgs</exec_depend>\n")}) == [
+        level
+    ]
+
+
+@pytest.mark.parametrize(
+    ("path", "importer", "count"),
+    [
+        ("my_pkg/launch/view.launch.py", "", 0),
+        ("my_pkg/launch/view.launch.py", "from my_pkg.launch import view\n", 1),
+        ("my_pkg/speech/view.py", "", 1),
+    ],
+)
+def test_a_folder_of_launch_files_is_no_python_package(path: str, importer: str, count: int) -> None:
+    assert len(levels("SET301", PYTHON, {path: "A = 1\n", "my_pkg/talker.py": importer})) == count
+
+
+NAV = (
+    "planner_server:\n  ros__parameters:\n    planner_plugins: [GridBase]\n    GridBased:\n"
+    "      plugin: nav2_navfn_planner/NavfnPlanner\n"
+)
+
+
+@pytest.mark.parametrize(("name", "count"), [("nav2_params_foxy", 0), ("nav2_params", 1)])
+def test_lists_of_plugins_for_a_distribution_that_is_gone(name: str, count: int) -> None:
+    assert len(levels("PRM008", NATIVE, {f"config/{name}.yaml": NAV})) == count
+
+
+@pytest.mark.parametrize(("other", "found"), [("A", []), ("B", ["info"])])
+def test_a_class_that_what_is_compiled_registers_too(other: str, found: list[str]) -> None:
+    macro = "RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::{})\n"
+    files = {"CMakeLists.txt": LIBRARY, "src/a.cpp": macro.format("A"), "src/b.cpp": macro.format(other)}
+    assert levels("CMK202", NATIVE, files) == found
+
+
+@pytest.mark.parametrize(("text", "count"), [("", 0), ("\n", 0), ("<launch/>\n", 1)])
+def test_an_empty_launch_file_is_a_placeholder(text: str, count: int) -> None:
+    assert len(levels("CMK101", NATIVE, {"launch/a.launch.xml": text})) == count

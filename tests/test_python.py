@@ -101,9 +101,35 @@ def test_top_level_names() -> None:
     assert not file.has_dynamic_names
 
 
-@pytest.mark.parametrize("text", ["def __getattr__(name): pass", "globals()['x'] = 1", "setattr(mod, 'x', 1)"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "def __getattr__(name): pass",
+        "globals()['x'] = 1",
+        "setattr(mod, 'x', 1)",
+        "setattr(sys.modules[__name__], 'x', 1)",
+        "vars()['x'] = 1",
+        "exec('x = 1')",
+        "f(setattr)",
+        "mod.__dict__['x'] = 1",
+    ],
+)
 def test_a_module_may_have_more_names_than_it_shows(text: str) -> None:
     assert read(text).has_dynamic_names
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "setattr(self, 'x', 1)",
+        "setattr(cls, 'x', 1)",
+        "setattr(a.b, 'x', 1)",
+        "print(vars(a))",
+        "self.__dict__.update(x=1)",
+    ],
+)
+def test_what_objects_get_are_no_names_of_the_module(text: str) -> None:
+    assert not read(text).has_dynamic_names
 
 
 @pytest.mark.parametrize(

@@ -43,6 +43,7 @@ FILES = {
         ("modules", "src", True), ("modules", "docs", False), ("modules", "all", True),
         ("header_files", "my_pkg/a.hpp", True), ("header_files", "my_pkg/b.hpp", False),
         ("started_nodes", "driver", True), ("started_nodes", "unheard", False),
+        ("handed_yaml", "driver", True), ("handed_yaml", "unheard", False),
         ("modules", "copy", False), ("modules", "mine", False), ("modules", "pytest", False),
         ("modules", "mock", False), ("plugins", "Planner", True), ("plugins", "Plan", True),
         ("plugins", "unheard", False), ("plugins", "unheard<int>", True), ("executables", "unheard", True),

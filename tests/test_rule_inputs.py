@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
 from rospkg_cli.engine.run.rule_inputs import InputBuilder
 from rospkg_cli.example import Example
@@ -16,6 +17,7 @@ from rospkg_cli.package.rule_settings import RuleSettings
 from rospkg_cli.package.workspace import Workspace
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.tree import MemoryTree
+from rospkg_cli.unreadable import READABLE
 
 BROKEN = "find_package(rclcpp REQUIRED\n"
 
@@ -36,6 +38,12 @@ class Perhaps:
 class Every:
     manifest: Manifest
     launch_files: tuple[LaunchFile, ...]
+
+
+@dataclass(frozen=True)
+class EveryReadable:
+    manifest: Manifest
+    launch_files: Annotated[tuple[LaunchFile, ...], READABLE]
 
 
 def inputs(changed: dict[str, str], on: str = "ament_cmake") -> InputBuilder:
@@ -70,3 +78,8 @@ def test_of_many_files_there_is_one_input_each_or_all_in_one_or_none_where_one_i
     broken = inputs({**launch, "launch/c.launch.xml": "<launch>\n"})
     assert len(broken.of(LaunchFile)) == 2
     assert broken.of(Every) == []
+
+
+def test_an_input_may_do_with_the_files_that_can_be_read() -> None:
+    launch = {"launch/a.launch.xml": "<launch/>\n", "launch/b.launch.xml": "<launch>\n"}
+    assert [len(each.launch_files) for each in inputs(launch).of(EveryReadable)] == [1]

@@ -92,6 +92,12 @@ def is_misspelt(word: str, name: str) -> bool:
     return all(own == other or near_names(own, [other]) for own, other in zip(words, others, strict=True))
 
 
+def begins_alike(word: str, name: str) -> bool:
+    """Return whether a word has a name's first letter, or lost or swapped it: another letter makes another name."""
+    is_long = len(word) > SLIP
+    return word[0] == name[0] or (is_long and (name[1:] == word or sorted(name[:2]) == sorted(word[:2])))
+
+
 def slips(word: str, names: Iterable[str]) -> list[str]:
     """Return the names of which a word is a slip of the fingers: certain enough where not all names are known."""
     return [name for name in near_names(word, names, 1) if is_slip(word, name)]

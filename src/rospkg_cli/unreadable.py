@@ -6,6 +6,9 @@ from .light_dataclasses import dataclass
 from .read_problem import ReadProblem
 from .source import Span
 
+READABLE = "those that can be read"
+"""`Annotated[tuple[Model, ...], READABLE]` in the input of a rule: it is built without the files that are broken."""
+
 
 @dataclass(frozen=True, slots=True)
 class Unreadable:

@@ -9,6 +9,7 @@ from ..light_dataclasses import dataclass, replace
 from ..source import Span
 
 Level = Literal["info", "warning", "error"]
+WORST_FIRST: tuple[Level, ...] = ("error", "warning", "info")
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from ..package.package_facts import PackageFacts
 from ..package.setup.setup_py import SetupPy
 from ..package.workspace import Workspace
 from .cmake.share_folders import RuntimeFolders
+from .setup.data_destinations import DataDestinations
 from .setup.left_out_files import left_out
 from .setup.share_files import ShareFiles, folder_of
 
@@ -35,15 +36,20 @@ class InstallFaults:
         given = facts is not None and facts.folder in self.workspace.selected
         return given and facts is not None and not any(each.startswith(f"{top}/") for each in facts.share_files)
 
+    def is_told_at_its_destination(self, package: str, place: str) -> bool:
+        """Return whether SET208 reports what setup.py installs to a place."""
+        shared = self.shared if self.setup is not None and package == self.package.name else None
+        entries = DataDestinations(shared).misplaced if shared is not None else ()
+        return any(place.startswith(f"{entry.folder}/") for entry, _, _ in entries)
+
     @cached_property
     def told_folders(self) -> frozenset[str]:
-        """The folders of which nothing is installed, and those whose glob matches nothing."""
+        """The folders of which nothing is installed, and those of globs that match nothing, as written and as meant."""
         found = set(self.folders.uninstalled()) if self.folders is not None and self.cmake is not None else set()
         if self.setup is not None and self.shared is not None:
-            found |= {
-                *self.shared.uninstalled_runtime_folders,
-                *(folder_of(glob.pattern) for glob in self.shared.empty_globs),
-            }
+            empty = {folder_of(glob.pattern) for glob in self.shared.empty_globs}
+            meant = (self.shared.suggestion(folder) for folder in empty)
+            found |= {*self.shared.uninstalled_runtime_folders, *empty, *filter(None, meant)}
         return frozenset(found)
 
     @cached_property

@@ -37,7 +37,7 @@ class ReachedModules:
 
         Of a library it is every module that does nothing when it is started by its path, nor serves one that does.
         """
-        waiting = [row.entry.partition(":")[0] for row in self.table.of("executable") if row.entry]
+        waiting = self.entries
         if self.is_library:
             files = {module: self.run.modules.at(source) for module, source in self.installed.sources.items()}
             programs = [module for module, file in files.items() if file and "__main__" in file.source.text]
@@ -64,17 +64,47 @@ class ReachedModules:
         return name is None or name in self.all
 
     def is_left(self, path: str) -> bool:
-        """Return whether a file is a module that nothing of the package starts, imports or names, beside programs."""
-        if self.has(path) or self.is_library or not self.table.knows("executable"):
+        """Return whether a file is a module that nothing of the package starts, imports or names, beside programs.
+
+        Of a library it is one that does something when it is started by its path, or serves such a one alone.
+        """
+        if self.has(path) or not self.table.knows("executable"):
+            return False
+        if self.is_library and self.installed.names[path] in self.started:
             return False
         name = path.rpartition("/")[2]
         pages = (each for each in self.installed.files.paths if each.endswith((*PAGES, *NAMING)))
-        return not any(name in self.installed.files.readable_text(each) for each in pages if each != path)
+        texts = (self.installed.files.readable_text(each) for each in pages if each != path)
+        return not any(name in text or self.installed.names[path] in text for text in texts)
 
     def is_for_launch(self, path: str) -> bool:
         """Return whether a file is a module that only launch files import or name, at first or second hand."""
         name = self.installed.names.get(path, "")
         return name in self.all and name not in self.without_launch
+
+    def is_optional(self, path: str) -> bool:
+        """Return whether a file is a module that others import, each where that may fail, and nothing else names."""
+        module = self.installed.names.get(path, "")
+        uses = self.uses.get(module, [])
+        starts = any(row.source == path for row in self.table.of("executable")) or module in self.entries
+        return all(uses) and bool(uses) and not starts and not self.is_named(module, ("run", "launch", "test"))
+
+    @cached_property
+    def uses(self) -> dict[str, list[bool]]:
+        """Module → of each import that means it, whether that may fail; Python finds it in the same folder, too."""
+        found: dict[str, list[bool]] = {}
+        for _, file in self.run.files:
+            folder = self.installed.names.get(file.path, "").rpartition(".")[0]
+            for each in file.imports:
+                beside = [f"{folder}.{each.module}"] if folder and not each.level else []
+                for name in dict.fromkeys((*self.imported_by(each, file.path), *beside)):
+                    found.setdefault(name, []).append(each.is_optional)
+        return found
+
+    @property
+    def entries(self) -> list[str]:
+        """The modules of entry points."""
+        return [row.entry.partition(":")[0] for row in self.table.of("executable") if row.entry]
 
     @cached_property
     def all(self) -> frozenset[str]:

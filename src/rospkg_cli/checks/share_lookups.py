@@ -14,6 +14,7 @@ from ..languages.python.joined_paths import PathJoiner
 from ..languages.python.nodes import nodes_of
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
+from ..package.cmake.cmake_project import CMake
 from ..package.file_role import role_of
 from ..package.launch.file_references import is_file
 from ..package.package_facts import PackageFacts
@@ -26,7 +27,9 @@ from ..suggest import near_names, nearest
 from .closest_path import closest_path
 from .cpp.share_file_paths import share_file_paths
 from .cpp.share_names import share_names
+from .depends.compiled_sources import harm_in
 from .install_faults import InstallFaults
+from .reached_modules import ReachedModules
 from .run_imports import RunImports
 
 LOOKUPS = SHARE | {"get_package_prefix"}
@@ -71,6 +74,14 @@ class ShareLookups:
     workspace: Workspace
     faults: InstallFaults
     sources: tuple[CppFile, ...] = ()
+    cmake: CMake | None = None
+    reached: ReachedModules | None = None
+
+    def is_run(self, path: str) -> bool:
+        """Return whether a file runs: every build compiles the C++, and something may start or import the module."""
+        if not path.endswith(".py"):
+            return self.cmake is not None and harm_in(self.cmake, self.sources, path) == "error"
+        return self.reached is None or not self.reached.is_left(path)
 
     @property
     def modules(self) -> Iterator[PythonFile]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from functools import cached_property
 
@@ -9,10 +10,13 @@ from ..files import PackageFiles
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
+from ..package.launch.text import uncommented
+from ..package.params.named_yaml import ANY
 from ..package.workspace import Workspace
 from .share_references import references_folder
 
-CODE = (".py", ".cpp", ".cc", ".cxx", ".c", ".hpp", ".h", ".xml", ".yaml", ".yml", ".urdf", ".xacro", ".sdf", ".world",
+CPP = (".cpp", ".cc", ".cxx", ".c", ".hpp", ".h")
+CODE = (*CPP, ".py", ".xml", ".yaml", ".yml", ".urdf", ".xacro", ".sdf", ".world",
         ".rviz", ".launch")  # fmt: skip
 """The files that may open something at run time."""
 
@@ -42,25 +46,36 @@ class ShareUses:
             return True
         return started is not None and any(started.search(text) for text in self.readmes)
 
+    def names_file(self, name: str) -> bool:
+        """Return whether code or a README names a file; a path in somebody's home folder opens the source."""
+        named = re.compile(rf"(?<![^\s\"'])(?!/home/|~/)[^\s\"']*{re.escape(name)}")
+        return any(named.search(text) for text in (*self.code, *self.readmes) if name in text)
+
+    def names_folder(self, name: str) -> bool:
+        """Return whether code or a README names a folder, in quotes or in a path."""
+        named = re.compile(rf"[\"'/]{re.escape(name)}[\"'/]")
+        return any(named.search(text) for text in (*self.code, *self.readmes))
+
     def opens_nothing(self, text: str, folder: str) -> bool:
         """Return whether a text names nothing but files in a folder that are not there: those are faults of its own."""
         named = re.findall(rf"[\"'/]{re.escape(folder)}[\"'/](?:[,\s\"'/]*([\w-][\w./-]*\.\w+)[\"'])?", text)
         return bool(named) and not any(not file or self.files.is_there(f"{folder}/{file}") for file in named)
 
     def opens_in_source(self, folder: str) -> bool:
-        """Return whether the README opens the folder's files where they lie: `src/…/config/a.yaml`."""
+        """Return whether the README or code opens the folder's files where they lie: `src/…/config/a.yaml`."""
         place = re.escape(folder)
         written = re.compile(
             rf"\bsrc/[^\s`]{{0,{REACH}}}\b{place}/|--params-file[ \t](?!\$)[^\s`]{{0,{REACH}}}\b{place}/"
         )
-        return any(written.search(text) for text in self.readmes)
+        return any(written.search(text) for text in (*self.readmes, *self.code))
 
     @cached_property
     def code(self) -> tuple[str, ...]:
         paths = (path for path in self.files.paths if path.endswith(CODE) and role_of(path) not in ("test", "aside"))
         paths = (path for path in paths if path.partition("/")[0] not in self.absent)
-        texts = map(self.files.readable_text, paths)
-        return tuple(text for text in texts if not FOR_ROS1.search(text))
+        texts = ((path, self.files.readable_text(path)) for path in paths)
+        bare = (text if path.endswith(CPP) else uncommented(path, text) for path, text in texts)
+        return tuple(text for text in bare if not FOR_ROS1.search(text))
 
     @cached_property
     def readmes(self) -> tuple[str, ...]:
@@ -74,13 +89,18 @@ class ShareUses:
         """
         if self.opens(folder):
             return None if folder == "rviz" else "error"
-        needed = folder == "launch" or self.is_needed
+        needed = folder == "launch" or self.may_be_opened(folder)
         return None if needed and not self.opens_in_source(folder) else "info"
 
-    @property
-    def is_needed(self) -> bool:
-        """Whether another package depends on this one, which may open any of its files; a metapackage opens none."""
-        return any(not facts.is_metapackage for facts in self.workspace.needing(self.name))
+    def may_be_opened(self, folder: str) -> bool:
+        """Return whether another package that depends on this one may open a folder's files; a metapackage opens none.
+
+        Of YAML it is known which files the texts of each package name.
+        """
+        stems = {posixpath.splitext(path)[0].rpartition("/")[2] for path in self.files.below(folder)}
+        is_yaml = all(path.endswith((".yaml", ".yml")) for path in self.files.below(folder))
+        needing = [facts for facts in self.workspace.needing(self.name) if not facts.is_metapackage]
+        return any(not is_yaml or not facts.named_yaml.isdisjoint({*stems, ANY}) for facts in needing)
 
     def consequence(self, folder: str) -> str:
         """Return what happens where a folder is not installed, for a message."""
@@ -89,5 +109,5 @@ class ShareUses:
         if self.level(folder) != "info":
             return "what opens it in the share directory does not find it"
         if self.opens_in_source(folder):
-            return "only the README opens it, in the source folder, which an installed package lacks"
-        return "no other package can open it, and nothing in this one does"
+            return "only its README or code opens it, in the source folder, which an installed package lacks"
+        return "nothing in this package or another seems to open it"

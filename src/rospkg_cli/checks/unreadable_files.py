@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import cached_property
 
 from ..files import PackageFiles
 from ..languages.cmake.lexer import tokens
@@ -12,6 +13,7 @@ from ..package.file_role import is_set_aside, role_of
 from ..read_problem import ReadProblem
 from ..unreadable import Unreadable
 from .fault import Level
+from .started_texts import StartedTexts
 from .urdf.opened_robots import OpenedRobots
 
 TAKEN_BY_URDFDOM = frozenset({ReadProblem.XML_PREFIX, ReadProblem.XML_AFTER_ROOT})
@@ -25,8 +27,6 @@ ROS1_LAUNCH = regex(r"<node\b[^>]*\btype\s*=|\$\(find ")
 """Nodes and paths as roslaunch takes them."""
 LIBRARY = regex(r"\A\s*(?:<\?[^>]*\?>\s*|<!--.*?-->\s*)*<library\b", re.DOTALL)
 """A plugin description without a root of its own: pluginlib asks each `<library>` for the next one beside it."""
-NAMING = (".py", ".cfg", ".toml", ".txt", ".cmake", ".xml", ".launch", ".yaml", ".yml", ".json", ".sh")
-"""Files that may name a module, beside those whose texts only tell of it."""
 LOST = regex("[\udc80-\udcff]")
 """What `surrogateescape` makes of bytes that are no text."""
 
@@ -45,22 +45,37 @@ class UnreadableFile:
         text = self.files.tree.entry(self.file.path).data.decode("utf-8", "surrogateescape")
         return not any(LOST.search(token.text) for token in tokens(text) if token.kind not in COMMENTS)
 
+    @cached_property
+    def started(self) -> StartedTexts:
+        return StartedTexts(self.files)
+
     @property
-    def is_unused_module(self) -> bool:
-        """Whether it is a module beside others of a Python package that no other file names, and no program.
+    def is_loose_module(self) -> bool:
+        """Whether it is a module or a program that nothing starts, as far as the texts of the package say.
 
         setuptools prints the error as it compiles the module, and goes on: nothing fails until something imports it.
         """
-        folder, _, name = self.file.path.rpartition("/")
-        stem = name.partition(".")[0]
-        if self.file.code is not ReadProblem.PYTHON_SYNTAX or not self.files.exists("setup.py") or stem == "__init__":
-            return False
-        is_module = self.files.exists(f"{folder}/__init__.py") and role_of(self.file.path) == "run"
-        if not is_module or PROGRAM.search(self.files.readable_text(self.file.path)):
-            return False
-        named = re.compile(rf"(?<![\w.-]){re.escape(stem)}(?!\w)|\.{re.escape(stem)}\b")
-        others = (path for path in self.files.paths if path.endswith(NAMING) and path != self.file.path)
-        return not any(named.search(self.files.readable_text(path)) for path in others)
+        path = self.file.path
+        is_module = role_of(path) == "run" and path != "setup.py" and not path.endswith("__init__.py")
+        return self.file.code is ReadProblem.PYTHON_SYNTAX and is_module and not self.started.is_reached(path)
+
+    def level_of_module(self) -> tuple[Level | None, str]:
+        """Return the level of a module that nothing starts, and why it is no error."""
+        path = self.file.path
+        if self.started.is_named(path):
+            return "warning", "; nothing that is started imports this module"
+        text = self.files.readable_text(path)
+        is_aside = is_set_aside(path) or (SNIPPET.match(text) and not PROGRAM.search(text))
+        return "info" if is_aside else "warning", "; no other file names this module"
+
+    def level_of_robot(self) -> tuple[Level | None, str]:
+        """Return the level of a robot or a world, by who opens it."""
+        path = self.file.path
+        if not self.files.readable_text(path).strip() and not self.opened.is_named_in_full(path):
+            return "info", "; no file of the package names it"
+        if self.opened.is_surely_named(path):
+            return None, ""
+        return "warning", "; no file of the package " + ("names it" if self.opened.has(path) else "opens it")
 
     def level(self) -> tuple[Level | None, str]:
         """Return the level, None for the rule's own, and why it is another: a robot may be read, or by nothing."""
@@ -68,14 +83,11 @@ class UnreadableFile:
         if path.endswith(".urdf") and self.file.code in TAKEN_BY_URDFDOM:
             return "warning", "; xacro and Python stop there, urdfdom reads past it"
         if self.file.code is ReadProblem.XML_AFTER_ROOT and LIBRARY.match(self.files.readable_text(path)):
-            return "warning", "; pluginlib reads past it, other readers stop there: put `<class_libraries>` around all"
-        if path.endswith((".urdf", ".xacro", ".sdf", ".world")) and not self.opened.has(path):
-            return "warning", "; no file of the package opens it"
+            return "info", "; pluginlib reads past it, other readers stop there: put `<class_libraries>` around all"
+        if path.endswith((".urdf", ".xacro", ".sdf", ".world")):
+            return self.level_of_robot()
         if self.file.code is ReadProblem.ENCODING and self.is_in_comments:
             return "info", "; CMake reads past these bytes, since only comments hold them"
         if path.endswith(".launch") and ROS1_LAUNCH.search(self.files.readable_text(path)):
             return "warning", "; it is written for ROS 1"
-        if self.is_unused_module:
-            is_aside = is_set_aside(path) or SNIPPET.match(self.files.readable_text(path))
-            return "info" if is_aside else "warning", "; no other file names this module"
-        return None, ""
+        return self.level_of_module() if self.is_loose_module else (None, "")

@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ..checks.depends.brought_dependencies import Bringer
 from ..checks.depends.declared_dependencies import DeclaredDependencies
-from ..checks.depends.name_source import source_of
+from ..checks.depends.name_source import newer_distros, source_of
 from ..checks.depends.similar_names import SimilarNames
 from ..checks.depends.undeclared_includes import IncludeDependencies, IncludedPackage
-from ..checks.enumeration import in_ticks
+from ..checks.enumeration import enumerated, in_ticks
 from ..finding import Fix, Hit, Related, Safety, Severity
 from ..light_dataclasses import dataclass
 from ..source import Span
@@ -64,7 +64,9 @@ def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
     """Return what to do about a missing dependency."""
     match source_of(declared, name):
         case "released":
-            return f"add {written(declared, tag, name)}"
+            newer = newer_distros(declared, name)
+            only = f", which only {enumerated(newer)} {'have' if newer[1:] else 'has'}" if newer else ""
+            return f"add {written(declared, tag, name)}{only}"
         case "pip":
             return f"<{tag}>{name}</{tag}> installs it from PyPI, and prevents a release"
         case "unknown" if near := SimilarNames(declared.workspace).meant(name):
@@ -91,9 +93,9 @@ def written(declared: DeclaredDependencies, tag: str, name: str) -> str:
 
 
 def safety_of(declared: DeclaredDependencies, name: str) -> Safety:
-    """Return whether a name may be declared unasked: it can be installed without pip, and no comment leaves it out."""
+    """Return whether a name may be declared unasked: all distributions have it, and no comment leaves it out."""
     sure = source_of(declared, name) == "released" and name not in declared.commented_out
-    return Safety.SAFE if sure else Safety.UNSAFE
+    return Safety.SAFE if sure and not newer_distros(declared, name) else Safety.UNSAFE
 
 
 def left_to_others(declared: DeclaredDependencies, uses: Sequence[BroughtUse], used: str) -> Iterator[Hit]:
@@ -114,14 +116,19 @@ def left_to_some(declared: DeclaredDependencies, uses: Sequence[BroughtUse], use
     may = "may come" if surely == {False} else "come or may come"
     come = f"{comes} with {who} today" if surely == {True} else f"{may} with {who}"
     message = f"{in_ticks(names)} {be} {used} and not declared: {it} {come}; declare what you use"
-    safe = [use for use in uses if safety_of(declared, use.name) is Safety.SAFE]
-    added = ((tag, use.name) for use in safe or uses for tag in tags(declared, use.tag))
-    edits = add_dependencies(declared.manifest, added)
     first, *others = uses
     by = {use.name: by_way_of(use.bringer) if len(bringers) > 1 else "" for use in uses}
     places = tuple(Related(use.path, use.span, f"`{use.name}` here{by[use.name]}") for use in others)
-    fix = Fix(f"declare {in_ticks([use.name for use in safe or uses])}", edits, Safety.SAFE if safe else Safety.UNSAFE)
+    fix = declarations(declared, [(use.tag, use.name) for use in uses])
     return Hit(first.path, first.span, message, Severity.INFO, places, fix)
+
+
+def declarations(declared: DeclaredDependencies, wanted: Sequence[tuple[str, str]]) -> Fix:
+    """Return the fix that declares several dependencies, each as (tag, name): the safe ones if there are any."""
+    safe = [(tag, name) for tag, name in wanted if safety_of(declared, name) is Safety.SAFE]
+    asked = safe or wanted
+    edits = add_dependencies(declared.manifest, ((each, name) for tag, name in asked for each in tags(declared, tag)))
+    return Fix(f"declare {in_ticks(name for _, name in asked)}", edits, Safety.SAFE if safe else Safety.UNSAFE)
 
 
 def by_way_of(bringer: Bringer) -> str:

@@ -16,7 +16,7 @@ from .include_dirs import include_dirs
 from .interfaces.interface_index import interface_names
 from .interfaces.message_fields import message_fields
 from .launch.launch_file import launch_summaries, loaded_components, started_nodes
-from .launch.parsed_yaml import parsed_yaml
+from .launch.parsed_yaml import parsed_keys, parsed_yaml
 from .launch.read_signature import launch_signatures
 from .manifest import Manifest
 from .metapackage import is_metapackage
@@ -24,6 +24,7 @@ from .package_facts import PackageFacts, UnknownField
 from .params.collect_declared import declared_parameters, given_parameters
 from .params.named_yaml import named_yaml
 from .params.node_sources import node_code
+from .params.passed_files import handed_yaml
 from .plugins.plugin_facts import described_plugins, loaded_bases
 from .plugins.plugin_uses import plugin_uses
 from .python.run_time_files import run_time_files
@@ -104,7 +105,9 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("started_nodes",): one("started_nodes", started_nodes),
     ("loaded_components",): one("loaded_components", loaded_components),
     ("parsed_yaml",): one("parsed_yaml", parsed_yaml),
+    ("parsed_keys",): one("parsed_keys", parsed_keys),
     ("named_yaml",): one("named_yaml", named_yaml),
+    ("handed_yaml",): one("handed_yaml", handed_yaml),
     ("robot_words",): one("robot_words", robot_words),
     ("robot_includes",): one("robot_includes", robot_includes),
     ("launch_files",): one("launch_files", launch_signatures),

@@ -85,12 +85,17 @@ class PackageFacts:
     """What its launch files load under literal names: package and class."""
     parsed_yaml: frozenset[str] = frozenset()
     """The names of the YAML files that its launch files parse themselves and give to no node by their path."""
+    parsed_keys: frozenset[str] = frozenset()
+    """The keys that its launch files look up in YAML that they parse themselves."""
     named_yaml: frozenset[str] = frozenset()
     """The YAML files that its texts name, without their suffix; `*` where a name is put together when it runs."""
+    handed_yaml: frozenset[tuple[str, str]] = frozenset()
+    """The parameter files that its launch files give to nodes by a literal name: package and path in its share."""
     robot_words: tuple[frozenset[str], ...] = ()
-    """The words by which each of its texts may name robots; `*` where a name is put together when it runs."""
-    robot_includes: frozenset[tuple[str, str]] = frozenset()
-    """The files that its robots include: package and path."""
+    """The words by which each of its texts may name robots; `*` where a name is put together when it runs, `>` in a
+    launch file."""
+    robot_includes: frozenset[tuple[str, str, str]] = frozenset()
+    """The files that its robots include: package, path, and the file that includes it."""
     interfaces: frozenset[str] = frozenset()
     """`msg/Name`, `srv/Name`, `action/Name`."""
     messages: tuple[MessageFields, ...] = ()

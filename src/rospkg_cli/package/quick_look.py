@@ -46,7 +46,7 @@ class QuickLook:
             return self.may_have_module(value[0].partition(".")[0])
         if field == "header_files":
             return value[0].rpartition("/")[2] in self.names
-        if field == "started_nodes":
+        if field in ("started_nodes", "handed_yaml"):
             return self.has_in(LAUNCH_ENDINGS, value[0])
         if field == "plugins":
             return self.may_describe(value[0])

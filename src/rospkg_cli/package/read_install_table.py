@@ -7,6 +7,7 @@ from pathlib import PurePosixPath
 from typing import NamedTuple
 
 from ..files import ReaderInput
+from ..languages.cmake.evaluated_command import path_in_package
 from .cmake.build import is_built_with_cmake
 from .cmake.cmake_project import CMake
 from .install_table import PYTHON, InstallTable
@@ -48,6 +49,7 @@ def installed_facts(reading: ReaderInput, name: str) -> InstalledFacts:
     unknown |= {"executables"} if has_malformed(reading) or not table.knows("executable") else set()
     unknown |= set() if table.knows("share") else {"share_files"}
     unknown |= set() if table.knows("module") else {"modules"}
+    unknown |= misplaced_by_cmake(reading, name) if is_built_with_cmake(reading) else set()
     return InstalledFacts(
         frozenset(path for path, _ in table.below(f"lib/{name}")),
         frozenset(PurePosixPath(row.destination).name for row in table.of("executable"))
@@ -57,6 +59,21 @@ def installed_facts(reading: ReaderInput, name: str) -> InstalledFacts:
         frozenset(filter(None, (module_name(path) for path, _ in table.below(PYTHON)))),
         frozenset(unknown),
     )
+
+
+def misplaced_by_cmake(reading: ReaderInput, name: str) -> set[UnknownField]:
+    """Return what goes elsewhere by one mistake: the name that `project()` has, the folder of the Python package.
+
+    CMK001 and CMK102 report that one; what else it breaks need not be said.
+    """
+    found: set[UnknownField] = set()
+    for cmake in reading.parts(CMake).good:
+        found |= {"executables"} if cmake.project_name not in ("", name) else set()
+        for rule in cmake.installs:
+            if rule.call.name == "ament_python_install_package":
+                folder = path_in_package(rule.items[0].text, rule.call.folder)
+                found |= {"modules"} if folder and not reading.files.below(folder) else set()
+    return found
 
 
 def uninstalled_executables(reading: ReaderInput) -> frozenset[str]:

@@ -26,6 +26,8 @@ Holders = dict[str | tuple[str, ...], list[PackageFacts]]
 ValuesField = Literal[
     "started_nodes",
     "parsed_yaml",
+    "parsed_keys",
+    "handed_yaml",
     "interfaces",
     "components",
     "cmake_targets",

@@ -16,7 +16,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.components import OF_ONE_NODE, Component
 from ...package.cmake.target_links import TargetLinks
 from ...source import Span
-from ...suggest import nearest
+from ...suggest import nearest, slips
 from .target_references import TargetReferences
 
 MACRO = "RCLCPP_COMPONENTS_REGISTER_NODE"
@@ -77,10 +77,10 @@ class ComponentRegistration:
         """Yield the components of a target that does not exist."""
         references = TargetReferences(self.package.cmake)
         cmake = self.package.cmake
-        if not cmake.is_complete or cmake.reads_unknown_files:
-            return
-        for component in self.sure():
-            if component.target.text not in references.names and UNKNOWN not in references.names:
+        for component in self.sure() if cmake.is_complete else ():
+            name = component.target.text
+            is_known = not cmake.reads_unknown_files or bool(slips(name, references.names))
+            if name not in references.names and UNKNOWN not in references.names and is_known:
                 yield component
 
     def without_source(self) -> Iterator[Component]:
@@ -94,16 +94,21 @@ class ComponentRegistration:
                 seen.add(component.plugin.text)
                 yield component
 
+    @cached_property
+    def misspelt(self) -> frozenset[str]:
+        """The classes that sources register and CMake calls by a name near theirs."""
+        registered = [each.name for each in self.in_sources]
+        near = (nearest(component.plugin.text, registered) for component in self.without_source())
+        return frozenset(name for name in near if name is not None)
+
     def without_cmake(self) -> Iterator[RegisteredClass]:
         """Yield the classes that a source of a target registers and no call of CMake does."""
         cmake = self.package.cmake
         if not cmake.is_complete or cmake.reads_unknown_files or any(not c.plugin.is_known for c in cmake.components):
             return
         names = {component.plugin.text for component in cmake.components}
-        registered = [each.name for each in self.in_sources]
-        misspelt = {nearest(component.plugin.text, registered) for component in self.without_source()}
         for each in self.in_sources:
-            if each.name not in names | misspelt and each.path in self.in_libraries | self.in_linked_libraries:
+            if each.name not in names | self.misspelt and each.path in self.in_libraries | self.in_linked_libraries:
                 yield each
 
     def harm(self, found: RegisteredClass) -> Literal["error", "warning", "info"]:

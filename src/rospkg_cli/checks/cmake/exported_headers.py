@@ -33,7 +33,7 @@ class ExportedHeaders:
         None where any header lands elsewhere, or where the longer path is named for those who use them.
         """
         cmake = self.headers.package.cmake
-        for rule in cmake.installs if self.headers.exports and self.headers.table.knows("header") else ():
+        for rule in cmake.installs if self.headers.table.knows("header") else ():
             words = (word for word in rule.items if path_in_package(word.text, rule.call.folder) == "include")
             word = next((word for word in words if not word.text.endswith("/")), None)
             destination = rule.destination or ""

@@ -122,7 +122,8 @@ class InstalledScripts:
         name = posixpath.basename(path)
         if name.removesuffix(".py") in self.imported or ENTRY in self.package.cmake.package_files.readable_text(path):
             return True
-        return any(f"{name}'" in text for text in self.texts_with_python) or self.is_run_by_cmake(name)
+        handed = re.compile(rf"(?<!executable='){re.escape(name)}'")  # that one is started as a program
+        return any(handed.search(text) for text in self.texts_with_python) or self.is_run_by_cmake(name)
 
     def is_run_by_cmake(self, name: str) -> bool:
         """Return whether a CMake file other than a CMakeLists.txt names a script: a macro for others hands it on."""

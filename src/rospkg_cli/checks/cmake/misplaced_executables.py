@@ -13,14 +13,10 @@ from ...package.cmake.cmake_install_table import CMakeTableBuilder
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import copied_files
 from ...package.cmake.install_rules import InstallRule
-from ...package.cmake.target_links import TargetLinks
 from ...ros.share_layout import LAUNCH
 from .left_out_nodes import is_node
+from .node_programs import NodePrograms
 
-# Linear: it has to fit a whole name, from its start.
-ROS = regex(r"(rclcpp|rclcpp_\w+|\w+_(msgs|interfaces))(_TARGETS|_LIBRARIES)?")
-EXECUTABLE = regex(r"""\b(?:node_executable|executable|exec)\s*[=:]\s*["']?([\w.-]+)""")
-MAX_DEPTH = 4
 PAGES = (".md", ".rst", ".sh", ".service", ".bash")
 IMPORTS_ROS = regex(r"^[ \t]*(?:import|from)\s+rclpy\b", re.MULTILINE)
 
@@ -66,9 +62,8 @@ class MisplacedExecutables:
                     place, name = artifacts.destination(rule, target), artifacts.file_name(target)
                     is_meant = place == "bin" and (rule.call.testing or f"/bin/{name}" in self.pages)
                     if self.is_wrong(place) and not is_meant:
-                        yield MisplacedExecutable(
-                            word, name, place or "", rule, self.starts(name), self.uses_ros(target.name)
-                        )
+                        ros = self.programs.uses_ros(target.name) and self.programs.may_be_node(target)
+                        yield MisplacedExecutable(word, name, place or "", rule, self.starts(name), ros)
             if rule.kind == "PROGRAMS" and rule.destination is not None and self.is_wrong(rule.destination):
                 yield from self.scripts(rule, rule.destination)
             elif rule.kind in ("DIRECTORY", "FILES") and self.is_for_others(rule.destination):
@@ -106,21 +101,6 @@ class MisplacedExecutables:
         right = f"lib/{self.package.facts.name}"
         return place is not None and not place.startswith("/") and not f"{place}/".startswith(f"{right}/")
 
-    @cached_property
-    def links(self) -> TargetLinks:
-        return TargetLinks(self.package.cmake)
-
-    def uses_ros(self, target: str, depth: int = 0) -> bool:
-        """Return whether a target is linked with ROS, itself or through another target of the package."""
-        for link in self.links.of(target):
-            text = link.word.text if link.word.is_known else self.package.cmake.source_text(link.word)
-            if ROS.fullmatch(text.strip('"${}').partition("::")[0]):
-                return True
-            own = self.links.own(text)
-            if own is not None and own.name != target and depth < MAX_DEPTH and self.uses_ros(own.name, depth + 1):
-                return True
-        return False
-
     def runs_by_path(self, name: str) -> bool:
         """Return whether a launch file has the name of a script in quotes, or at the end of a path."""
         wanted = re.compile(rf"""["'/]{re.escape(name)}["'\s<]""")
@@ -141,18 +121,9 @@ class MisplacedExecutables:
         files = self.package.cmake.package_files
         return "\n".join(files.readable_text(path) for path in files.paths if path.endswith(PAGES))
 
-    def starts(self, name: str) -> bool:
-        return name in self.started
-
     @cached_property
-    def started(self) -> frozenset[str]:
-        """The executables that launch files name, or that the README starts."""
-        run = re.compile(rf"ros2\s+run\s+{re.escape(self.package.facts.name)}\s+([\w.-]+)")
-        found: set[str] = set()
-        for path in self.package.cmake.package_files.paths:
-            name = path.rpartition("/")[2]
-            if LAUNCH.fullmatch(name):
-                found |= set(EXECUTABLE.findall(self.package.cmake.package_files.readable_text(path)))
-            elif name.lower().startswith("readme"):
-                found |= set(run.findall(self.package.cmake.package_files.readable_text(path)))
-        return frozenset(found)
+    def programs(self) -> NodePrograms:
+        return NodePrograms(self.package)
+
+    def starts(self, name: str) -> bool:
+        return name in self.programs.started

@@ -95,7 +95,7 @@ class MistypedPackages:
             return None
         if call.name not in TAKING:
             return self.misspelt_search(word, call) if self.is_looked_for_in_vain(word.text) else None
-        if word.text in self.found or keys_for_cmake(word.text):
+        if word.text in self.found | self.found_in_capitals or keys_for_cmake(word.text):
             return None  # a package that is found may find a library, as cv_bridge finds OpenCV
         if self.package.cmake.target(word.text) is not None:
             return MistypedPackage(word, call, "target")
@@ -125,8 +125,8 @@ class MistypedPackages:
     def is_own(self, word: Word, call: EvaluatedCommand) -> bool:
         """Return whether a package looks for itself, before it is installed, and brings no module to be found by."""
         is_its_name = word.text == self.package.facts.name == self.package.cmake.project_name
-        is_looked_for = call.name == "find_package" and not call.folder and not call.testing
-        return is_its_name and is_looked_for and self.package.is_ament and self.is_looked_for_in_vain(word.text)
+        is_looked_for = call.name == "find_package" and self.package.is_ament
+        return is_its_name and is_looked_for and self.is_looked_for_in_vain(word.text)
 
     def is_own_target(self, name: str) -> bool:
         """Return whether a name is that of the package itself, which it does not find, and of a target of it."""
@@ -141,10 +141,13 @@ class MistypedPackages:
         return MistypedPackage(word, call, "misspelt", near) if near is not None else None
 
     def misspelt_search(self, word: Word, call: EvaluatedCommand) -> MistypedPackage | None:
-        """Return what `find_package` is meant to find: nearly what is declared, or a slip of one known package."""
+        """Return what `find_package` is meant to find: nearly what is declared, or a slip of one known package.
+
+        One of the workspace counts where CMake finds it elsewhere, too.
+        """
         if (found := self.misspelt(word, call, self.unfound)) is not None:
             return found
-        meant = slips(word.text, self.workspace.index.packages)
+        meant = slips(word.text, self.workspace.names) or slips(word.text, self.workspace.index.packages)
         return MistypedPackage(word, call, "misspelt", meant[0]) if len(meant) == 1 else None
 
     def is_looked_for_in_vain(self, name: str) -> bool:
@@ -173,6 +176,11 @@ class MistypedPackages:
     def found(self) -> frozenset[str]:
         """The packages that CMake finds."""
         return frozenset(each.name for each in self.package.cmake.packages)
+
+    @property
+    def found_in_capitals(self) -> frozenset[str]:
+        """The names in capitals of libraries that CMake finds: Eigen3Config.cmake sets EIGEN3_FOUND too."""
+        return frozenset(name.upper() for name in self.found if name != name.lower())
 
     @cached_property
     def declared(self) -> frozenset[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator
 from functools import cached_property
 
@@ -11,6 +12,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.meant_paths import meant_paths
+from ...package.file_role import role_of
 from ...package.install_table import InstalledFile, InstallTable
 from ...package.launch.launch_file import LaunchFile
 from ...package.workspace import Workspace
@@ -24,6 +26,7 @@ NOBODYS = f"share/{LAUNCH}/"
 """Where nobody wants launch files, whatever else is installed."""
 INSTALLERS = ("install", "ament_auto_package", "autoware_ament_auto_package")
 OF_ROS2 = regex(r"\sexec\s*=|\$\((?:find-pkg-share|var)\s")
+STARTS = regex(r"^def generate_launch_description\b", re.MULTILINE)
 USED_AT_BUILD = regex(r"generate_parameter_|rosidl_|protobuf_|qt\d?_|ament_add_|add_launch_test|add_test|add_ros_test")
 
 
@@ -78,9 +81,23 @@ class RuntimeFolders:
         if not (self.is_clear and self.table.knows("other")):
             rows = [row for row in rows if row.destination.startswith(NOBODYS)]
         told = ("/", *(f"share/{name}/" for name in (self.package.facts.name, self.package.cmake.project_name)))
+        if any(self.is_told(row) for row in rows):
+            return None
         unclear = (row for row in rows if row.maybe and not row.destination.startswith(NOBODYS))
         is_found = any(row.destination.startswith(told) for row in rows) or next(unclear, None) is not None
         return rows[0] if rows and not is_found else None
+
+    def is_told(self, misplaced: InstalledFile) -> bool:
+        """Return whether a launch file of the package names what the same command installs: LCH004 tells of it."""
+        calls = [rule.call for rule in self.package.cmake.installs if rule.call.path == misplaced.path]
+        spans = (call.command.span for call in calls)
+        whole = next((each for each in spans if each.start <= misplaced.span.start < each.end), misplaced.span)
+        together = (row for row in self.table.rows if row.path == misplaced.path)
+        sources = {row.source for row in together if whole.start <= row.span.start < whole.end}
+        files = (file for file in self.launch_files if role_of(file.path) == "launch" and not file.is_ros1)
+        return any(
+            each.package == self.package.facts.name and each.path in sources for file in files for each in file.paths
+        )
 
     def useful(self, folder: str) -> tuple[str, ...]:
         """Return the files of a folder that are used at run time, without those that the build uses."""
@@ -89,14 +106,17 @@ class RuntimeFolders:
         ignores = self.package.cmake.package_files.absent.is_ignored
         ros1 = {file.path for file in self.launch_files if file.is_ros1}
         useful = [path for path in useful if path not in self.built_from | ros1 and "/test/" not in path]
-        return tuple(path for path in useful if not ignores(path))
+        return tuple(path for path in useful if not ignores(path) and not (folder == LAUNCH and self.is_blank(path)))
+
+    def is_blank(self, path: str) -> bool:
+        """Return whether a launch file is an empty placeholder."""
+        return not self.package.cmake.package_files.readable_text(path).strip()
 
     def is_ros2(self, path: str) -> bool:
-        """Return whether a bare `.launch` is written for ROS 2."""
-        return (
-            path.endswith(".launch")
-            and OF_ROS2.search(self.package.cmake.package_files.readable_text(path)) is not None
-        )
+        """Return whether a bare `.launch` is written for ROS 2, or launch can start a `.py` of any name in launch/."""
+        sign = STARTS if path.startswith(f"{LAUNCH}/") and path.endswith(".py") else OF_ROS2
+        is_asked = sign is STARTS or path.endswith(".launch")
+        return is_asked and sign.search(self.package.cmake.package_files.readable_text(path)) is not None
 
     @cached_property
     def built_from(self) -> frozenset[str]:

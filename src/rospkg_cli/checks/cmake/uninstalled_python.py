@@ -12,6 +12,7 @@ from ...package.cmake.artifacts import PYTHON_MODULES
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.cmake.referenced_paths import ReferencedPaths
+from ...package.file_role import role_of
 from ...package.install_table import PYTHON, InstallTable
 from ...package.python_modules import PythonModules
 from ...source import Span
@@ -27,6 +28,8 @@ class UninstalledPythonPackage:
     path: str
     span: Span
     module: str
+    is_started: bool
+    """Whether the file that imports it is an installed program or a launch file."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +79,8 @@ class PythonPackages:
                     and not is_neighbour
                 ):
                     missing.discard(name)
-                    yield UninstalledPythonPackage(name, row.source, each.span, each.module)
+                    is_started = row.what == "executable" or role_of(row.source) == "launch"
+                    yield UninstalledPythonPackage(name, row.source, each.span, each.module, is_started)
 
     @property
     def found_by_scripts(self) -> set[str]:

@@ -43,6 +43,7 @@ SUFFIXES = {"INCLUDE_DIR": "INCLUDE_DIRS", "INCLUDES": "INCLUDE_DIRS", "LIBRARY"
 """What people write, and what ament_package() sets."""
 OF_TARGETS = ("ament_target_dependencies", "target_link_libraries", "target_include_directories", "add_executable")
 """Commands whose first argument is a target."""
+PROJECT = "PROJECT_NAME"
 SHORTEST = 6
 """Letters of a name that the package could have intended for one of its own; two may be wrong from twice that on."""
 
@@ -70,8 +71,9 @@ class UnsetVariables:
         return self.package.cmake
 
     def all(self) -> Iterator[UnsetVariable]:
-        """Yield each place once; nothing where a file that can't be read may set any variable."""
+        """Yield each place once; slips of PROJECT_NAME alone where a file that can't be read may set any variable."""
         if self.cmake.reads_unknown_files:
+            yield from self.of_the_project()
             return
         seen: set[tuple[str, int]] = set()
         for call in self.cmake.calls:
@@ -82,6 +84,12 @@ class UnsetVariables:
                     yield from self.within(call, argument)
         yield from self.of_loops()
         yield from self.of_targets()
+
+    def of_the_project(self) -> Iterator[UnsetVariable]:
+        """Yield slips of PROJECT_NAME in what is installed; no file of the package has the name elsewhere."""
+        for call in (each for each in self.cmake.calls if each.name == "install"):
+            for argument in call.command.arguments:
+                yield from self.within(call, argument)
 
     def of_loops(self) -> Iterator[UnsetVariable]:
         """Yield what a loop is to run over, where it certainly does so: an empty one does nothing, without a word."""
@@ -94,7 +102,7 @@ class UnsetVariables:
         if argument.kind == "bracket" or "${" not in argument.text:
             return
         for found in REFERENCE.finditer(argument.text):
-            if near := self.of_cmake(found[1]) if call.maybe else self.nearest(found[1]):
+            if near := self.intended(found[1], call):
                 start = argument.inner.start
                 span = Span(start + found.start(), start + found.end())
                 after = argument.text.replace(found[0], "")
@@ -120,6 +128,13 @@ class UnsetVariables:
             files = tuple(takewhile(lambda word: not word.text.isupper(), call.words[1:]))
             if all(self.variables.empty_variable(word) for word in files):
                 yield from ((call, word) for word in files)
+
+    def intended(self, name: str, call: EvaluatedCommand) -> str | None:
+        """Return the variable that a command means, as far as that is certain of it."""
+        if self.cmake.reads_unknown_files:
+            is_slip = name not in self.variables.mentioned and bool(near_names(name, [PROJECT]))
+            return PROJECT if is_slip else None
+        return self.of_cmake(name) if call.maybe else self.nearest(name)
 
     def nearest(self, name: str) -> str | None:
         """Return the variable that is intended by one that nothing sets."""

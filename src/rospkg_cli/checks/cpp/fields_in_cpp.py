@@ -11,7 +11,8 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...ros.interface_fields import ros1_fields
 from ...source import Span
-from ..depends.compiled_sources import compiled_sources, own_compiled
+from ..depends.compiled_sources import compiled_sources, harm_in
+from ..fault import Level
 from ..interfaces.known_interfaces import KnownInterfaces
 from ..interfaces.unknown_fields import similar
 from .named_members import named_members
@@ -25,8 +26,8 @@ class WrongField:
     """`package/msg/Name`."""
     name: str
     near: str | None
-    is_compiled: bool
-    """Whether the package's own build certainly compiles the file."""
+    level: Level
+    """How bad it is, by who compiles the file."""
 
 
 @dataclass(frozen=True)
@@ -41,15 +42,21 @@ class FieldsInCpp:
             if role != "aside" and any(self.may_lack(each) for each in named_members(source.source)):
                 yield from self.in_text(source, code_text(text))  # which takes longer
 
-    def may_lack(self, members: tuple[str, tuple[str, ...]]) -> bool:
-        """Return whether one of some members of a message, each of the one before, is told of."""
+    def may_lack(self, members: tuple[frozenset[str], tuple[str, ...]]) -> bool:
+        """Return whether one of some members, each of the one before, is told of whichever message it is."""
         if members not in self._lacking:
-            self._lacking[members] = self.first_wrong(*members) is not None
+            messages, names = members
+            is_told = any(self.first_wrong(message, names) is not None for message in messages)
+            self._lacking[members] = is_told and not any(self.has(message, names) for message in messages)
         return self._lacking[members]
 
     @cached_property
-    def _lacking(self) -> dict[tuple[str, tuple[str, ...]], bool]:
+    def _lacking(self) -> dict[tuple[frozenset[str], tuple[str, ...]], bool]:
         return {}
+
+    def has(self, message: str, names: tuple[str, ...]) -> bool:
+        """Return whether a message is known to have the first of some members."""
+        return bool(names) and names[0] in (self.fields(message) or {}) and self.first_wrong(message, names) is None
 
     def first_wrong(self, message: str, names: tuple[str, ...]) -> tuple[int, str, str | None] | None:
         """Return the first member that its message lacks, as far as that is certain: its place, the message, and the
@@ -83,11 +90,7 @@ class FieldsInCpp:
             for path in member_paths(text, variable):
                 if (wrong := self.first_wrong(variable.message, path.names)) is not None:
                     at, message, near = wrong
-                    is_compiled = self.compiled is not None and source.path in self.compiled
+                    level = harm_in(self.cmake, self.sources, source.path)
                     span = path.spans[at]
-                    found[span] = WrongField(source.path, span, message, path.names[at], near, is_compiled)
+                    found[span] = WrongField(source.path, span, message, path.names[at], near, level)
         yield from (found[span] for span in sorted(found))
-
-    @cached_property
-    def compiled(self) -> set[str] | None:
-        return own_compiled(self.cmake, self.sources)

@@ -17,6 +17,7 @@ from ...source import Span
 from ...suggest import near_names
 from ..cmake.mistyped_links import digits
 from ..depends.compiled_sources import compiled_sources
+from ..fault import Level
 from ..interfaces.known_interfaces import KnownInterfaces
 from .interfaces_in_cpp import lower
 from .missing_headers import MissingHeaders
@@ -36,8 +37,8 @@ class ForeignHeader:
     kind: Literal["folder", "ros1"]
     meant: str
     """The header that is intended, or that ROS 2 has; "" where there is none."""
-    is_compiled: bool
-    """Whether the package's own build certainly compiles the file."""
+    level: Level
+    """How bad it is, by who compiles the file."""
 
 
 @dataclass(frozen=True)
@@ -73,8 +74,8 @@ class ForeignHeaders:
         if meant is None:
             kind, meant = "folder", self.in_right_folder(each.path)
         if meant is not None:
-            is_compiled = source.path in self.headers.compiled
-            yield ForeignHeader(source.path, each.span, each.path, kind, meant.strip("-"), is_compiled)
+            level = self.headers.harm_in(source.path)
+            yield ForeignHeader(source.path, each.span, each.path, kind, meant.strip("-"), level)
 
     def of_ros_1(self, header: str) -> str | None:
         """Return what ROS 2 has instead of a header of ROS 1, `-` for nothing; None for any other header."""

@@ -15,7 +15,8 @@ from ...package.interfaces.generated_types import generated_types
 from ...ros.link_targets import MESSAGES
 from ...source import Span
 from ...suggest import near_names
-from ..depends.compiled_sources import compiled_sources, own_compiled
+from ..depends.compiled_sources import compiled_sources, harm_in
+from ..fault import Level
 from ..interfaces.known_interfaces import KnownInterfaces, base_name
 
 HEADER = regex(r"([a-z]\w*)/(msg|srv|action)/(\w+)\.(?:hpp|h)")
@@ -37,8 +38,8 @@ class WrongInterface:
     kind: str
     meant: str
     """The header or the type that is near; "" where none is."""
-    is_compiled: bool
-    """Whether the package's own build certainly compiles the file."""
+    level: Level
+    """How bad it is, by who compiles the file."""
 
     @property
     def header_name(self) -> str:
@@ -133,12 +134,8 @@ class InterfacesInCpp:
         return own and any(pattern.search(source.source.text) for source in self.sources)
 
     def hit(self, source: CppFile, span: Span, text: str, package: str, kind: str, meant: str) -> WrongInterface:
-        is_compiled = self.compiled is not None and source.path in self.compiled
-        return WrongInterface(source.path, span, text, package, kind, meant, is_compiled)
-
-    @cached_property
-    def compiled(self) -> set[str] | None:
-        return own_compiled(self.cmake, self.sources)
+        level = harm_in(self.cmake, self.sources, source.path)
+        return WrongInterface(source.path, span, text, package, kind, meant, level)
 
 
 @lru_cache(maxsize=4096)

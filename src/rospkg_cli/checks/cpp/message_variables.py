@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import re
-from collections.abc import Iterator, Set
+from collections.abc import Iterator, Sequence, Set
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -62,7 +63,10 @@ class MemberPath:
 
 
 def message_variables(text: str) -> Iterator[MessageVariable]:
-    """Yield the variables of a code text that hold a message wherever the file declares their name."""
+    """Yield the variables of a code text that hold a message wherever the file declares their name.
+
+    Where it is another message in another place, their scopes lie apart: the `msg` of two callbacks.
+    """
     found: dict[str, list[tuple[int, str, str]]] = {}
     for pattern, access in FORMS:
         for match in pattern.finditer(text):
@@ -71,11 +75,19 @@ def message_variables(text: str) -> Iterator[MessageVariable]:
             found.setdefault(match["name"], []).append((match.start("name"), message, access))
     bound = {word for match in BOUND.finditer(text) for word in WORD.findall(match[1])} if found else set()
     for name, places in found.items():
-        is_one = name not in bound and len({(message, access) for _, message, access in places}) == 1
-        if is_one and is_no_other(text, name, {at for at, _, _ in places}):
-            for at, message, access in places:
-                if (end := end_of_scope(text, at)) > at:
-                    yield MessageVariable(name, message, access, at, end)
+        if name in bound or not is_no_other(text, name, {at for at, _, _ in places}):
+            continue
+        ends = {at: end for at, _, _ in places if (end := end_of_scope(text, at)) > at}
+        known = [MessageVariable(name, message, access, at, ends[at]) for at, message, access in places if at in ends]
+        if are_apart(known):
+            yield from known
+
+
+def are_apart(variables: Sequence[MessageVariable]) -> bool:
+    """Return whether no two variables of one name and of other messages are known at one place."""
+    ordered = sorted(variables, key=lambda each: each.start)
+    pairs = itertools.pairwise(ordered)
+    return all((a.message, a.access) == (b.message, b.access) or a.end <= b.start for a, b in pairs)
 
 
 def is_no_other(text: str, name: str, known: Set[int]) -> bool:

@@ -15,7 +15,8 @@ from ...package.workspace import Workspace
 from ...ros.interfaces import KINDS
 from ...source import Span
 from ...suggest import near_names, nearest
-from ..depends.compiled_sources import compiled_sources, own_compiled
+from ..depends.compiled_sources import compiled_sources, harm_in, own_compiled
+from ..fault import Level
 
 SHORT = 10
 """Letters of a file's name from which two may be wrong."""
@@ -30,8 +31,8 @@ class MissingHeader:
     """The package that should have it."""
     meant: str
     """The header that is near; "" where none is."""
-    is_compiled: bool
-    """Whether the package's own build certainly compiles the file."""
+    level: Level
+    """How bad it is, by who compiles the file."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,7 @@ class MissingHeaders:
                     owner, meant = found
                     if not meant and not each.path.endswith(HEADERS):
                         continue  # `.inc`, `.def`: anything may make it
-                    yield MissingHeader(source.path, each.span, each.path, owner, meant, source.path in self.compiled)
+                    yield MissingHeader(source.path, each.span, each.path, owner, meant, self.harm_in(source.path))
 
     def is_header(self, path: str) -> bool:
         """Return whether a path may be that of a header that people write: interfaces have generated ones."""
@@ -146,6 +147,9 @@ class MissingHeaders:
     @cached_property
     def may_make(self) -> bool:
         return may_make_headers(self.package.cmake)
+
+    def harm_in(self, path: str) -> Level:
+        return harm_in(self.package.cmake, self.sources, path)
 
     @cached_property
     def compiled(self) -> set[str]:

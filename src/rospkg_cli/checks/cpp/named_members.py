@@ -18,13 +18,14 @@ MOST_BEFORE = 120
 CHAIN = regex(r"[A-Za-z_][\w.]*")
 
 
-def named_members(source: Source) -> Iterator[tuple[str, tuple[str, ...]]]:
-    """Yield messages with the members that a text may name of them: a quick look that finds more than there is."""
+def named_members(source: Source) -> Iterator[tuple[frozenset[str], tuple[str, ...]]]:
+    """Yield members that a text may name of one of some messages: a quick look that finds more than there is."""
     text = source.text
     found: dict[str, set[str]] = {}
     for name, message in named_variables(source):
         found.setdefault(name, set()).add(message)
-    for name, message in ((name, *messages) for name, messages in found.items() if len(messages) == 1):
+    for name, messages in found.items():
+        several = frozenset(messages)
         for access in (".", "->"):
             start = name + access
             at = text.find(start)
@@ -32,7 +33,7 @@ def named_members(source: Source) -> Iterator[tuple[str, tuple[str, ...]]]:
                 chain = CHAIN.match(text, at + len(start))
                 if chain is not None and not (text[at - 1].isalnum() or text[at - 1] == "_"):
                     names = tuple(filter(None, chain[0].split(".")))
-                    yield message, names[:-1] if text.startswith("(", chain.end()) else names
+                    yield several, names[:-1] if text.startswith("(", chain.end()) else names
                 at = text.find(start, at + 1)
 
 

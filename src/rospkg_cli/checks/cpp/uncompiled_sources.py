@@ -16,6 +16,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.cmake.referenced_paths import ReferencedPaths
 from ...package.file_role import is_set_aside, role_of
+from ...package.workspace import Workspace
 from ...source import Span
 from ..cmake.target_references import TargetReferences
 from ..depends.compiled_sources import are_sources_known, own_compiled
@@ -29,6 +30,10 @@ MACROS = {"RCLCPP_COMPONENTS_REGISTER_NODE": "component", "PLUGINLIB_EXPORT_CLAS
 ASIDE = frozenset(
     "example examples demo demos sample samples benchmark benchmarks old backup deprecated scripts".split()
 )
+PAGES = (".md", ".rst", ".sh", ".txt")
+"""Files that tell, or do, what is to be started."""
+DESCRIPTIONS = (".xml", ".yaml", ".yml")
+"""Files that name classes to be loaded."""
 SPARE = frozenset("template templates new tmp wip unused".split())
 """Words of a file's name that say that it is not built."""
 WORD = regex(r"[A-Za-z]+")
@@ -39,12 +44,15 @@ class UncompiledSource:
     path: str
     span: Span
     what: Literal["node", "component", "plugin"]
+    name: str
+    """Of the program, as it may be called, or of the class."""
 
 
 @dataclass(frozen=True)
 class UncompiledSources:
     package: CMakePackage
     sources: tuple[CppFile, ...]
+    workspace: Workspace
 
     def all(self) -> Iterator[UncompiledSource]:
         """Yield the files that no target has and no CMake file mentions; nothing where sources can't be known."""
@@ -60,6 +68,20 @@ class UncompiledSources:
         for source in self.sources:
             if source.path not in compiled and self.is_candidate(source.path) and not self.is_mentioned(source.path):
                 yield from self.judged(source)
+
+    def is_wanted(self, source: UncompiledSource) -> bool:
+        """Return whether a launch file starts or loads what a file holds, a page does so, or a text names the class."""
+        package, name = self.package.facts.name, source.name
+        if source.what == "node":
+            started = re.compile(rf"\bros2[ \t]+run[ \t]+{re.escape(package)}[ \t]+{re.escape(name)}(?![\w.-])")
+            is_started = bool(self.workspace.having("started_nodes", package, name))
+            return is_started or any(map(started.search, self.texts(PAGES)))
+        is_loaded = any((package, name) in facts.loaded_components for facts in self.workspace.packages)
+        return is_loaded or any(name in text for text in self.texts(DESCRIPTIONS))
+
+    def texts(self, suffixes: tuple[str, ...]) -> Iterator[str]:
+        files = self.package.cmake.package_files
+        return (files.readable_text(path) for path in files.paths if path.endswith(suffixes))
 
     def is_candidate(self, path: str) -> bool:
         """Return whether a file lies where programs do, and git keeps it."""
@@ -79,15 +101,15 @@ class UncompiledSources:
     def is_mentioned(self, path: str) -> bool:
         """Return whether a CMake file has the name, in a comment too, or a file of the package includes it.
 
-        The name without its ending counts as well; where it is that of a target and no file makes sources of names,
-        among sources alone.
+        The name without its ending counts as well, but not that of an XML or YAML file; where it is that of a target
+        and no file makes sources of names, among sources alone.
         """
         name = posixpath.basename(path)
         stem, texts = posixpath.splitext(name)[0], [file.source.text for file in self.package.cmake.files]
         target, has_file = self.package.cmake.target(stem), self.package.cmake.package_files.has_file
         is_whole = target is not None and all(has_file(word.text) for word in target.sources)  # CMK102 tells of others
         is_target = is_whole and not any(MADE_OF_NAMES.search(each) for each in texts)
-        word = re.compile(rf"(?<![\w.-]){re.escape(name if is_target else stem)}(?![\w-])")
+        word = re.compile(rf"(?<![\w.-]){re.escape(name if is_target else stem)}(?!\.(?:xml|ya?ml)\b)(?![\w-])")
         is_source = stem in self.source_names or name in self.included
         return is_source or any(word.search(text) for text in texts)
 
@@ -101,12 +123,22 @@ class UncompiledSources:
     def included(self) -> frozenset[str]:
         return frozenset(posixpath.basename(each.path) for source in self.sources for each in source.includes)
 
+    @cached_property
+    def registered(self) -> frozenset[str]:
+        """The classes that what is compiled registers, so that they can be loaded without any other file."""
+        compiled = own_compiled(self.package.cmake, self.sources) or set()
+        calls = (call for each in self.sources if each.path in compiled for call in each.calls_to(*MACROS))
+        return frozenset(call.arguments[0].text.strip() for call in calls if call.arguments)
+
     def judged(self, source: CppFile) -> Iterator[UncompiledSource]:
         for call in source.calls_to(*MACROS):
             if not call.is_conditional:
                 what: Literal["component", "plugin"] = "plugin" if call.name.startswith("PLUGIN") else "component"
-                yield UncompiledSource(source.path, call.span, what)
+                name = call.arguments[0].text.strip() if call.arguments else ""
+                if name not in self.registered:
+                    yield UncompiledSource(source.path, call.span, what, name)
                 return
         code = code_text(source.source.text)
         if (found := MAIN.search(code)) is not None and STARTS_ROS.search(code) is not None:
-            yield UncompiledSource(source.path, Span(found.start(), found.end() - 1), "node")
+            name = posixpath.splitext(posixpath.basename(source.path))[0]
+            yield UncompiledSource(source.path, Span(found.start(), found.end() - 1), "node", name)

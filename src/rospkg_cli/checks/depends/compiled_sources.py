@@ -9,6 +9,7 @@ from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cpp.file import CppFile
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role, role_of
+from ..fault import Level
 
 HEADERS = (".hpp", ".h", ".hh", ".hxx", ".ipp", ".tpp", ".inl", ".cuh")
 
@@ -23,7 +24,8 @@ class SourcesByUse:
         named = {testing: named_sources(cmake, files, testing) for testing in (False, True)}
         self.own = including.reached(named[False])
         self.certain = including.reached(named_sources(cmake, files, False, maybe=False))
-        public = {path for path in files if "include/" in path and not cmake.only_tests}
+        headers = (path for path in files if path.endswith(HEADERS) and not cmake.only_tests)
+        public = {path for path in headers if "include/" in path}
         self.run = including.reached(named[False] | public)
         self.tests = including.reached(named[True]) - self.run
         self.only_tests = cmake.only_tests
@@ -60,6 +62,17 @@ def own_compiled(cmake: CMake, sources: Iterable[CppFile]) -> set[str] | None:
     """Return the files that the package's own build opens, without headers that only others do; None where unknown."""
     known, _ = sources_by_use(cmake, sources)
     return known.own if known.is_known else None
+
+
+def harm_in(cmake: CMake, sources: Iterable[CppFile], path: str) -> Level:
+    """Return how bad it is that a file can't be compiled: an error where the package's own build certainly does it.
+
+    What is compiled on demand, for tests, or by others alone is a warning, a leftover beside what is compiled an info.
+    """
+    known, _ = sources_by_use(cmake, sources)
+    if not known.is_known or not known.own:
+        return "warning"
+    return "error" if path in known.certain else "warning" if path in known.own | known.tests else "info"
 
 
 def compiled_on_demand(cmake: CMake, sources: Iterable[CppFile]) -> set[str]:

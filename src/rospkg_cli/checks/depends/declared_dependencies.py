@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
 
@@ -35,7 +36,8 @@ def normalized(name: str) -> str:
     return name.replace("-", "_").lower()
 
 
-COMMENTED_DEPENDENCY = regex(r"<\w*depend\b[^>]*>\s*([\w.-]+)\s*<")
+COMMENTED_DEPENDENCY = regex(r"(?:<|^\s*)\w*depend\b[^>]*>\s*([\w.-]+)\s*<", re.MULTILINE)
+"""A tag in a comment, or one that is made a comment by its own brackets: `<!-- depend>a</depend -->`."""
 
 
 @dataclass(frozen=True)

@@ -106,17 +106,17 @@ class DependencyKinds:
                 yield KindUse(each.names, "link", each.path, each.span, each.target)
 
     def build_uses(self) -> Iterator[KindUse]:
-        """Yield what is included, then what CMake requires, but for what comes with other dependencies for it."""
+        """Yield what CMake requires, which stops first, then what is included and does not come with something else."""
         if self.includes is None:
             return
         there = implied_by([d.name for d in self.declared.manifest.dependencies if d.tag in BUILDS], IN_SOURCES)
-        for each in self.includes.packages():
-            if each.role == "run" and not there.intersection(each.names):
-                first = each.uses[0]
-                optional, passed_on = self.includes.are_optional(each), self.includes.are_passed_on(each)
-                yield KindUse(each.names, "include", first.path, first.span, first.header, optional, passed_on)
         for found in self.includes.cmake.packages:
             names = self.includes.find_packages.needed_providers(found)
             others = {*TEST_PACKAGES, RUNTIME_OF_INTERFACES}  # the first are CMK107's
             if names and not found.call.testing and found.name not in others:
                 yield KindUse(names, "find", found.word.path, found.word.span, found.name)
+        for each in self.includes.packages():
+            if each.role == "run" and not there.intersection(each.names):
+                first = each.uses[0]
+                optional, passed_on = self.includes.are_optional(each), self.includes.are_passed_on(each)
+                yield KindUse(each.names, "include", first.path, first.span, first.header, optional, passed_on)

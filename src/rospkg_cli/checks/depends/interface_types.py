@@ -7,7 +7,6 @@ from ...package.interfaces.interface_file import InterfaceFile
 from ...source import Span
 from ...suggest import near_names
 from ..interfaces.package_interfaces import InterfaceGeneration
-from .brought_dependencies import brought_by
 from .declared_dependencies import DeclaredDependencies
 from .name_source import source_of
 
@@ -41,13 +40,6 @@ class InterfaceTypeDependencies:
             return None
         near = near_names(package, (each.name for each in self.declared.manifest.dependencies))
         return near[0] if len(near) == 1 else None
-
-    def is_found(self, package: str) -> bool:
-        """Return whether CMake hands a package to rosidl, or one that brings it: it builds where that is installed."""
-        cmake = self.generation.cmake
-        targets = cmake.interface_targets if cmake is not None else ()
-        listed = {word.text for target in targets for word in target.dependencies}
-        return package in listed or package in brought_by(sorted(listed), self.declared.workspace)
 
     @property
     def is_generated(self) -> bool:

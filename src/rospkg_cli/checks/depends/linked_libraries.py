@@ -6,19 +6,17 @@ from collections.abc import Callable, Iterator
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
-from ...languages.cmake.values import Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.target_links import TargetLinks
 from ...ros.libraries import keys_of_linked, keys_of_module
 from ...source import Span
+from .required_by_cmake import ASKS, without_version
 from .undeclared_includes import IncludeDependencies
 
 FINDS = ("find_library",)
-ASKS = ("pkg_check_modules", "pkg_search_module")
 ELSEWHERE = ("HINTS", "PATHS", "NO_DEFAULT_PATH")
 """With one of these keywords of `find_library()` a library may lie in a folder of its own."""
-VERSION = ("<", ">", "=")
 Keys = Callable[[str], tuple[str, ...]]
 """From the name of a library to the rosdep keys that serve it."""
 
@@ -74,7 +72,7 @@ class LinkedLibraries:
         result, words = call.texts[:1], call.words[1:]
         if "REQUIRED" not in call.texts and not (result and self.is_linked(result[0])):
             return
-        sure = [(word, without_version(word)) for word in words if word.is_known and not word.maybe]
+        sure = [(word, without_version(word.text)) for word in words if word.is_known and not word.maybe]
         found = [
             LinkedLibrary(name, keys, call.testing, word.path, word.span)
             for word, name in sure
@@ -99,8 +97,3 @@ class LinkedLibraries:
     @property
     def cmake(self) -> CMake:
         return self.includes.cmake
-
-
-def without_version(word: Word) -> str:
-    """Return a module of pkg-config without its limit: `libcurl` of `libcurl>=7`."""
-    return min((word.text.partition(sign)[0].strip() for sign in VERSION), key=len)

@@ -19,6 +19,9 @@ from .undeclared_includes import IncludeDependencies
 AUTOMATIC = regex(r"ament_auto_find_\w+|(?!find_|ament_|gz_|ign_|nav2_|moveit_)\w*_package\w*")
 """Commands that find packages, or may well do so, such as `autoware_package`."""
 
+FOUND_WITH_GENERATORS = frozenset({"action_msgs", "builtin_interfaces", "service_msgs", "unique_identifier_msgs"})
+"""Interfaces that `rosidl_default_generators` finds: those of all services and actions."""
+
 MIN_LETTERS = 5
 
 
@@ -47,11 +50,13 @@ class MissingFindPackages:
         if self.declared.is_checked and self.is_complete:
             there, known = self.declared.transitive_names_of(self.found)
             seen = set(self.found | there)
-            for each in (*self.linked(not known), *self.headers(not known)):
+            listed = list(self.listed())
+            for each in (*listed, *self.linked(not known), *self.headers(not known)):
                 if each.name not in seen and self.is_declared(each) and not self.has_another_name(each.name):
                     seen.add(each.name)
                     yield each
-            for each in self.linked(maybe=False) if known else ():
+            certain = [each for each in listed if not each.may_be_transitive]
+            for each in (*certain, *(self.linked(maybe=False) if known else ())):
                 if each.name not in seen and self.is_undeclared(each.name) and not self.has_another_name(each.name):
                     seen.add(each.name)
                     yield replace(each, is_declared=False)
@@ -106,9 +111,21 @@ class MissingFindPackages:
                 usage = f"`{link.target}` is linked with it"
                 yield MissingFindPackage(name, link.word.path, link.word.span, link.call.testing, usage, maybe)
 
+    def listed(self) -> Iterator[MissingFindPackage]:
+        """Yield what the interfaces of the package depend on; the generators find only what all of them need."""
+        there, known = self.declared.transitive_names_of(each for each in self.found if not each.startswith("rosidl_"))
+        for target in self.includes.cmake.interface_targets:
+            for word in target.dependencies:
+                is_certain = word.is_known and not (word.maybe or target.call.maybe)
+                if is_certain and word.text not in there | FOUND_WITH_GENERATORS:
+                    usage = "`rosidl_generate_interfaces` depends on it"
+                    yield MissingFindPackage(
+                        word.text, word.path, word.span, target.call.testing, usage, may_be_transitive=not known
+                    )
+
     def headers(self, maybe: bool) -> Iterator[MissingFindPackage]:
         for each in self.includes.packages():
-            if each.cmake == each.names[0]:
+            if each.cmake == each.names[0] and not self.includes.are_passed_on(each):
                 first = each.uses[0]
                 usage = f"`{first.header}` is included here"
                 yield MissingFindPackage(each.cmake, first.path, first.span, each.role == "test", usage, maybe)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from ...ros.distros import Targets
+from ...ros.distros import DISTROS, Targets
 from ...ros.names import NameKind
 from .declared_dependencies import DeclaredDependencies
 
@@ -26,6 +26,17 @@ def source_of(declared: DeclaredDependencies, name: str) -> NameSource:
         return "unknown"
     ways = {index.installer(name, each) for each in Targets()}
     return "pip" if "pip" in ways and ways <= {"pip", "-"} else "released"
+
+
+def newer_distros(declared: DeclaredDependencies, name: str) -> list[str]:
+    """Return the distributions that have a released package which the oldest supported one lacks; else nothing.
+
+    Who declares it keeps `rosdep install` from working on the others.
+    """
+    having = declared.workspace.index.packages.get(name, ())
+    is_here = declared.workspace.is_available(name) or declared.workspace.index.is_key(name)
+    oldest, *newer = (each.name for each in DISTROS)
+    return [] if is_here or oldest in having else [each for each in newer if each in having]
 
 
 def is_left_out(declared: DeclaredDependencies, name: str) -> bool:

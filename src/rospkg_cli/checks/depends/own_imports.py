@@ -17,7 +17,7 @@ from ...package.workspace import Workspace
 from ...ros.imports import STANDARD
 from ...ros.interfaces import KINDS
 from ...source import Span
-from ...suggest import nearest
+from ...suggest import nearest, slips
 from ..installed_modules import InstalledModules
 from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
@@ -71,8 +71,10 @@ class OwnImports:
             module = self.installed.absolute(each, file.path)
             top = module.partition(".")[0]
             if top in self.installed.tops:
-                if is_known and not (self.changes_path(file) and not each.level):
-                    yield from self.of_own(file, each, module)
+                if is_known:
+                    found = self.of_own(file, each, module)
+                    is_open = self.changes_path(file) and not each.level
+                    yield from (one for one in found if not is_open or slips(one.name, (one.near or "",)))
             elif module and top not in KINDS:
                 yield from self.of_others(file, each, module)
 

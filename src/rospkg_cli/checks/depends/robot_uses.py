@@ -11,7 +11,6 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import LAUNCH, role_of
 from ...package.install_table import InstallTable
-from ...package.launch.text import uncommented
 from ...package.package_facts import PluginUse
 from ...package.urdf.robot_file import ResourceReference, RobotFile
 from ...ros.implied_dependencies import IN_PARAMETERS, NAVIGATION, implied_by
@@ -19,9 +18,11 @@ from ...ros.names import NameKind
 from ...ros.plugins import PLUGIN_PACKAGES, TOOLS
 from ...source import Span
 from ..launch.package_references import every_reference
+from ..urdf.opened_robots import OpenedRobots
 from ..urdf.xacro_calls import CONDITIONS, ancestors
 from .declared_dependencies import DeclaredDependencies
 from .found_by_parameters import found_by_parameters
+from .opened_parameters import OpenedParameters
 from .undeclared_launch_packages import LaunchDependencies
 
 INTERFACES = regex(r".*_(?:msgs|srvs|interfaces|actions)")
@@ -30,7 +31,8 @@ LOADS_PLUGINS = regex(
 )
 """Packages that load plugins by the names in parameter files, or whose launch files start such."""
 ARGUMENT = regex(r"\s*\$\(arg\s+(\w+)\s*\)\s*")
-EXAMPLE = regex(r"(?:^|[_/.-])examples?(?:[_/.-]|$)")
+LOADED_BY_OWN = frozenset({"slam_toolbox"})
+"""Packages whose plugins their own node alone loads: where that is not installed, nothing looks for them."""
 GENERATED = frozenset({"msg", "srv", "action"})
 RUN = frozenset({"depend", "exec_depend"})
 
@@ -55,6 +57,7 @@ class RobotUses:
     launch: LaunchDependencies
     robots: tuple[RobotFile, ...]
     table: InstallTable | None
+    opened: OpenedRobots
 
     def missing(self) -> dict[str, list[RobotUse]]:
         """Return each package that is named and not declared, but for those that launch files use as well."""
@@ -82,6 +85,7 @@ class RobotUses:
             for each in robot.references if self.is_used(robot.path) else ():
                 if not self.declared.has([each.package]):
                     is_off = self.is_off(robot.path) or is_switched_off(robot.document.root, each.span)
+                    is_off = is_off or self.opened.is_passed_over(robot.path)
                     yield each.package, reference_use(robot.path, each, is_off=is_off)
 
     def found_by_parameters(self) -> Iterator[tuple[str, RobotUse]]:
@@ -123,7 +127,7 @@ class RobotUses:
             name = self.package_of(use) if is_meant else None
             if name is not None and name not in self.available and name not in TOOLS:
                 is_optional = not use.path.endswith((".yaml", ".yml")) or not self.loads_plugins
-                is_optional = is_optional or self.is_unnamed(use.path)
+                is_optional = is_optional or name in LOADED_BY_OWN or not self.parameters.may_have(use.path)
                 usage, consequence = f"and its plugin `{use.name}` is named here", "the node can't load it"
                 yield name, RobotUse(use.path, use.span, usage, consequence, is_optional)
 
@@ -152,16 +156,10 @@ class RobotUses:
         uses = (use for file in self.launch.launch_files for use in every_reference(file))
         return frozenset(use.name for use in uses if use.fails != "controller")
 
-    def is_unnamed(self, path: str) -> bool:
-        """Return whether no launch file names a file, and no other package may: it is there to be copied, or left over.
-
-        MoveIt looks for the files of its configs by their names alone.
-        """
-        texts = [uncommented(file.path, file.source.text) for file in self.launch.launch_files]
-        stem = re.compile(rf"\b{re.escape(path.rpartition('/')[2].rpartition('.')[0])}\b")
-        if any(stem.search(text) or "MoveItConfigsBuilder" in text for text in texts):
-            return False
-        return EXAMPLE.search(path) is not None or not self.declared.workspace.is_needed(self.declared.facts.name)
+    @cached_property
+    def parameters(self) -> OpenedParameters:
+        declared = self.declared
+        return OpenedParameters(declared.facts, declared.workspace, tuple(self.launch.launch_files), self.robots)
 
     @cached_property
     def loads_plugins(self) -> bool:

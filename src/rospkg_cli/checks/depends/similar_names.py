@@ -66,7 +66,8 @@ class SimilarNames:
         for names in everything if Effort.left >= 0 else ():
             yield [each for each in names if each[0].lower() == first and letters(each) == bare]
         for names in everything if Effort.left >= 0 else ():
-            yield from names_by_typos(name, names, 1)[:1]
+            alike = [each for each in names if each[0].lower() == first]  # a slip in the first letter is rare
+            yield from names_by_typos(name, alike, 1)[:1]
 
     def installable(self) -> Iterable[str]:
         """Return the released packages, and the keys that rosdep has a rule for."""

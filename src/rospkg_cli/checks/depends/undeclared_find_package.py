@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator
 from fnmatch import fnmatchcase
 from functools import cached_property
 
-from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.find_package import FoundPackage
@@ -19,9 +18,6 @@ from ...ros.rosdep import NOT_THERE
 from ...suggest import near_names
 from .brought_dependencies import Bringer
 from .declared_dependencies import DeclaredDependencies
-
-OF_INTERFACES = regex(r"[a-z]\w*_(?:msgs|srvs|actions|interfaces)")
-"""What packages of interfaces are called, and nothing else."""
 
 REPORTED_ELSEWHERE = frozenset({"ament_cmake"})
 """Packages whose absence from package.xml other rules report."""
@@ -69,21 +65,6 @@ class FindPackageDependencies:
         keys = [f"libboost-{each.text.replace('_', '-')}-dev" for each in found.components if found.name == "Boost"]
         known = [key for key in dict.fromkeys(keys) if self.declared.workspace.index.is_key(key)]
         return tuple(known) if len(known) < 2 else ("boost",)
-
-    def unknown(self) -> Iterator[FoundPackage]:
-        """Yield the packages of interfaces, by their names, that nobody here knows and that are not declared.
-
-        Any other name may be a library's, or that of a find module which a declared package brings (`sdl2_custom`).
-        """
-        seen = {found.name for found in self.cmake.packages if not OF_INTERFACES.fullmatch(found.name)}
-        for found in self.cmake.packages if self.declared.is_checked else ():
-            name = found.name
-            if name in seen or not self.is_needed(found) or keys_for_cmake(name):
-                continue
-            seen.add(name)
-            is_known = self.declared.workspace.kind_of(name) in (NameKind.PACKAGE, NameKind.KEY)
-            if not is_known and not found.call.testing and not self.is_declared_alike(name):
-                yield found
 
     def is_declared_alike(self, name: str) -> bool:
         """Return whether package.xml declares a name, or one that serves it or that it is a slip of."""

@@ -56,6 +56,13 @@ class ImportDependencies:
         reached = self.reached
         return reached is not None and all(reached.is_left(path) for path in {each.path for each in places})
 
+    def are_optional(self, places: Iterable[ImportUse]) -> bool:
+        """Return whether all places are in modules that others import only where that may fail."""
+        reached = self.reached
+        return reached is not None and all(
+            reached.is_optional(path) or reached.is_left(path) for path in {each.path for each in places}
+        )
+
     def is_for_launch(self, missing: UndeclaredImport) -> bool:
         """Return whether it is a part of launch, in modules that only launch files import."""
         paths = {each.path for each in missing.places}

@@ -25,9 +25,12 @@ from ...source import Source, Span
 from .brought_dependencies import Bringer, brought_by
 from .compiled_sources import compiled_on_demand, compiled_sources, only_under_conditions, own_compiled
 from .declared_dependencies import DeclaredDependencies
+from .required_by_cmake import required_modules, required_packages
 from .undeclared_find_package import FindPackageDependencies
 
 """The end of a type that rosidl generates, behind the name of its package; it begins with what `re` skips ahead to."""
+GENERATED = regex(r"[a-z][a-z0-9_]*/(?:msg|srv|action)/[a-z0-9_]+\.hpp")
+"""A header that rosidl makes of an interface, behind the name of its package."""
 PACKAGE, QUALIFIER = regex(r"[a-z][a-z0-9_]*"), regex(r"[\w:]")
 
 OF_CLIENT_LIBRARIES = frozenset(
@@ -126,9 +129,17 @@ class IncludeDependencies:
         return known is not None and known.isdisjoint(use.path for use in each.uses)
 
     def are_idle(self, each: IncludedPackage) -> bool:
-        """Return whether no file that includes it is compiled here or, as far as is known, installed for others."""
+        """Return whether no file that includes it is compiled here, where others are, or installed for others."""
         installed = {row.source for row in self.table.of("header")}
-        return self.are_passed_on(each) and installed.isdisjoint(use.path for use in each.uses)
+        is_seen = not self.compiled and not installed.isdisjoint(use.path for use in each.uses)
+        return self.are_passed_on(each) and not is_seen
+
+    def are_required(self, each: IncludedPackage) -> bool:
+        """Return whether CMake itself requires it, and so stops before the compiler does."""
+        if not {each.cmake, *each.names}.isdisjoint(required_packages(self.cmake)):
+            return True
+        modules = tuple(required_modules(self.cmake))
+        return any(is_named_among(name, modules) for name in each.names)
 
     @cached_property
     def compiled(self) -> set[str] | None:
@@ -148,14 +159,15 @@ class IncludeDependencies:
         """Return the providers of a header, and its name in CMake; no providers where they are unknown."""
         folder = header.partition("/")[0]
         if folder in LIBRARIES:
-            return self.find_packages.providers(LIBRARIES[folder]), LIBRARIES[folder]
+            is_fetched = is_named_among(folder, self.fetched)
+            return () if is_fetched else self.find_packages.providers(LIBRARIES[folder]), LIBRARIES[folder]
         around = sorted(self.declared.workspace.with_header(header))
         if around:
             return (tuple(around), around[0]) if len(around) == 1 or folder in around else ((), folder)
         if keys := keys_of_header(header):
             return (() if self.is_at_hand(header) else keys), stem(header)
         facts = self.declared.workspace.named(folder)
-        known = self.is_package(folder) and folder not in SHARED
+        known = (self.is_package(folder) or GENERATED.fullmatch(header) is not None) and folder not in SHARED
         if not known or (facts is not None and facts.is_metapackage):
             return (), folder
         return (folder,), folder

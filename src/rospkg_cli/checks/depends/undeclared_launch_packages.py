@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from functools import cached_property
+from typing import Annotated
 
 from ...files import PackageFiles
 from ...lazy_regex import regex
@@ -18,7 +19,8 @@ from ...package.workspace import Workspace
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, LAUNCH, implied_by
 from ...ros.imports import may_serve
 from ...ros.names import NameKind
-from ...suggest import is_misspelt, nearest
+from ...suggest import begins_alike, is_misspelt, nearest
+from ...unreadable import READABLE
 from ..launch.idle_actions import contains, never_added
 from ..launch.package_references import NAME, PackageReference, package_references
 from .brought_dependencies import brought_by
@@ -45,7 +47,7 @@ class LaunchDependencies:
 
     declared: DeclaredDependencies
     files: PackageFiles
-    launch_files: tuple[LaunchFile, ...]
+    launch_files: Annotated[tuple[LaunchFile, ...], READABLE]
     cmake: CMake | None
     table: InstallTable | None
     python: PackageImports
@@ -112,13 +114,23 @@ class LaunchDependencies:
         return frozenset(each for each in found if not any(name.startswith(each) for name in around))
 
     def meant(self, name: str) -> str | None:
-        """Return the known package that an unknown name is a slip of; a slip in the first letter is rare.
+        """Return the known package that an unknown name is a slip of; with another first letter it is another name.
 
         Another word makes another package: one of the same vendor, which is not here. A variable's `_dir` makes none.
         """
-        near = nearest(name, self.known_names) if self.is_unknown_package(name) else None
-        is_meant = near and near[0] == name[0] and (is_misspelt(name, near) or OF_VARIABLES.sub("", name) == near)
-        return near if is_meant else None
+        if not self.is_unknown_package(name):
+            return None
+        near = nearest(name, self.known_names)
+        is_same = near is not None and (is_misspelt(name, near) or OF_VARIABLES.sub("", name) == near)
+        is_meant = near is not None and is_same and begins_alike(name, near)
+        return near if is_meant else self.having_what_is_started(name)
+
+    def having_what_is_started(self, name: str) -> str | None:
+        """Return the one package of the workspace that installs all that launch files start of an unknown one."""
+        programs = (found for file in self.launch_files for found in file.programs())
+        started = {executable.literal or "" for package, executable, _ in programs if package == name}
+        having = [each.name for each in self.declared.workspace.packages if started <= each.executables]
+        return having[0] if started and len(having) == 1 else None
 
     def missing(self, *, tests: bool) -> dict[str, list[PackageReference]]:
         """Return each package that is needed and not declared, with the places that need it."""

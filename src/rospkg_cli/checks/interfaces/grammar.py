@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...package.interfaces.grammar_problem import GrammarProblem
+from ...package.interfaces.grammar_problem import GrammarCode, GrammarProblem
 from ...package.interfaces.interface_file import InterfaceFile
 from ..fault import Fault, TextRepair, joined
 from .grammar_sentences import sentence_of, title_of
+
+VALUES = frozenset({GrammarCode.NO_BOOL, GrammarCode.NO_INTEGER, GrammarCode.NO_FLOAT})
+"""Values that are none of their type."""
 
 
 def grammar_faults(interface: InterfaceFile) -> Iterator[Fault]:
@@ -23,7 +26,15 @@ def grammar_faults(interface: InterfaceFile) -> Iterator[Fault]:
         )
     for problem in interface.problems:
         if len(ends) < 2 or problem not in ends:
-            yield Fault(problem.span, sentence_of(problem), repair=repair_of(problem))
+            yield Fault(problem.span, sentence(interface, problem), repair=repair_of(problem))
+
+
+def sentence(interface: InterfaceFile, problem: GrammarProblem) -> str:
+    """Return what is wrong, with the name of the constant or field whose value is."""
+    said, start = sentence_of(problem), problem.span.start
+    spans = ((member.name, member.value_span) for member in interface.members if problem.code in VALUES)
+    name = next((name for name, span in spans if span is not None and span.start <= start < span.end), None)
+    return said if name is None else f"{said}; it is the value of `{name}`"
 
 
 def repair_of(problem: GrammarProblem) -> TextRepair | None:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from itertools import takewhile
 
+from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
@@ -17,7 +18,7 @@ from ...package.interfaces.interface_file import FieldType, InterfaceFile
 from ...package.interfaces.listed_interfaces import ListedInterface
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
-from ...ros.core_messages import CORE_DEPENDENCIES
+from ...ros.core_messages import CORE_DEPENDENCIES, CORE_MESSAGES
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS, valid_interface_name
 from ...ros.names import NameKind
@@ -29,6 +30,7 @@ GAPS = regex(
     re.IGNORECASE,
 )
 """Words of a comment that says that something is left out."""
+OTHER_VARIABLE = regex(r"\$\{(?!PROJECT_NAME\}|CMAKE_PROJECT_NAME\})")
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +65,16 @@ class RosidlTargets:
     @property
     def is_complete(self) -> bool:
         """Whether every file that is generated is known."""
-        return self.cmake.knows_interfaces and bool(self.listed)
+        return self.cmake.knows_interfaces and bool(self.listed or self.empty)
+
+    @property
+    def empty(self) -> EvaluatedCommand | None:
+        """The call, where it is the only one and names no file, and none by a variable."""
+        calls = [each.call for each in self.cmake.interface_targets]
+        if self.listed or len(calls) != 1 or calls[0].maybe:
+            return None
+        text = self.cmake.file(calls[0].path).source.slice(calls[0].command.span)
+        return calls[0] if not OTHER_VARIABLE.search(text) else None
 
     def unlisted(self) -> Iterator[InterfaceFile]:
         """Yield the files in `msg/`, `srv/` and `action/` that no call lists, and that git does not ignore."""
@@ -85,12 +96,24 @@ class RosidlTargets:
         """Return whether a file is an old copy by its name, or a comment says that not all files are listed."""
         return is_set_aside(interface.path) or self.tells_of_gaps
 
-    def is_refused(self, interface: InterfaceFile) -> bool:
-        """Return whether the build would stop at a file: its name, its text, or a message that the package lacks."""
+    def refusal(self, interface: InterfaceFile) -> str | None:
+        """Return why the build would stop at a file: its name, its text, or a type that nothing defines; else None."""
+        if not valid_interface_name(interface.name):
+            return f"its name `{interface.name}`"
+        if interface.problems:
+            return "its text"
         own = {each.name for each in self.interfaces if each.kind == "msg"}
-        needed = (each for each in interface.types if each.package in ("", self.package.name))
-        is_valid = valid_interface_name(interface.name) and not interface.problems
-        return not is_valid or any(each.base not in own for each in needed)
+        for kind in interface.types:
+            is_own = kind.package in ("", self.package.name)
+            if is_own and kind.base not in own:
+                return f"no `msg/{kind.base}.msg` is here"
+            near = [] if is_own or self.is_declared(kind.package) else near_names(kind.package, CORE_MESSAGES, 1)
+            if len(near) == 1 and self.workspace.kind_of(kind.package) not in (NameKind.PACKAGE, NameKind.KEY):
+                return f"did you mean `{near[0]}` by `{kind.package}`?"
+        return None
+
+    def is_declared(self, package: str) -> bool:
+        return any(each.name == package for each in self.package.dependencies)
 
     @cached_property
     def tells_of_gaps(self) -> bool:
@@ -125,7 +148,9 @@ class RosidlTargets:
     def meant(self) -> dict[str, str]:
         """The one file that each missing one stands for, where one is near."""
         known = [each.path for each in self.interfaces]
-        near = ((path, nearest(path, known)) for each in self.missing() if (path := each.path))
+        lower = {path.lower(): path for path in known}
+        paths = (path for each in self.missing() if (path := each.path))
+        near = ((path, lower.get(path.lower()) or nearest(path, known)) for path in paths)
         return {path: name for path, name in near if name is not None}
 
     def repeated(self) -> Iterator[tuple[ListedInterface, ListedInterface]]:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 
 from ...languages.python.constant_truth import unreached_nodes
 from ...languages.python.file import Import, PythonFile
 from ...languages.python.guarded_nodes import guarded_nodes
 from ...light_dataclasses import dataclass
 from ...ros.interface_fields import ros1_fields
-from ...ros.interfaces import KINDS
+from ...ros.interfaces import CONSTANT_NAME, KINDS
 from ...source import Span
 from ...suggest import near_names, nearest
 from ..reached_modules import ReachedModules
@@ -19,6 +20,7 @@ from .known_interfaces import KnownInterfaces
 from .message_classes import MessageClasses, names_interfaces
 from .message_scopes import MessageScopes
 from .message_variables import Bindings, Environment, held_by
+from .uncalled_methods import UncalledMethods
 
 GENERATED = frozenset({"get_fields_and_field_types", "SLOT_TYPES", "check_fields"})
 CATCHES = frozenset({"AttributeError", "Exception", "BaseException"})
@@ -56,6 +58,14 @@ class FieldUses:
         """Return whether a file is a module that nothing starts or imports, beside programs."""
         return self.reached is not None and self.reached.is_left(path)
 
+    @cached_property
+    def uncalled(self) -> UncalledMethods:
+        return UncalledMethods(self.run)
+
+    def is_uncalled(self, use: UnknownField) -> bool:
+        """Return whether a use is in a method that no code of the package names."""
+        return self.uncalled.has(use.path, use.span)
+
     def in_file(self, file: PythonFile, classes: MessageClasses) -> Iterator[UnknownField]:
         for body, variables in MessageScopes(file, classes, self.known.fields).bodies():
             yield from self.in_body(file, body, variables, classes)
@@ -75,23 +85,27 @@ class FieldUses:
                 if message:
                     end = file.span(node).end
                     span = Span(end - len(node.attr), end)
-                    yield from self.judged(file.path, span, message, node.attr, is_keyword=False)
+                    is_set = isinstance(node.ctx, ast.Store)
+                    yield from self.judged(file.path, span, message, node.attr, is_set=is_set)
             elif isinstance(node, ast.Call) and (message := classes.message(node.func)):
                 for keyword in node.keywords:
                     if keyword.arg is not None:
                         start = file.span(keyword).start
                         span = Span(start, start + len(keyword.arg))
-                        yield from self.judged(file.path, span, message, keyword.arg, is_keyword=True)
+                        yield from self.judged(file.path, span, message, keyword.arg, is_set=True, is_keyword=True)
 
-    def judged(self, path: str, span: Span, message: str, name: str, *, is_keyword: bool) -> Iterator[UnknownField]:
+    def judged(
+        self, path: str, span: Span, message: str, name: str, *, is_set: bool, is_keyword: bool = False
+    ) -> Iterator[UnknownField]:
         fields = self.known.fields(message) if message else None
         if fields is None or name in fields or name in GENERATED or name.startswith("_") or name.endswith("__DEFAULT"):
             return
         if any(message.endswith(kind) and name in around for kind, around in AROUND.items()):
             return
         is_ros1 = name in ros1_fields(message)
-        near = similar(name, fields, is_certain=self.known.is_here(message.partition("/")[0]))
-        if near or is_ros1 or self.known.is_here(message.partition("/")[0]):
+        here = self.known.is_here(message.partition("/")[0])
+        near = similar(name, settable(fields) if is_set else fields, is_certain=here)
+        if near or is_ros1 or here:
             yield UnknownField(path, span, message, name, near, is_keyword, is_ros1)
 
 
@@ -104,11 +118,17 @@ def imports_interfaces(each: Import) -> bool:
     return kind in KINDS or (not kind and not any(name in KINDS for name in each.names))
 
 
+def settable(fields: Mapping[str, str]) -> Mapping[str, str]:
+    """Return fields without the constants among them, whose names have capitals alone: nobody may assign to one."""
+    return {name: kind for name, kind in fields.items() if not CONSTANT_NAME.fullmatch(name)}
+
+
 def similar(name: str, fields: Mapping[str, str], *, is_certain: bool) -> str | None:
     """Return the one field that is near to a name; of messages that may have got others meanwhile only a clear one.
 
-    Of names as short as `rx` it is the same in other letters, or none.
+    Of names as short as `rx` it is the same in other letters, or none; a name in small letters means no constant.
     """
+    fields = settable(fields) if name.islower() else fields
     alike = [each for each in fields if each.lower() == name.lower()]
     if not alike and len(name) > len("xy"):
         alike = near_names(name, fields, 1) if not is_certain else [near] if (near := nearest(name, fields)) else []

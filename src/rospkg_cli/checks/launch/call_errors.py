@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from ...languages.python.evaluate.values import Argument, Call, Constant, Function, Sequence, Value
+from ...light_dataclasses import dataclass
 from ...package.launch.evaluated_launch import EvaluatedLaunch
 from ...package.launch.launch_classes import class_of, named_arguments, type_name
 from ...package.launch.launch_file import LaunchFile
@@ -12,18 +13,36 @@ from ...ros.launch_calls import ACTIONS, SIGNATURES, Signature
 from ...source import Span
 from ...suggest import nearest
 from ..fault import Fault, softer
+from ..older_distribution import OlderDistribution
 from .argument_types import TYPE_CHECKS, action_list_faults
-from .idle_actions import contains, never_added
+from .idle_actions import UNUSED, contains, never_added
 from .joined_commands import joined_command
+from .performed_texts import performed_faults
 from .python_truth import Truth, test_faults, truth_values, use_faults
 from .relative_parameter_files import values_as_files
 from .removed_arguments import renamed
 
+LATER = "`LifecycleNode` is called without its required `namespace`"
+"""What Foxy lets pass."""
 DESCRIBES = "generate_launch_description"
 ANY_ARGUMENT = frozenset(name for signature in SIGNATURES.values() for name in signature.kinds)
 """Arguments that some class of launch has."""
 VISITED = frozenset({"condition", "output", "actions", "pairs"})
 """Kinds of arguments that launch looks at when it visits the action, and not when Python makes it."""
+
+
+@dataclass(frozen=True)
+class LaunchCalls:
+    file: LaunchFile
+    distribution: OlderDistribution
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield what launch or Python refuses; a warning where the distribution that is named lets it pass."""
+        for fault in call_faults(self.file):
+            if fault.level is None and fault.message.startswith(LATER) and self.distribution.is_named_alone:
+                yield softer(fault, "warning", "but not in Foxy")
+            else:
+                yield fault
 
 
 def call_faults(file: LaunchFile) -> list[Fault]:
@@ -52,8 +71,11 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
                     yield softer(fault, "warning", "as soon as the action is added") if late else fault
     tested = {argument.value.span for call in launch.calls for argument in tests_of(call)}
     for use in launch.uses:
-        yield from use_faults(use, is_tested=use.span in tested)
+        is_idle = any(contains(each, use.span) for each in idle)
+        for fault in use_faults(use, is_tested=use.span in tested):
+            yield softer(fault, "info", UNUSED) if is_idle and fault.level else fault
     yield from test_faults(launch)
+    yield from performed_faults(launch)
     yield from description_faults(launch)
     for call in launch.calls:
         if class_of(call) == "OpaqueFunction":

@@ -6,11 +6,13 @@ import ast
 from collections.abc import Iterator, Mapping
 from typing import cast
 
-from ...languages.python.evaluate.values import Call
+from ...languages.python.evaluate.values import Call, Constant, Value
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_below, nodes_of_kind
 from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
 from ...package.launch.argument_defaults import literal_defaults
+from ...package.launch.default_conditions import spans_of, value_of
 from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.python_to_text import text_of
@@ -18,12 +20,13 @@ from ...package.launch.text import LaunchText, Substitution
 from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from ..fault import Level
-from .python_expressions import filled, parsed
+from .python_expressions import filled
 
 NEVER_ADDED = "but nothing adds the action"
 UNUSED = "but nothing uses the value"
 NO_ENTRY = "but only where another launch file calls the function"
 OFF = "but only if its condition holds (not by default)"
+CONDITIONAL = "but only if its condition holds"
 IN_BRANCH = "but only in a branch that is not always taken"
 TRUTHS = {"true": True, "1": True, "false": False, "0": False}
 """What IfCondition takes, in lower case. (launch/conditions/evaluate_condition_expression_impl.py)"""
@@ -40,8 +43,9 @@ def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
         return "info", NEVER_ADDED if maker in ACTIONS else UNUSED
     if file.python is not None and not file.has_entry_point:
         return "warning", NO_ENTRY
-    if any(contains(each, span) for each in switched_off(file)):
-        return "warning", OFF
+    conditions = [each.holds for each in conditional(file) if each.guards(span)]
+    if conditions:
+        return "warning", OFF if False in conditions else CONDITIONAL
     if any(contains(each, span) for each in in_branches(file)):
         return "warning", IN_BRANCH
     return None, ""
@@ -107,30 +111,50 @@ def is_stored(name: ast.Name) -> bool:
     return isinstance(name.ctx, ast.Store)
 
 
-def switched_off(file: LaunchFile) -> tuple[Span, ...]:
-    """Return the actions whose own condition is false with the defaults of the file's arguments."""
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """An action, its condition, and what that is with the defaults of the arguments; None where it is unknown."""
+
+    around: Span
+    written: Span
+    holds: bool | None
+
+    def guards(self, span: Span) -> bool:
+        """Return whether a place is only visited where the condition holds, which is itself always evaluated."""
+        return contains(self.around, span) and not contains(self.written, span)
+
+
+def conditional(file: LaunchFile) -> Iterator[Condition]:
+    """Yield the conditions of actions that are not true by default, for each action that they are about."""
     defaults = literal_defaults(file.arguments, file.assigned)
-    return (*in_python(file, defaults), *in_entities(file, defaults))
-
-
-def in_python(file: LaunchFile, defaults: Mapping[str, str]) -> Iterator[Span]:
     for call in file.evaluated.calls if file.evaluated else ():
         condition = call.get("condition")
-        if isinstance(condition, Call) and class_of(condition) in NEGATED:
-            value = condition.get("predicate_expression", 0)
-            holds = None if value is None else truth(text_of(value), defaults)
-            if holds is NEGATED[class_of(condition)]:
-                yield call.span
-
-
-def in_entities(file: LaunchFile, defaults: Mapping[str, str]) -> Iterator[Span]:
+        holds = True if condition is None else holds_in_python(condition, defaults)
+        if condition is not None and holds is not True:
+            yield from (Condition(span, condition.span, holds) for span in spans_of(call))
     for entity in file.root.walk() if file.root else ():
         for name in ("if", "unless"):
             written = entity.attributes.get(name)
-            text = written.text.strip() if written is not None else ""
-            found = VARIABLE.fullmatch(text)
-            if TRUTHS.get((defaults.get(found.group(1), "") if found else text).lower()) is NEGATED[name]:
-                yield entity.span
+            holds = True if written is None else holds_in_entity(name, written.text.strip(), defaults)
+            if written is not None and holds is not True:
+                yield Condition(entity.span, written.span, holds)
+
+
+def holds_in_python(condition: Value, defaults: Mapping[str, str]) -> bool | None:
+    """Return whether the condition of an action holds, as far as the defaults say."""
+    if isinstance(condition, Constant) and condition.value is None:
+        return True
+    if not isinstance(condition, Call) or class_of(condition) not in NEGATED:
+        return None
+    value = condition.get("predicate_expression", 0)
+    found = None if value is None else truth(text_of(value), defaults)
+    return None if found is None else found is not NEGATED[class_of(condition)]
+
+
+def holds_in_entity(name: str, text: str, defaults: Mapping[str, str]) -> bool | None:
+    found = VARIABLE.fullmatch(text)
+    value = TRUTHS.get((defaults.get(found.group(1), "") if found else text).lower())
+    return None if value is None else value is not NEGATED[name]
 
 
 def truth(text: LaunchText, defaults: Mapping[str, str]) -> bool | None:
@@ -139,15 +163,7 @@ def truth(text: LaunchText, defaults: Mapping[str, str]) -> bool | None:
         case (Substitution(name="eval", arguments=(expression,)),):
             names = (each.arguments[0].literal for each in expression.substitutions("var") if each.arguments)
             known = all(name in defaults for name in names) and not any(expression.substitutions("?", "env"))
-            return compared(filled(expression, None, defaults)) if known else None
+            return value_of(filled(expression, None, defaults)) if known else None
         case (Substitution(name="var", arguments=(name,)),):
             return TRUTHS.get(defaults.get(name.literal or "", "").lower())
     return TRUTHS.get((text.literal or "").lower())
-
-
-def compared(expression: str) -> bool | None:
-    """Return the value of `'a' == 'b'`; None for any other expression."""
-    match parsed(expression):
-        case ast.Expression(ast.Compare(ast.Constant(left), [ast.Eq() | ast.NotEq() as how], [ast.Constant(right)])):
-            return bool(left == right) is isinstance(how, ast.Eq)
-    return None

@@ -29,6 +29,7 @@ class ArgumentMismatch:
     is_missing: bool
     """Whether it is required and missing; else it is passed and unknown."""
     suggestion: str | None = None
+    """The argument that is meant; of a missing one, the misspelt one that is given."""
     is_sure: bool = True
     """Whether nothing that the file includes may take it."""
 
@@ -66,15 +67,20 @@ class IncludeContext:
         name = signature.source.rpartition("/")[2]
         given = {text.literal: text for text, _ in include.arguments}
         takes, is_all = self.scope.workspace.included_arguments.names_in(package, signature.source)
+        is_open = not include.is_complete or None in given
+        lacking = frozenset() if is_open else signature.required - given.keys()
+        instead: dict[str, str] = {}
         for argument, text in given.items():
             if argument and argument not in takes:
                 free = signature.declared - given.keys()
                 near = nearest(argument, free) if is_all else mistyped(argument, free)
-                if is_all or near:
+                if near in lacking:
+                    instead[near] = argument
+                elif is_all or near:
                     yield ArgumentMismatch(text.span, name, package, argument, False, near, is_all)
-        for argument in sorted(signature.required - given.keys()):
-            if include.is_complete and None not in given:
-                yield ArgumentMismatch(include.span, name, package, argument, True)
+        for argument in sorted(lacking):
+            wrong = instead.get(argument)
+            yield ArgumentMismatch(given[wrong].span if wrong else include.span, name, package, argument, True, wrong)
 
 
 def mistyped(word: str, names: Collection[str]) -> str | None:

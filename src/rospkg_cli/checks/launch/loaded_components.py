@@ -35,7 +35,11 @@ class UnknownComponent:
         """The one class of the package that is near."""
         if self.wrong is not None:
             return self.wrong.better or None
-        return nearest(self.name, self.facts.components) or same_class(self.name, self.facts) if self.facts else None
+        if self.facts is None:
+            return None
+        near = nearest(self.name, self.facts.components)
+        is_class = near is not None and may_be_meant(tail(self.name), tail(near))
+        return near if is_class else same_class(self.name, self.facts)
 
 
 @dataclass(frozen=True)
@@ -46,10 +50,11 @@ class LoadedComponents:
 
     @cached_property
     def told(self) -> frozenset[tuple[str, str]]:
-        """The classes of this package that a source registers and CMake does not, which CMK108 reports there."""
+        """The classes that a source of this package registers, and CMake not or under another name: CMK108 says so."""
         if self.own is None or not self.own.package.is_ament:
             return frozenset()
-        return frozenset((self.own.package.facts.name, each.name) for each in self.own.without_cmake())
+        names = {each.name for each in self.own.without_cmake()} | self.own.misspelt
+        return frozenset((self.own.package.facts.name, name) for name in names)
 
     def unknown(self) -> Iterator[UnknownComponent]:
         """Yield components that their package, whose components are all known, does not register."""
@@ -80,13 +85,22 @@ class LoadedComponents:
         every = [
             (facts.name, each) for facts in self.workspace.packages if facts is not but for each in facts.components
         ]
-        last = name.rpartition("::")[2]
+        last = tail(name)
         exact = tuple(sorted(pair for pair in every if pair[1] == name))
-        return exact or tuple(sorted(pair for pair in every if pair[1].rpartition("::")[2] == last))
+        return exact or tuple(sorted(pair for pair in every if tail(pair[1]) == last))
+
+
+def tail(name: str) -> str:
+    """Return a class without its namespaces."""
+    return name.rpartition("::")[2]
+
+
+def may_be_meant(name: str, near: str) -> bool:
+    """Return whether a class may be another one, whatever their namespaces have in common."""
+    return name == near or nearest(name, [near]) is not None
 
 
 def same_class(name: str, facts: PackageFacts) -> str | None:
     """Return the one component whose class has the same name, in whatever namespace."""
-    last = name.rpartition("::")[2]
-    found = [each for each in facts.components if each.rpartition("::")[2] == last]
+    found = [each for each in facts.components if tail(each) == tail(name)]
     return found[0] if len(found) == 1 else None

@@ -27,12 +27,9 @@ from .unset_configurations import LaunchConfigurations
 
 DOUBLED = regex(r"((?:\.[a-z][a-z0-9]*)+)\1$")
 """An extension that stands twice, which no file is given on purpose."""
+USES: tuple[ReferenceKind, ...] = ("include", "open", "file", "default")
+"""How a file is used, by how certain it is that the launch stops where it is missing."""
 State = Literal["absent", "not installed", "elsewhere", "no slash"]
-
-
-URL = regex(r"(?:_|\b)ur[li]\b['\"]?\s*(?:[,:=]|value=)(?:[^:;={}]*|[^\n<>]*)\Z")
-REACH = 200
-"""The most characters between the name of a parameter and a path in its value."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +54,11 @@ class MissingReference:
         """Whether RViz opens it, which starts with its default view where it is missing."""
         return self.path.endswith(".rviz")
 
+    @property
+    def stops_launch(self) -> bool:
+        """Whether the launch itself opens it."""
+        return self.use in ("include", "open") and not self.is_well_known
+
 
 @dataclass(frozen=True)
 class LaunchContext:
@@ -73,17 +75,17 @@ class LaunchContext:
         rows = self.table.below(f"share/{self.package.name}") if self.table is not None else ()
         return tuple(path for path, row in rows if row.source == self.file.path)
 
+    @property
+    def is_installed(self) -> bool:
+        """Whether the file itself is installed, or may be: else it is only started by its path in the source."""
+        return self.table is None or not self.table.knows("share") or bool(self.places)
+
     @cached_property
     def is_unused_test(self) -> bool:
         """Whether it is a test that CMake, which is all known, does not run."""
         test = role_of(self.file.path) == "test"
         is_known = self.cmake is not None and self.cmake.is_complete
         return test and is_known and self.cmake is not None and not self.cmake.mentions_file(self.file.path)
-
-    def is_for_url(self, missing: MissingReference) -> bool:
-        """Return whether it is the value of a `camera_info_url` or the like, without which a camera goes on."""
-        before = self.file.source.text[max(0, missing.span.start - REACH) : missing.span.start]
-        return URL.search(before) is not None
 
     def is_made_here(self, missing: MissingReference) -> bool:
         """Return whether it is a robot that the launch file itself may write, with xacro's `open_output`."""
@@ -119,7 +121,7 @@ class LaunchContext:
             if missing is not None:
                 found.setdefault((missing.package, missing.path), []).append(missing)
         for first, *others in found.values():
-            use: ReferenceKind = next((each.use for each in (first, *others) if each.use != "default"), "default")
+            use = min((each.use for each in (first, *others)), key=USES.index)
             yield replace(first, use=use, other_spans=tuple(other.span for other in others if other.span != first.span))
 
     def missing_at(self, named: FileReference) -> MissingReference | None:
@@ -167,7 +169,7 @@ class LaunchContext:
             return ("elsewhere", goes) if goes else ("not installed", None)
         if path in facts.uninstalled:
             return "not installed", None
-        own = self.places if facts is self.package else ()  # a file that includes itself never ends
+        own = (self.file.path, *self.places) if facts is self.package else ()  # a file that includes itself never ends
         return "absent", closest_path(path, [each for each in facts.share_files if each not in own])
 
     def goes_to(self, path: str) -> str | None:
@@ -185,5 +187,5 @@ class LaunchContext:
         for place in self.places:
             if posixpath.normpath(posixpath.join(posixpath.dirname(place), away)) in self.package.share_files:
                 return None
-        better_path = closest_path(named.path, self.files.paths)
+        better_path = closest_path(named.path, [each for each in self.files.paths if each != self.file.path])
         return MissingReference(named.span, self.package.name, named.path, "absent", named.use, better_path)

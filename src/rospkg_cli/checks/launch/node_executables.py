@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts
 from ...ros.well_known import WrongName, wrong_name
 from ...source import Span
 from ...suggest import nearest, slips
+from ..closest_path import is_like
 from ..fault import Level
+from ..older_distribution import OlderDistribution
 from .idle_actions import level_at
 from .missing_references import LaunchContext
+
+PROGRAM = regex(r"[^.]+(\.(py|sh|bash|pl|rb|js))?")
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +47,7 @@ class ExecutableUse:
         if self.entry:
             return self.entry
         names = self.startable
-        if near := nearest(self.executable, names):
+        if near := nearest(self.executable, {name for name in names if is_like(self.executable, name)}):
             return near
         words = set(self.executable.split("_"))
         renamed = [name for name in names if words <= (other := set(name.split("_"))) or other <= words]
@@ -52,6 +57,11 @@ class ExecutableUse:
     def startable(self) -> frozenset[str]:
         """The executables of the package, but for those in folders of lib/<package>, where launch doesn't look."""
         return frozenset(name for name in self.facts.executables if "/" not in name)
+
+    @property
+    def programs(self) -> list[str]:
+        """Those to offer: no libraries, and no data that was installed beside the programs."""
+        return sorted(filter(PROGRAM.fullmatch, self.startable))
 
     @property
     def in_folder(self) -> str:
@@ -76,6 +86,13 @@ class WellKnownUse:
 @dataclass(frozen=True)
 class NodeExecutables:
     scope: LaunchContext
+    distribution: OlderDistribution
+
+    def level_of(self, use: WellKnownUse) -> Level | None:
+        """Return the level of a name that is not there; where the repository is for an older distribution it is."""
+        if use.wrong.is_removed and self.distribution.is_for_unsupported(self.scope.file.path):
+            return "info"
+        return use.level or ("warning" if use.wrong.is_removed or "/" in use.wrong.better else None)
 
     def nodes(self) -> Iterator[ExecutableUse]:
         """Yield what is started of packages of the workspace, under literal names; a component is no program."""
@@ -134,3 +151,14 @@ class NodeExecutables:
     def sister(self, node: ExecutableUse) -> str:
         having = (each.name for each in self.scope.workspace.having("executables", node.executable))
         return next(having, "")
+
+
+MILDEST = ("info", "warning", None)
+
+
+def by_name(uses: Iterable[ExecutableUse]) -> list[list[ExecutableUse]]:
+    """Return the uses of each executable of each package; the first of those that fail most is first."""
+    found: dict[tuple[str, str], list[ExecutableUse]] = {}
+    for use in uses:
+        found.setdefault((use.facts.name, use.executable), []).append(use)
+    return [sorted(each, key=lambda use: -MILDEST.index(use.level)) for each in found.values()]

@@ -41,17 +41,24 @@ class ReferenceInstall:
         rows = self.scope.table.rows if self.scope.table is not None and missing.state == "elsewhere" else ()
         return next((row for row in rows if (row.source, row.destination) == (missing.path, missing.better_path)), None)
 
+    def cause_of(self, row: InstalledFile) -> tuple[str, Span]:
+        """Return the command of CMake that installs a file, or the place in setup.py."""
+        calls = (rule.call for rule in self.cmake.installs) if self.cmake is not None else ()
+        spans = (call.command.span for call in calls if call.path == row.path)
+        return row.path, next((span for span in spans if span.start <= row.span.start < span.end), row.span)
+
     def is_said(self, missing: MissingReference) -> bool:
         """Return whether an install rule reports it.
 
-        CMK111 does for an absolute destination, CMK001 and SET401 for the share directory of another name that CMake
-        and setup.py give the package.
+        SET208 does for a wrong destination in setup.py, CMK111 for an absolute one, CMK001 and SET401 for the share
+        directory of another name that CMake and setup.py give the package.
         """
         project = self.cmake.project_name if self.cmake is not None else self.name
         said = self.setup.setup_text("name") if self.setup is not None else None
         others = {project, said.text if said is not None else self.name} - {self.name}
         misplaced = ("/", *(f"share/{other}/" for other in others))
-        if missing.state == "elsewhere" and (missing.better_path or "").startswith(misplaced):
+        place = (missing.better_path or "") if missing.state == "elsewhere" else ""
+        if place.startswith(misplaced) or (place and self.faults.is_told_at_its_destination(missing.package, place)):
             return True
         return self.faults.is_told(missing.package, missing.path)
 
@@ -66,6 +73,6 @@ class InstalledReferences:
         for file in self.files:
             for missing in file.missing():
                 row = file.rule_of(missing)
-                cause = (row.path, row.span) if row is not None else (file.scope.file.path, missing.span)
+                cause = file.cause_of(row) if row is not None else (file.scope.file.path, missing.span)
                 found.setdefault(cause, []).append((file, missing))
         yield from map(tuple, found.values())

@@ -21,6 +21,7 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.launch.python_to_text import text_of
 from ...package.launch.text import LaunchText, Literal
 from ...source import Span
+from .idle_actions import contains, never_added
 
 PRINTS_ROBOT = ("xacro", ".urdf")
 ROBOT_FILE = regex(r"(?<![\w.-])([\w.-]+\.(?:xacro|urdf))\b(?!\.)")
@@ -92,11 +93,13 @@ def printed(text: str) -> str:
 
 
 def robot_parameters(launch: EvaluatedLaunch) -> Iterator[RobotParameter]:
-    """Yield each place once."""
+    """Yield each place once; what a node gets that nothing adds to the launch description is never evaluated."""
     seen, file = set(), launch.file
+    idle = never_added(file)
     dicts = {file.span(node): node for node in nodes_of_kind(file.tree, ast.Dict)}
     for call in launch.calls:
-        given = call.get("parameters") if class_of(call) in NODES else None
+        is_node = class_of(call) in NODES and not any(contains(each, call.span) for each in idle)
+        given = call.get("parameters") if is_node else None
         for item in given.items if isinstance(given, Sequence) else ():
             if isinstance(item, Mapping):
                 for each in parameters_in(file, item, dicts.get(item.span)):

@@ -6,7 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 from functools import cached_property
-from typing import Literal
+from typing import Annotated, Literal
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -16,6 +16,7 @@ from ...package.launch.launch_file import DeclaredArgument, LaunchFile
 from ...package.workspace import Workspace
 from ...source import Span
 from ...suggest import near_names, nearest
+from ...unreadable import READABLE
 from .entity_schema import entity_faults
 from .idle_actions import never_added
 
@@ -27,7 +28,8 @@ OWN = frozenset("ros_namespace ros_params ros_remaps launch-prefix sigterm_timeo
 
 SHORTEST = 5
 DIGITS = regex(r"\d")
-MENTION = regex(r"['\"]([\w.-]+)['\"]|\$\(var\s+([\w.-]+)\s*\)")
+MENTION = regex(r"(?<!<param name=)['\"]([\w.-]+)['\"](?!\s*:)|\$\(var\s+([\w.-]+)\s*\)")
+"""Where a launch configuration may be named: not as the name of a parameter, nor as the key of a dict."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,8 +51,8 @@ class UnsetConfiguration:
 class LaunchConfigurations:
     workspace: Workspace
     file: LaunchFile
-    around: tuple[LaunchFile, ...] = ()
-    """All launch files of the package."""
+    around: Annotated[tuple[LaunchFile, ...], READABLE] = ()
+    """All launch files of the package that can be read."""
 
     @cached_property
     def is_startable(self) -> bool:
@@ -87,10 +89,16 @@ class LaunchConfigurations:
             if event.name not in seen:
                 seen.add(event.name)
                 state = self.state(event.name, index)
-                if state is not None and not (unsure and (not declared or self.workspace.launch.has(event.name))):
+                if state is not None and not (unsure and self.may_be_set_there(event.name, state, declared)):
                     yield UnsetConfiguration(
                         event.name, event.span, state, declared, event.passed_as == event.name, event.is_lookup, unsure
                     )
+
+    def may_be_set_there(self, name: str, state: State, declared: tuple[str, ...]) -> bool:
+        """Return whether a file that is included, and is not known, is likely to set a name: where this one declares
+        none at all, or another one of the workspace has it."""
+        is_elsewhere = state != "not added" and self.workspace.launch.has(name, besides=self.file_name)
+        return not declared or is_elsewhere
 
     def slips(self) -> Iterator[UnsetConfiguration]:
         """Yield what a file that is not all known uses under a name of its own, one letter from an argument of no use.

@@ -9,6 +9,7 @@ from ...package.launch.launch_file import LaunchedNode
 from ...package.launch.text import LaunchText
 from ...ros.well_known import packages_with_program
 from ..fault import Level
+from .entity_schema import entity_faults
 from .idle_actions import level_at
 from .missing_references import LaunchContext
 
@@ -32,7 +33,8 @@ class NodesWithoutPackage:
     def uses(self) -> Iterator[PathUse]:
         """Yield the nodes whose executable a package has, one here or a well-known one, and none puts into bin/."""
         file = self.scope.file
-        for node in file.nodes if not self.scope.is_unused_test else ():
+        is_refused = any(entity_faults(file))  # as a whole, which LCH007 tells
+        for node in file.nodes if not (self.scope.is_unused_test or is_refused) else ():
             executable = node.executable
             if is_without_package(node) and executable is not None and executable.literal:
                 packages = self.packages_with(executable.literal)

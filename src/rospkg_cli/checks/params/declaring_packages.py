@@ -11,10 +11,10 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.params.declared_parameter import DeclaredParameter, type_named
-from ...package.params.parameter_file import NodeBlock, Parameter, ParameterFile
+from ...package.params.parameter_file import NodeBlock, Parameter, ParameterFile, has_placeholder
 from ...package.params.scalar_types import type_of
 from ...package.workspace import Workspace
-from ...suggest import near_names, same_words
+from ...suggest import near_names, same_words, slips
 
 OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
 EVERYWHERE = ("qos_overrides.", "bond_")
@@ -104,6 +104,8 @@ class ParameterContext:
 
     def groups_of(self, file: ParameterFile) -> Iterator[ParameterGroup]:
         for block in file.blocks:
+            if self.workspace.having("parsed_keys", block.name):
+                continue  # a launch file reads it, and gives its values to who wants them
             parts: dict[str, list[Parameter]] = {}
             for each in block.parameters:
                 if is_its_own(each.name):
@@ -139,7 +141,7 @@ class ParameterContext:
         """Return the packages that declare most of the names.
 
         Of a single name only the own package is believed, of two only one that this package depends on: `type` and
-        `frame_id` are declared by many.
+        `frame_id` are declared by many. Of two the own one may declare one, where the other is a slip of what it does.
         """
         found, near, is_certain = [], {each.name for each in self.package.dependencies}, False
         index = self.workspace.parameters
@@ -148,8 +150,13 @@ class ParameterContext:
                 break
             found.append(facts)
             is_certain = is_certain or facts.folder == self.package.folder or facts.name in near or count > 2
-        is_alone = index.count_in(self.package.folder, names) == 1 and ENOUGH * len(names) <= 1 and len(names) < 3
+        is_alone = index.count_in(self.package.folder, names) == 1 and (len(names) == 1 or self.has_slip(names))
         return [*found, self.package] if is_alone else found if is_certain else []
+
+    def has_slip(self, names: frozenset[str]) -> bool:
+        """Return whether one of two names is a slip of another that the package declares."""
+        declared = {each.name for each in self.package.parameters}
+        return len(names) == 2 and any(slips(name, declared - names) for name in names - declared)
 
 
 def group_of(name: str) -> str:
@@ -164,8 +171,8 @@ def is_its_own(name: str) -> bool:
 def given_type(value: YamlNode) -> str:
     """Return the type that rcl gives a value; "" where it has none, or it is filled in later."""
     if isinstance(value, ScalarNode):
-        is_open = "$(" in value.text or (value.is_plain and (not value.text or PLACEHOLDER.fullmatch(value.text)))
-        return "" if is_open else type_of(value)
+        is_open = value.is_plain and (not value.text or PLACEHOLDER.fullmatch(value.text))
+        return "" if is_open or has_placeholder(value.text) else type_of(value)
     if isinstance(value, YamlSequence) and value.items:
         types = {given_type(item) for item in value.items}
         only = types.pop() if len(types) == 1 else ""

@@ -16,11 +16,15 @@ from ...package.params.scalar_types import FALSE, TRUE, yaml_type
 from ...ros.known_nodes import KnownParameter, known_nodes, known_parameters, removed_parameters
 from ...ros.well_known import packages_with_plugin
 from ...source import Span
-from .declaring_packages import ParameterContext, given_type, is_its_own
-from .launch_parameters import LaunchParameters
+from .declaring_packages import given_type, is_its_own
+from .launch_parameters import LaunchParameters, NodeArguments
 from .mistyped_blocks import MANAGER, TYPE, WILD, last
 
 PLUGIN = ".plugin"
+SEVERAL = 3
+"""Blocks of well-known nodes in one file, by which it is one for all of them: nav2's."""
+SELDOM = frozenset({"map_saver"})
+"""Nodes with a block in each such file that are seldom started."""
 CONVERTED = regex(r"ParameterValue|value_type|type=")
 """What gives a value in a launch file another type than its text has."""
 
@@ -49,6 +53,10 @@ class KnownGroup:
     packages: tuple[str, ...]
     """Well-known packages, each of which may be the one that has the node."""
     values: tuple[GivenValue, ...]
+    file: ParameterFile | None = None
+    """The file that gives them; None for a launch file."""
+    is_certain: bool = True
+    """Whether the node is certainly of one of the packages, and started: not by its name alone."""
 
     @cached_property
     def declared(self) -> tuple[KnownParameter, ...]:
@@ -100,15 +108,27 @@ class KnownNodes:
             packages = self.having(plugins[owner]) if owner else self.behind(file, block, kinds)
             if packages:
                 kind: PartKind = "plugin" if owner else "controller" if last(block) in kinds else "node"
-                yield KnownGroup(file.path, kind, packages, tuple(map(file_value, parameters)))
+                is_certain = kind != "node" or self.is_certain(file, block)
+                yield KnownGroup(file.path, kind, packages, tuple(map(file_value, parameters)), file, is_certain)
+
+    def readers(self, file: ParameterFile, key: str) -> list[NodeArguments]:
+        """Return the nodes that launch files give a file, and that read a block of a name."""
+        given = (each for each in self.launched.node_arguments if file in each.files)
+        return [each for each in given if key in WILD or each.name in (key, None)]
+
+    def is_certain(self, file: ParameterFile, block: NodeBlock) -> bool:
+        """Return whether a launch file gives the node the file, or it stands among several nodes of well-known sets."""
+        if self.readers(file, last(block)):
+            return True
+        together = {last(each) for each in file.blocks} & known_nodes().keys()
+        return len(together) >= SEVERAL and last(block) not in SELDOM
 
     def behind(self, file: ParameterFile, block: NodeBlock, kinds: dict[str, str]) -> tuple[str, ...]:
         """Return the packages of the nodes that a block is for; none where not all of them are known."""
         key = last(block)
         if key in kinds:
             return self.having(kinds[key])
-        readers = [each for each in self.launched.node_arguments if file in each.files]
-        readers = [each for each in readers if key in WILD or each.name in (key, None)]
+        readers = self.readers(file, key)
         named = {each.node.package.literal if each.node.package else None for each in readers}
         found = named or set(known_nodes().get(key, ()))
         return tuple(sorted(each or "" for each in found)) if all(map(self.is_known, found)) else ()
@@ -151,32 +171,3 @@ def type_of_text(text: str) -> str:
     if not text.strip() or text[0] in "[{'\"|>&*!":
         return ""
     return "bool" if text in TRUE | FALSE and len(text) > 1 else yaml_type(text)
-
-
-@dataclass(frozen=True, slots=True)
-class MistypedValue:
-    path: str
-    value: GivenValue
-    wanted: str
-    package: str
-    kind: PartKind
-
-
-@dataclass(frozen=True)
-class MistypedValues:
-    """What files and launch files give, what code declares, and what well-known packages declare (PRM006)."""
-
-    given: ParameterContext
-    known: KnownNodes
-
-
-def mistyped_known(nodes: KnownNodes) -> Iterator[MistypedValue]:
-    """Yield the values whose type differs from that of all declarations of the name; each place once."""
-    seen = set()
-    for group in nodes.groups():
-        for each in group.values:
-            wanted = group.wanted_type(each.name) if each.type else ""
-            if wanted and each.type != wanted and (group.path, each.value) not in seen:
-                seen.add((group.path, each.value))
-                owner = next(name for name in group.packages if group.is_declared_by(name, each.name))
-                yield MistypedValue(group.path, each, wanted, owner, group.kind)

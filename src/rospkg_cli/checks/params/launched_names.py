@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
@@ -23,7 +23,9 @@ SMALL = frozenset({"number", "num", "count", "of", "use", "enable", "is", "has"}
 """Words before a name that change little of what it means: `ransac_` before `height` makes another height of it."""
 DIGITS = regex(r"\d")
 ENDINGS = frozenset({"_id", "_name", "_names", "_topic"})
-"""What people leave away at the end of a name, or put there."""
+"""What people leave away at the end of a name."""
+SAME = frozenset({"_id", "_topic"})
+"""What they put there; `camera_name` is not what `camera` is."""
 SIM_TIME = "use_sim_time"
 """A parameter of every node."""
 
@@ -37,6 +39,11 @@ class LaunchedName:
     meant: str
     is_removed: bool = False
     """Whether older releases had it, and no supported distribution has."""
+    file: ParameterFile | None = None
+    """The parameter file that it is in."""
+    is_certain: bool = True
+    others: tuple[Span, ...] = ()
+    """Where other names are that the same release took away."""
 
 
 @dataclass(frozen=True)
@@ -100,14 +107,25 @@ def mistyped_sim_time(launched: LaunchParameters) -> Iterator[tuple[str, Span, s
 def unknown_to_known(nodes: KnownNodes) -> Iterator[LaunchedName]:
     """Yield the names that a well-known package does not declare, where it declares one near name that is not given."""
     for group in nodes.groups():
-        unknown = [each for each in group.values if not any(may_fit(one, each.name) for one in group.declared)]
-        is_owner = len(unknown) <= (1 - ENOUGH) * len(group.values) or len(group.values) == 1
-        for each in unknown:
-            is_removed = any(one.fits(each.name) for one in group.removed)
-            if is_owner or is_removed or each.name[0] == "/":
-                near = list(meant(each, group))
-                if len(near) == 1:
-                    yield LaunchedName(group.path, each.key, group.packages[0], each.name, near[0], is_removed)
+        found = list(unknown_of(group))
+        removed = [each for each in found if each.is_removed]
+        yield from (each for each in found if not each.is_removed)
+        if removed:
+            yield replace(removed[0], others=tuple(each.span for each in removed[1:]))
+
+
+def unknown_of(group: KnownGroup) -> Iterator[LaunchedName]:
+    """Yield the names that none of the packages of a group declares."""
+    unknown = [each for each in group.values if not any(may_fit(one, each.name) for one in group.declared)]
+    is_owner = len(unknown) <= (1 - ENOUGH) * len(group.values) or len(group.values) == 1
+    for each in unknown:
+        is_removed = any(one.fits(each.name) for one in group.removed)
+        near = list(meant(each, group)) if is_owner or is_removed or each.name[0] == "/" else []
+        if len(near) == 1:
+            names = each.name, near[0], is_removed
+            yield LaunchedName(
+                group.path, each.key, group.packages[0], *names, file=group.file, is_certain=group.is_certain
+            )
 
 
 def may_fit(known: KnownParameter, name: str) -> bool:
@@ -132,8 +150,7 @@ def is_slip(word: str, right: str) -> bool:
     if word.replace("_", "").lower() == right.replace("_", "").lower() or same_words(word, [right]):
         return True
     pairs = [(a, b) for a, b in zip(word.split("_"), right.split("_"), strict=False) if a != b]
-    short, long = sorted((word, right), key=len)
-    if long.removeprefix(short) in ENDINGS:
+    if right.removeprefix(word) in ENDINGS or word.removeprefix(right) in SAME:
         return True
     is_one = len(word.split("_")) == len(right.split("_")) and len(pairs) == 1
     return is_one and min(map(len, pairs[0])) >= SHORTEST and bool(near_names(*pairs[0][:1], pairs[0][1:], 2))

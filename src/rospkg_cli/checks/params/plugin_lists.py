@@ -12,6 +12,20 @@ from ...suggest import near_names
 LISTS = regex(r"(?:.*[._])?plugins|(?:.*[._])?plugin_ids|filters")
 ONE = regex(r".*_plugin")
 TYPE = "plugin"
+SERVERS = {
+    "controller_server": ("controller_plugins", "goal_checker_plugins", "progress_checker_plugins"),
+    "planner_server": ("planner_plugins",),
+    "smoother_server": ("smoother_plugins",),
+    "behavior_server": ("behavior_plugins",),
+    "local_costmap": ("plugins", "filters"),
+    "global_costmap": ("plugins", "filters"),
+}
+"""Nodes of nav2 that stop where a listed plugin has no type, with their lists. (nav2_util/node_utils.hpp)"""
+WITH_TYPES = frozenset({
+    "FollowPath", "GridBased", "goal_checker", "progress_checker", "simple_smoother", "spin", "backup", "wait",
+    "drive_on_heading", "assisted_teleop", "static_layer", "obstacle_layer", "inflation_layer",
+})  # fmt: skip
+"""Names of their default lists, which have types without parameters."""
 
 
 def unfound_plugins(block: NodeBlock) -> Iterator[tuple[ScalarNode, str]]:
@@ -37,3 +51,16 @@ def unfound_plugins(block: NodeBlock) -> Iterator[tuple[ScalarNode, str]]:
         found = list(unlisted) if len(unlisted) == len(unmatched) == 1 else near_names(item.text, unlisted)
         if len(found) == 1:
             yield item, found[0]
+
+
+def lost_plugins(block: NodeBlock) -> Iterator[tuple[ScalarNode, str]]:
+    """Yield each plugin that a server of nav2 lists and that has no group, where another of the list has one."""
+    lists = SERVERS.get(block.name.rpartition("/")[2], ())
+    groups = {each.name.partition(".")[0] for each in block.parameters}
+    typed = {each.name.removesuffix(f".{TYPE}") for each in block.parameters if each.name.endswith(f".{TYPE}")}
+    for each in block.parameters:
+        items = each.value.items if each.name in lists and isinstance(each.value, SequenceNode) else ()
+        names = [item for item in items if isinstance(item, ScalarNode)]
+        for item in names if any(item.text in typed for item in names) else ():
+            if item.text not in groups | WITH_TYPES:
+                yield item, each.name

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
 from ...package.params.parameter_file import Parameter, ParameterFile, below, is_key
+from ...package.params.scalar_types import type_of
 from ...source import Span
 from ..fault import Fault
 
@@ -48,9 +49,9 @@ def repetition(key: ScalarNode, first: ScalarNode, values: tuple[YamlNode, YamlN
 
 
 def are_equal(one: YamlNode, other: YamlNode) -> bool:
-    """Return whether two scalars or lists are written alike, and so have one value and type."""
+    """Return whether two scalars or lists have one value and type."""
     if isinstance(one, ScalarNode) and isinstance(other, ScalarNode):
-        return (one.text, one.is_plain, one.tag) == (other.text, other.is_plain, other.tag)
+        return (one.text, type_of(one)) == (other.text, type_of(other))
     if isinstance(one, SequenceNode) and isinstance(other, SequenceNode) and len(one.items) == len(other.items):
         return all(map(are_equal, one.items, other.items))
     return False

@@ -12,6 +12,7 @@ from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.params.cpp_parameters import has_computed_cpp_names, read_in
 from ...package.params.declared_parameter import DeclaredParameter
+from ...package.params.parameter_file import ParameterFile
 from ...package.params.python_parameters import has_computed_names
 from ...package.params.python_parameters import read_in as read_in_python
 from ...package.python_modules import PythonModules
@@ -21,6 +22,7 @@ from ...suggest import near_names, nearest, slips
 from .declaring_packages import ParameterContext, is_its_own
 from .known_given import KnownNodes
 from .launched_names import LaunchedNames
+from .parameter_file_use import ParameterFileUses
 
 ALLOWED = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
 """Options of a node that has parameters which no code declares."""
@@ -104,10 +106,12 @@ class ParameterReads:
         if any(allows_any(file.source) or has_computed_names(file) for file in files):
             return
         for file in files:
+            found = list(read_in_python(file))
             unread = self.unread(file.source.path, reads)
-            for read, span, throws in read_in_python(file) if unread else ():
+            unread_here = self.unread(file.source.path, [read for read, _, _ in found])
+            for read, span, throws in found if unread_here else ():
                 if is_its_own(read.name) and not self.is_declared(read):
-                    suggestion = nearest(read.name, unread)
+                    suggestion = nearest(read.name, unread) or next(iter(slips(read.name, unread_here)), None)
                     if suggestion is not None:
                         throws = throws and not MILD.search(file.source.text)
                         yield UnknownRead(file.source.path, span, read.name, suggestion, throws, True)
@@ -139,6 +143,20 @@ class UnknownParameters:
     reads: ParameterReads
     launched: LaunchedNames
     known: KnownNodes
+    uses: ParameterFileUses
+
+    def is_idle(self, file: ParameterFile | None) -> bool:
+        """Return whether nothing names a parameter file."""
+        return file is not None and self.uses.of(file).is_unnamed
+
+
+def undeclared(read: UnknownRead) -> str:
+    """Return what comes of a parameter that nothing declares, and what may be meant."""
+    lost = "the value that is set for it is never seen" if read.is_python else "the variable is never set"
+    ends = "the node stops with ParameterNotDeclaredException" if read.throws else lost
+    known = f"this file declares `{read.suggestion}` and never gets it"
+    hint = known if read.suggestion else "declare it, as the others here"
+    return f"nothing declares the parameter `{read.name}`: {ends}; {hint}"
 
 
 def allows_any(source: Source) -> bool:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.workspace import Workspace
+from ..enumeration import in_ticks
 from ..fault import Level
 from .exported_classes import ExportedClass, tail
 from .plugin_package import DescribedPlugin, PluginPackage
@@ -20,17 +22,61 @@ class PluginExports:
     package: PluginPackage
     workspace: Workspace
 
-    def advice(self, entry: DescribedPlugin) -> str:
-        """Return what helps: the class may be nowhere, in a source that nothing compiles, or lack the macro."""
+    def advice(self, entry: DescribedPlugin) -> tuple[str, Level]:
+        """Return the message and the level of a class that no source exports.
+
+        It may lack the macro, or be in a source that nothing compiles, and so was never loaded.
+        """
+        start = f"no source exports `{entry.type}`: loading the plugin `{entry.plugin.lookup_name}` fails"
         macro = f"add `PLUGINLIB_EXPORT_CLASS({entry.type}, {entry.plugin.base.value})`"
-        defining = [file.path for file in self.package.sources if defines(file, tail(entry.type))]
-        if not defining:
-            others = self.of_that_name(entry)
-            return f"nothing here defines the class: remove it here{f' (there is `{others[0]}`)' if others else ''}"
-        source = next((path for path in defining if not path.endswith((".h", ".hpp", ".hh"))), "")
-        if source and not self.package.compiled.targets_of(source):
-            return f"{macro} to `{source}`, which no target compiles, and compile it into the library"
-        return f"{macro} to its source, or remove it here"
+        sources = (path for path in self.defining(entry) if not path.endswith((".h", ".hpp", ".hh")))
+        source = next(sources, "")
+        if source and not self.is_compiled(source):
+            return f"{start}; {macro} to `{source}`, which no target compiles, and compile it in", "warning"
+        return f"{start}; {macro} to its source, or remove it here", "error"
+
+    def defining(self, entry: DescribedPlugin) -> list[str]:
+        """Return the sources that have the class of an entry."""
+        return [file.path for file in self.package.sources if defines(file, tail(entry.type))]
+
+    def is_nowhere(self, entry: DescribedPlugin) -> bool:
+        """Return whether nothing of the package exports or defines the class of an entry, or one like it."""
+        return self.package.suggestion(entry) is None and not self.defining(entry)
+
+    def undefined(self, entries: Sequence[DescribedPlugin]) -> tuple[str, Level]:
+        """Return the message and the level of entries whose classes the package does not have.
+
+        Those of a library of a package that it depends on may be there once the process has loaded that too.
+        """
+        types, names = in_ticks(each.type for each in entries), in_ticks(each.plugin.lookup_name for each in entries)
+        plugins, classes, them = ("plugins", "the classes", "them") if entries[1:] else ("plugin", "the class", "it")
+        others = self.of_that_name(entries[0])
+        there = f" (there is `{others[0]}`)" if others else ""
+        level: Level = "warning" if self.linked else "error"
+        but = f", unless `{self.linked[0]}` has {them}" if self.linked else ""
+        return (
+            f"no source exports {types}: loading the {plugins} {names} fails; nothing here defines {classes}: remove "
+            f"{them} here{but}{there}"
+        ), level
+
+    @property
+    def linked(self) -> list[str]:
+        """The packages of the workspace with libraries that this one depends on."""
+        named = (self.workspace.named(each.name) for each in self.package.facts.dependencies)
+        return [facts.name for facts in named if facts is not None and facts.is_compiled]
+
+    def uncompiled(self, entry: DescribedPlugin, meant: ExportedClass) -> str:
+        """Return the message of an entry whose class a source exports that no target compiles; "" of others."""
+        if self.is_compiled(meant.path):
+            return ""
+        return (
+            f"no target compiles `{meant.path}`, which exports `{meant.type}`: loading the plugin "
+            f"`{entry.plugin.lookup_name}` fails; compile it into the library, and write `{meant.type}` here"
+        )
+
+    def is_compiled(self, source: str) -> bool:
+        """Return whether a target has a source, as far as that is known."""
+        return bool(self.package.compiled.targets_of(source))
 
     def of_that_name(self, entry: DescribedPlugin) -> list[str]:
         """Return the described plugins of other packages whose class has the same name."""
@@ -38,13 +84,28 @@ class PluginExports:
         every = (plugin for facts in others for plugin in facts.plugins)
         return [plugin.name for plugin in every if tail(plugin.type) == tail(entry.type)]
 
-    def undescribed(self, exported: ExportedClass) -> tuple[str, Level]:
-        """Return the message and the level of an exported class that no description has."""
-        start = f"`{exported.type}` is exported here, and no plugin description has it: it can't be loaded by name"
-        if derived := self.derived(exported):
-            return f"{start}; remove the macro, if it is only there as the base of `{derived}`", "info"
-        line = f'<class type="{exported.type}" base_class_type="{exported.base}">'
-        return f"{start}; add `{line}` to one, or remove the macro", "warning"
+    def is_described_elsewhere(self, exported: ExportedClass) -> bool:
+        """Return whether another package of the workspace describes a class, for a process that has loaded this one."""
+        others = (facts for facts in self.workspace.packages if facts.folder != self.package.facts.folder)
+        return any(plugin.type == exported.type for facts in others for plugin in facts.plugins)
+
+    def undescribed(self, exported: Sequence[ExportedClass]) -> str:
+        """Return the message of exported classes that no description has."""
+        first, *others = exported
+        are, they, them = ("are", "they", "them") if others else ("is", "it", "it")
+        types = in_ticks(each.type for each in exported)
+        line = f'<class type="{first.type}" base_class_type="{first.base}">'
+        return (
+            f"{types} {are} exported here, and no plugin description has {them}: {they} can't be loaded by name; add "
+            f"`{line}` to one, or remove the macro"
+        )
+
+    def base_alone(self, exported: ExportedClass, derived: str) -> str:
+        """Return the message of an exported class that no description has, and another one derives from."""
+        return (
+            f"`{exported.type}` is exported here, and no plugin description has it: it can't be loaded by name; "
+            f"remove the macro, if it is only there as the base of `{derived}`"
+        )
 
     def derived(self, exported: ExportedClass) -> str:
         """Return another exported class that derives from one; "" where none does."""

@@ -3,17 +3,32 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import Annotated
 
 from ...light_dataclasses import dataclass
+from ...package.file_role import role_of
+from ...package.launch.launch_file import LaunchFile
 from ...package.setup.data_files import DataEntry
 from ...ros.share_layout import FOLDERS, SHARED
 from ...suggest import near_names
+from ...unreadable import READABLE
+from ..launch.idle_actions import level_at
 from .share_files import ShareFiles
 
 
 @dataclass(frozen=True)
 class DataDestinations:
     shared: ShareFiles
+    launch_files: Annotated[tuple[LaunchFile, ...], READABLE] = ()
+
+    def included(self, entry: DataEntry) -> tuple[str, str] | None:
+        """Return the launch file of the package that stops at a file which an entry installs, and that file."""
+        asked = {("include", self.shared.package.name, file.source) for file in entry.files}
+        for file in self.launch_files:
+            for each in file.paths if role_of(file.path) == "launch" and not file.is_ros1 else ():
+                if (each.use, each.package, each.path) in asked and level_at(file, each.span)[0] is None:
+                    return file.path, each.path
+        return None
 
     @cached_property
     def misplaced(self) -> tuple[tuple[DataEntry, str, str], ...]:

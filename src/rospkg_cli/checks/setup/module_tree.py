@@ -6,17 +6,16 @@ import posixpath
 from collections.abc import Iterator
 from functools import cached_property
 
-from ...files import PackageFiles
 from ...light_dataclasses import dataclass
 from ...package.file_role import is_set_aside, role_of
 from ...package.setup.entry_points import EntryPoint
 from ...package.setup.setup_py import SetupPy
 from ...package.setup.setup_text import SetupText
+from .linked_build import linking_file
 from .module_exports import absolute
 from .python_package import PythonPackage
+from .started_imports import StartedImports
 
-BUILDS = ("build.sh", "Makefile", "Dockerfile", "colcon_defaults.yaml", "README.md")
-LINKS = "symlink-install"
 TESTS = frozenset({"test", "tests", "testing"})
 
 
@@ -66,11 +65,17 @@ class ModuleTree:
 
     @cached_property
     def linking(self) -> str:
-        """The file above the package that builds it with links to its sources; "" for none."""
-        files = self.package.files
-        whole = PackageFiles(files.whole) if files.whole is not None else files
-        found = (path for name in BUILDS if (path := files.above((name,))) is not None)
-        return next((path for path in found if LINKS in whole.readable_text(path)), "")
+        """The file of the repository that builds the package with links to its sources; "" for none."""
+        return linking_file(self.package.files)
+
+    def link_of(self, *packages: str) -> str:
+        """Return the file that builds with links, where these reach some Python packages; "" else.
+
+        colcon links the folder of each listed package without a dot in its name, and so all that is in it.
+        """
+        listed = {said.text for said in self.setup.packages}
+        is_reached = bool(packages) and all(each.partition(".")[0] in listed for each in packages)
+        return self.linking if is_reached else ""
 
     @cached_property
     def missing_inits(self) -> tuple[str, ...]:
@@ -111,14 +116,18 @@ class ModuleTree:
         base = self.setup.package_dir.get("", "")
         return (folder[len(base) + 1 :] if base and folder.startswith(f"{base}/") else folder).replace("/", ".")
 
+    def holds_launch_files(self, folder: str) -> bool:
+        """Return whether a folder is called as one of launch files, and nothing imports it."""
+        return posixpath.basename(folder) in ("launch", "launches") and not self.imports_from(folder)
+
     def is_set_aside(self, folder: str) -> bool:
         """Return whether a folder is for what nobody uses any more, by its name."""
         return is_set_aside(f"{folder}/")
 
     @property
     def may_be_for_others(self) -> bool:
-        """Whether modules that nothing here imports may be there for other packages."""
-        return not self.setup.entry_points or self.package.workspace.is_needed(self.package.name)
+        """Whether modules that nothing here imports may be there for another package, which depends on this one."""
+        return self.package.workspace.is_needed(self.package.name)
 
     def imports_from(self, folder: str) -> bool:
         """Return whether a module of the package outside of a folder, or an entry point, needs what is in it.
@@ -128,6 +137,10 @@ class ModuleTree:
         wanted = self.dotted(folder)
         users = ((name, path) for name, path in self.imported if not inside(path, folder) and role_of(path) != "test")
         return any(name == wanted or name.startswith(f"{wanted}.") for name, _ in users)
+
+    @cached_property
+    def started(self) -> StartedImports:
+        return StartedImports(self.package)
 
     @cached_property
     def imported(self) -> frozenset[tuple[str, str]]:

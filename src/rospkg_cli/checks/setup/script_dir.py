@@ -14,6 +14,7 @@ from ...package.setup.setup_cfg import SetupCfg
 from ...package.setup.setup_py import SetupPy
 from ...package.setup.setup_text import SetupText
 from ...package.workspace import Workspace
+from .linked_build import linking_file
 from .python_package import PythonPackage
 
 SCRIPT_OPTIONS = (("develop", "script_dir"), ("install", "install_scripts"))
@@ -68,6 +69,15 @@ class ScriptDir:
             elif option is not None and folder is not None and folder not in right:
                 found.append((section, key, option.value))
         return tuple(found)
+
+    @cached_property
+    def when(self) -> str:
+        """With which builds executables go elsewhere, as words; "" for all, as far as is known."""
+        sections = {section for section, _, _ in self.wrong}
+        if sections == {"develop"}:
+            return " with `--symlink-install`"
+        links = sections == {"install"} and linking_file(self.package.files)
+        return f" except with `--symlink-install` (`{links}`)" if links else ""
 
     def folder(self, section: str, key: str) -> str | None:
         """Return the folder below the prefix that an option names; None where it is none, or is unknown."""

@@ -9,13 +9,18 @@ from functools import cached_property
 
 from ...languages.python.evaluate.sandbox_filesystem import MAGIC
 from ...languages.python.evaluate.values import GlobResult
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.file_role import is_set_aside
 from ...package.setup.data_files import DataEntry, DataFile
 from ...package.setup.python_install_table import MARKERS
 from ...ros.share_layout import FOLDERS, LAUNCH
 from ...suggest import nearest
 from ..share_uses import ShareUses
 from .python_package import PythonPackage
+
+OLD_MODEL = regex(r"model-\d+_\d+\.sdf")
+"""The versions of a model of Gazebo for older ones, beside the newest: `model.sdf`."""
 
 
 @dataclass(frozen=True)
@@ -150,10 +155,12 @@ class ShareFiles:
     def is_wanted(self, missed: UninstalledNeighbour) -> bool:
         """Return whether a file is of the kind of its installed neighbours, or code or a README names it."""
         path, kinds = missed.path, {kind_of(each) for each in missed.glob.matches}
-        name = posixpath.basename(path)
-        if path.endswith("/") or LAUNCH.fullmatch(name) or kind_of(path) in kinds:
+        name, folder = posixpath.basename(path), posixpath.dirname(path)
+        if folder != folder_of(missed.glob.pattern) and name and not LAUNCH.fullmatch(name):
+            return self.uses.names_folder(posixpath.basename(folder))
+        if not name or LAUNCH.fullmatch(name) or (kind_of(path) in kinds and not OLD_MODEL.fullmatch(name)):
             return True
-        return any(name in text for text in (*self.uses.code, *self.uses.readmes))
+        return self.uses.names_file(name)
 
     def uninstalled_folders(self) -> Iterator[tuple[str, UninstalledNeighbour]]:
         """Yield folders of which nothing is installed, where at least two folders next to them have a glob each."""
@@ -176,7 +183,7 @@ class ShareFiles:
             return
         for path in self.package.files.below(folder):
             fits = path not in self.covered and pattern.fullmatch(path.rpartition("/")[2])
-            if fits and not self.package.files.absent.is_ignored(path):
+            if fits and not is_set_aside(path) and not self.package.files.absent.is_ignored(path):
                 yield path
 
 

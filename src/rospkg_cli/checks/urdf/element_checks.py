@@ -45,14 +45,19 @@ class ElementCheck:
             yield Fault(fault.span, f"{fault.message}; urdfdom refuses the robot")
 
     def ends(self, joint: Element) -> Iterator[Fault]:
-        """Yield the end that a joint with one lacks, or two that are one link, where no tree is made of its robot."""
+        """Yield the end that a joint with one lacks, where no tree is made of its robot."""
         given = {tag: end for tag in ("parent", "child") if (end := first(joint, tag)) is not None}
         for tag in ("parent", "child") if given else ():
             if not (fills(joint) or (tag in given and (given[tag].get("link") or fills(given[tag])))):
                 yield Fault(name_span(joint), f"the joint has no `<{tag} link=…>`: urdfdom refuses the robot")
-        ends = [end.attributes["link"] for end in given.values() if "link" in end.attributes]
+
+    def to_itself(self, joint: Element) -> Iterator[Fault]:
+        """Yield that the two ends of a joint are one link; urdfdom takes it, where another link is the root."""
+        given = [end for tag in ("parent", "child") if (end := first(joint, tag)) is not None]
+        ends = [end.attributes["link"] for end in given if "link" in end.attributes]
         if len(ends) == 2 and ends[0].value == ends[1].value != "":
-            yield Fault(ends[1].value_span, f"the joint joins `{ends[1].value}` to itself: urdfdom refuses the robot")
+            message = f"the joint joins `{ends[1].value}` to itself: it hangs on no other link, and its frame is lost"
+            yield Fault(ends[1].value_span, message, level="warning")
 
     def inside(self, link: Element) -> Iterator[Fault]:
         if inertial := first(link, "inertial"):

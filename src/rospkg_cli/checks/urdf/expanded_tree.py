@@ -90,7 +90,15 @@ class ExpandedTree:
     @cached_property
     def children(self) -> frozenset[str]:
         """The links that joints have as their child."""
-        ends = (joint.first("child") for joint in self.joints)
+        return self.links_at("child")
+
+    @cached_property
+    def asked(self) -> frozenset[str]:
+        """The links that joints join, those that are not there too."""
+        return self.links_at("child") | self.links_at("parent")
+
+    def links_at(self, tag: str) -> frozenset[str]:
+        ends = (joint.first(tag) for joint in self.joints)
         return frozenset(shown(end.attributes["link"].value) for end in ends if end and "link" in end.attributes)
 
     def named(self) -> Iterator[Found]:
@@ -98,6 +106,8 @@ class ExpandedTree:
         yield from self.lost_joints()
         for node in self.expansion.children:
             if node.tag == "gazebo" and "reference" in node.attributes:
+                if shown(node.attributes["reference"].value) in self.asked - self.link_names:
+                    continue  # the joint tells it
                 names, harm = self.link_names | self.joint_names, ": Gazebo leaves out what this says"
                 yield from self.unknown(node, node.attributes["reference"], names, "link or joint", harm, "info")
 
@@ -120,7 +130,7 @@ class ExpandedTree:
         if not name or name in names:
             return
         is_sure = self.is_robot and not self.expansion.is_open and is_known
-        near = nearest(name, names) if is_sure else only_near(name, names)
+        near = nearest(name, names) if is_sure and not level else only_near(name, names)
         place = own_place(node, given.span, name)
         if place is None or not (near or is_sure):
             return

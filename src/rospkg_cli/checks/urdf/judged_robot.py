@@ -7,6 +7,7 @@ from ...package.install_table import InstallTable
 from ...package.urdf.robot_file import RobotFile
 from ..fault import Fault, once_each, softer
 from .expanded_robots import ExpandedRobots
+from .launched_robots import LaunchedRobots
 from .macro_prefix import prefix_faults
 from .opened_robots import OpenedRobots
 from .validation import robot_faults
@@ -20,6 +21,7 @@ class JudgedRobot:
     calls: XacroCalls
     expanded: ExpandedRobots
     opened: OpenedRobots
+    launched: LaunchedRobots
     table: InstallTable | None = None
 
     @property
@@ -38,15 +40,22 @@ class JudgedRobot:
         later = prefix_faults(self.robot.document.root) if self.robot.is_xacro else ()
         others = [fault for fault in later if fault.span not in told]
         found = of_one_parameter(once_each(sorted([*written, *made, *others], key=lambda fault: fault.span)))
-        found = [self.weighed(fault) for fault in found]
-        if all(fault.level for fault in found) or not self.is_idle:
-            return found
-        return [replace(fault, level=fault.level or "warning") for fault in found]
+        return [self.at_its_level(fault) for fault in found if fault.level or not self.is_replaced(fault)]
 
-    def weighed(self, fault: Fault) -> Fault:
-        """Return a fault, as an info where it is in a default that each launch file replaces: xacro never reads it."""
-        for around in ancestors(self.robot.document.root, fault.span) if fault.level is None else ():
-            name = around.get("name") or ""
-            if around.tag == "xacro:arg" and self.opened.is_always_given(self.robot.path, name):
-                return softer(fault, "info", f"where no `{name}:=` is given, which each launch file here gives")
-        return fault
+    def at_its_level(self, fault: Fault) -> Fault:
+        """Return a fault as an error only where a launch file opens the robot, as an info where nothing does."""
+        if fault.level == "info" or (fault.level is None and self.launched.has(self.robot.path)):
+            return fault
+        if self.is_idle or (not self.launched.has(self.robot.path) and may_be_elsewhere(fault)):
+            return softer(fault, "info", "as soon as something opens this robot")
+        return replace(fault, level="warning")
+
+    def is_replaced(self, fault: Fault) -> bool:
+        """Return whether a fault is in a default that each launch file replaces: xacro never reads it."""
+        defaults = (each for each in ancestors(self.robot.document.root, fault.span) if each.tag == "xacro:arg")
+        return any(self.opened.is_always_given(self.robot.path, each.get("name") or "") for each in defaults)
+
+
+def may_be_elsewhere(fault: Fault) -> bool:
+    """Return whether a file lacks a link that another one may have, which includes it: it has no near name."""
+    return fault.message.startswith("no link is called") and "did you mean" not in fault.message

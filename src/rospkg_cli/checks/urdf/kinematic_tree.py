@@ -18,6 +18,8 @@ class KinematicTree:
         self.robot, self.links, self.joints = robot, links, joints
         self.names = {link.get("name") or "": link for link in reversed(links)}
         self.parent: dict[str, str] = {}
+        self.seen: set[str] = set()
+        """The names of the joints so far."""
         self.broken = False
 
     def faults(self, *, piece: bool) -> Iterator[Fault]:
@@ -43,11 +45,15 @@ class KinematicTree:
             else:
                 ends[tag] = link
         if len(ends) == 2:
-            child = ends["child"].value
-            if child in self.parent:
+            child, name = ends["child"].value, joint.get("name") or ""
+            if child == ends["parent"].value:  # which is told of the joint itself
+                self.broken = True
+                return
+            if child in self.parent and not (name and name in self.seen):  # else both joints have one name
                 message = f"`{child}` is the child of two joints: a robot is a tree, and its readers take one of them"
-                yield Fault(ends["child"].value_span, message)
+                yield Fault(ends["child"].value_span, message, "warning")
             self.parent[child] = ends["parent"].value
+            self.seen.add(name)
 
     def roots(self) -> Iterator[Fault]:
         roots = [name for name in self.names if name not in self.parent]

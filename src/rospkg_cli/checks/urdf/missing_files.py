@@ -5,7 +5,6 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 from functools import cached_property
-from typing import Literal
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass, replace
@@ -14,42 +13,16 @@ from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_file import ResourceReference, RobotFile
 from ...package.workspace import Workspace
 from ...ros.share_layout import FOLDERS
-from ...source import Span
 from ...suggest import nearest
 from ..closest_path import closest_path
 from ..fault import Fault, softer
 from ..install_faults import InstallFaults
 from .emptied_folders import emptied_folders
+from .launched_robots import LaunchedRobots
+from .missing_resource import MissingResource, State
 from .opened_robots import OpenedRobots
 from .reached_files import ReachedFiles
 from .xacro_calls import XacroCalls, ancestors
-
-State = Literal["absent", "not installed"]
-
-
-@dataclass(frozen=True, slots=True)
-class MissingResource:
-    """A file that is referenced and does not exist at run time; or several in one folder that does not."""
-
-    span: Span
-    package: str
-    path: str
-    state: State
-    is_include: bool
-    suggestion: str | None = None
-    """The likely path: of the file, or of the folder where that is missing."""
-    folder: str = ""
-    """The outermost folder of the path that does not exist."""
-    others: tuple[MissingResource, ...] = ()
-    """Other places that refer to it, or to what the same missing folder should hold."""
-
-    @property
-    def spans(self) -> tuple[Span, ...]:
-        return (self.span, *(each.span for each in self.others))
-
-    @property
-    def other_paths(self) -> frozenset[str]:
-        return frozenset(each.path for each in self.others) - {self.path}
 
 
 @dataclass(frozen=True)
@@ -61,6 +34,7 @@ class RobotInWorkspace:
     install: InstallFaults
     calls: XacroCalls
     opened: OpenedRobots
+    launched: LaunchedRobots
     reached: ReachedFiles
     table: InstallTable | None
 
@@ -70,6 +44,11 @@ class RobotInWorkspace:
         if self.table is None or not self.table.knows("share"):
             return True
         return any(row.source == self.robot.path for row in self.table.rows)
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether nothing opens the robot, as far as the texts of the workspace say."""
+        return not (self.launched.has(self.robot.path) or self.opened.has(self.robot.path))
 
     @property
     def may_be_read_as_it_is(self) -> bool:

@@ -22,6 +22,7 @@ PAGES = (".md", ".rst", ".txt")
 LETTERS = regex(r"[^\W\d_]{2}")
 COMMAND = r"(?:\b(?:ros2|xacro\w*|check_urdf|urdf_to_\w+|rviz2?|gz|gazebo|ign|python3?)[\s(]|:=)"
 """What stands in a line of a page that tells how to open a robot; others only tell that it is there."""
+INCLUDE = regex(r"(?m)^[ \t]*#[ \t]*include\b.*")
 DOCSTRING = regex(r"\A(?:\s|#[^\n]*\n)*[ru]?(\"{3}|'{3})[\s\S]*?\1")
 
 
@@ -39,6 +40,23 @@ class OpenedRobots:
         """
         may_be = not self.is_copy(path) and (self.puts_together or self.is_named_elsewhere(path))
         return may_be or self.is_named(path)
+
+    def is_surely_named(self, path: str) -> bool:
+        """Return whether a text of the package names a file, or one of another that names the package as well.
+
+        Another package that has a file of that name may mean its own, and so may each folder of one package.
+        """
+        name = path.rpartition("/")[2]
+        words, having = {self.package.name, name.partition(".")[0]}, {self.package.name, *self.having(name)}
+        if "/" in path and any(each != path and each.endswith(f"/{name}") for each in self.files.paths):
+            return any("/".join(path.split("/")[-2:]) in text for other, text in self.texts if other != path)
+        others = (facts for facts in self.workspace.packages if facts.name not in having)
+        return self.is_named(path) or any(words <= each for facts in others for each in facts.robot_words)
+
+    def is_named_in_full(self, path: str) -> bool:
+        """Return whether a text of the package names a file with its suffix, and no file of the same name elsewhere."""
+        name = re.compile(rf"{re.escape(path.rpartition('/')[2])}(?![\w.])")
+        return not self.is_copy(path) and any(name.search(text) for other, text in self.texts if other != path)
 
     @cached_property
     def puts_together(self) -> bool:
@@ -80,7 +98,11 @@ class OpenedRobots:
     def having(self, name: str) -> list[str]:
         """Return the other packages that have a file of a name."""
         others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
-        return [each.name for each in others if any(p.rpartition("/")[2] == name for p in each.share_files)]
+        return [
+            each.name
+            for each in others
+            if any(p.rpartition("/")[2] == name for p in (*each.share_files, *each.uninstalled))
+        ]
 
     def is_passed_over(self, path: str) -> bool:
         """Return whether the package or another opens robots of it, and not this one."""
@@ -102,9 +124,9 @@ class OpenedRobots:
         return bool(gives) and all(gives)
 
     def read(self, path: str) -> str:
-        """Return a text without comments, and without what a Python file tells of itself."""
+        """Return a text without comments and headers, and without what a Python file tells of itself."""
         text = self.files.readable_text(path)
-        text = DOCSTRING.sub("", text, 1) if path.endswith(".py") else text
+        text = (DOCSTRING if path.endswith(".py") else INCLUDE).sub("", text, 1 if path.endswith(".py") else 0)
         return uncommented(path, text) if path.endswith(LAUNCH + ROBOTS) else text
 
     @cached_property

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from ...languages.xml.parser import Element
 from ...suggest import near_names, slips
 from ..fault import Fault
+from .numbers import is_number
 
 SHAPES = ("origin", "geometry", "material")
 CHILDREN = {
@@ -42,7 +44,18 @@ def children_of(element: Element) -> Iterator[Fault]:
         near = near_names(child.tag, known) if child.tag not in known and ":" not in child.tag else []
         if near:
             start = f"`<{child.tag}>` is no part of a `<{element.tag}>` (did you mean `<{near[0]}>`?)"
-            yield Fault(child.open, f"{start}: it is passed over; correct it", "warning")
+            if near[0] == "origin" and is_zero(child):
+                yield Fault(
+                    child.open, f"{start}: it is passed over, and says what holds without it; correct it", "info"
+                )
+            else:
+                yield Fault(child.open, f"{start}: it is passed over; correct it", "warning")
+
+
+def is_zero(origin: Element) -> bool:
+    """Return whether an origin is the one that holds where none is given."""
+    numbers = " ".join(origin.get(each) or "0" for each in ("xyz", "rpy")).split()
+    return all(is_number(each) and float(each) == 0 for each in numbers)
 
 
 def kind_of(control: Element) -> Iterator[Fault]:
@@ -54,12 +67,20 @@ def kind_of(control: Element) -> Iterator[Fault]:
 
 
 def interfaces_of(control: Element) -> Iterator[Fault]:
-    for joint in (each for each in control.walk() if each.tag == "joint"):
-        for each in joint.children:
-            name = each.attributes.get("name") if each.tag in ("command_interface", "state_interface") else None
-            near = slips(name.value, INTERFACES) if name is not None and name.value not in INTERFACES else []
-            if name is not None and near:
-                what = f"`{name.value}` is no common interface of a joint (did you mean `{near[0]}`?)"
-                yield Fault(
-                    name.value_span, f"{what}: a controller that asks for that does not start; correct it", "warning"
-                )
+    named = [
+        name
+        for joint in (each for each in control.walk() if each.tag == "joint")
+        for each in joint.children
+        if each.tag in ("command_interface", "state_interface") and (name := each.attributes.get("name")) is not None
+    ]
+    values = Counter(name.value for name in named)
+    for name in named:
+        if name.value in INTERFACES:
+            continue
+        others = [each for each in INTERFACES if each in values and values[name.value] == 1]
+        near = slips(name.value, INTERFACES) or near_names(name.value, others, 1)
+        if near:
+            what = f"`{name.value}` is no common interface of a joint (did you mean `{near[0]}`?)"
+            yield Fault(
+                name.value_span, f"{what}: a controller that asks for that does not start; correct it", "warning"
+            )

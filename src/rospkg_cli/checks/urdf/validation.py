@@ -18,6 +18,7 @@ from .loose_parts import loose_faults
 from .robot_words import control_faults, misspelt_parts
 from .substitutions import substitution_fault
 from .xacro_calls import XacroCalls
+from .xacro_slips import xacro_slips
 
 HARMLESS = frozenset({"xacro:property", "xacro:arg"})
 """Elements of xacro that add no links."""
@@ -47,6 +48,7 @@ def unsorted_faults(robot: RobotFile, piece: bool) -> Iterator[Fault]:
     root = document.root
     if robot.path.endswith(".xacro") or "<xacro:" in document.source.text:
         yield from substitution_faults(document)
+        yield from xacro_slips(root)
     if root.tag != "robot":
         if not robot.is_xacro:
             yield Fault(root.open, f"the root of a URDF is `<robot>`, not `<{root.tag}>`: urdfdom refuses it")
@@ -61,6 +63,7 @@ def unsorted_faults(robot: RobotFile, piece: bool) -> Iterator[Fault]:
         yield from check.link(link)
     for joint in joints:
         yield from check.joint(joint)
+        yield from check.to_itself(joint)
     yield from (fault for part in (*links, *joints) for fault in misspelt_parts(part))
     yield from repeated(root, "link")
     yield from repeated(root, "joint", joints)

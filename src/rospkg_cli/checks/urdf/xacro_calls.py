@@ -81,7 +81,7 @@ class XacroCalls:
         """The files of the package that robots of other packages include."""
         others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
         named = (each for facts in others for each in facts.robot_includes)
-        return frozenset(path for package, path in named if package == self.package.name)
+        return frozenset(path for package, path, _ in named if package == self.package.name)
 
     def is_launched(self, name: str) -> bool:
         """Return whether code or a launch file names a robot."""

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from ...lazy_regex import regex
 from ...package.urdf.expansion.expansion import FoundProblem, XacroProblem
-from ...suggest import nearest
+from ...suggest import is_slip, nearest
 from ..enumeration import in_ticks
 from ..fault import Fault, Level, joined, softer
 from .expanded_tree import only_near
@@ -52,7 +52,7 @@ def problem_fault(problem: FoundProblem, calls: XacroCalls, *, is_sure: bool) ->
     may_be_elsewhere = problem.kind is XacroProblem.ARGUMENT or (
         problem.kind in BY_NAME and not (is_sure and problem.is_closed)
     )
-    if may_be_elsewhere and (not near or calls.is_defined(problem.name)):
+    if may_be_elsewhere and (not near or not is_slip(problem.name, near) or calls.is_defined(problem.name)):
         return None
     if problem.kind in UNPREFIXED and calls.is_unprefixed(UNPREFIXED[problem.kind], problem.name):
         message = WITHOUT_PREFIX.format(UNPREFIXED[problem.kind])

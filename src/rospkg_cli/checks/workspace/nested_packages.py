@@ -6,14 +6,17 @@ import posixpath
 from collections.abc import Iterator
 
 from ...files import PackageFiles
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import is_set_aside, role_of
 from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
+from ...package.workspace import Workspace
 
 MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
-COPIES = frozenset({"fixtures", "resource", "resources", "example", "examples"})
+COPIES = frozenset("fixtures resource resources example examples thirdparty 3rdparty external extern".split())
 """Folders of packages that are there to be read or copied."""
+NAME = regex(r"<name>\s*([\w-]+)")
 
 
 @dataclass(frozen=True)
@@ -21,6 +24,7 @@ class NestedPackages:
     package: PackageFacts
     files: PackageFiles
     table: InstallTable | None
+    workspace: Workspace
 
     def manifests(self) -> Iterator[str]:
         """Yield the package.xml of the packages inside, the outermost of each folder, that should be built."""
@@ -40,8 +44,16 @@ class NestedPackages:
         above = ("/".join(parts[:end]) for end in range(1, len(parts) + 1))
         marked = any(self.files.has_file(f"{each}/{marker}") for each in above for marker in MARKERS)
         installed = self.table is not None and any(row.source == f"{folder}/package.xml" for row in self.table.rows)
-        is_left = is_set_aside(f"{folder}/") or not COPIES.isdisjoint(parts)
+        is_left = is_set_aside(f"{folder}/") or not COPIES.isdisjoint(map(str.lower, parts))
         return marked or installed or is_left or self.files.absent.is_ignored(folder)
 
     def is_manifest(self, path: str) -> bool:
         return "<package" in self.files.readable_text(path)
+
+    def may_be_meant(self, path: str) -> bool:
+        """Return whether colcon is meant to build a package: one for ROS 2, in no hidden folder, of a new name."""
+        text = self.files.readable_text(path)
+        is_for_ros1 = "catkin" in text and "ament" not in text
+        name = NAME.search(text)
+        is_copy = name is not None and name[1] in self.workspace.names
+        return not is_for_ros1 and not is_copy and not any(part.startswith(".") for part in path.split("/"))

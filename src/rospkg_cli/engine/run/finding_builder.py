@@ -14,10 +14,12 @@ from ...rule import Rule
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 
-OF_RUNS = ("DEP", "LCH", "PRM", "URD")
-"""Families about launches and runs, and about machines that others install packages on."""
+OF_RUNS = ("DEP", "LCH", "PRM", "URD", "IDL010", "IDL011")
+"""Families about launches and runs, and about machines that others install packages on, and rules about Python."""
 AT_RUN_TIME = ("DEP109", "DEP110")
 """Rules about imports: their errors do not stop a build."""
+OPENED = ("PRM", "URD", "IDL010", "IDL011")
+"""Those about files that launch files open, or others import, by their names."""
 BUILD_FILES = ("package.xml", "CMakeLists.txt", "setup.py", ".cmake")
 
 
@@ -77,13 +79,16 @@ class FindingBuilder:
     def level(self, code: str, level: Severity, path: str) -> Severity:
         """Return the level of a hit: one lower where nobody starts what is laid aside in a folder called `old/`.
 
-        What stops the build stays: colcon builds such packages too.
+        What stops the build stays: colcon builds such packages too. Robots and parameters that are laid aside within
+        a package are opened by nobody.
         """
         is_run = code.startswith(OF_RUNS) or (code == "RPK001" and not path.endswith(BUILD_FILES))
         stops_build = level is Severity.ERROR and code.startswith("DEP") and code not in AT_RUN_TIME
-        if not is_run or stops_build or not is_set_aside(f"{self.files.folder}/"):
+        is_aside = is_run and not stops_build and is_set_aside(self.resolve(path))
+        if not is_aside:
             return level
-        return Severity.WARNING if level is Severity.ERROR else Severity.INFO
+        is_whole = is_set_aside(f"{self.files.folder}/") or not code.startswith(OPENED)
+        return Severity.WARNING if is_whole and level is Severity.ERROR else Severity.INFO
 
     def fix(self, fix: Fix | None) -> Fix | None:
         if fix is None:

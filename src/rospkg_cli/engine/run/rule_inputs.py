@@ -7,7 +7,7 @@ import types
 import typing
 from collections.abc import Iterator
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from ...files import PackageFiles
 from ...light_dataclasses import field_names
@@ -17,10 +17,17 @@ from ...package.readers import READERS
 from ...package.rule_settings import RuleSettings
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
-from ...unreadable import Unreadable
+from ...unreadable import READABLE, Unreadable
 
-InputPart = tuple[type, bool, bool]
-"""The type of a part; whether it may be absent; whether it is a tuple of all of them."""
+
+class InputPart(NamedTuple):
+    kind: type
+    is_optional: bool = False
+    """Whether it may be absent."""
+    is_every: bool = False
+    """Whether it is a tuple of all of them."""
+    is_readable: bool = False
+    """Whether such a tuple does without those that can't be read."""
 
 
 class InputBuilder:
@@ -50,17 +57,17 @@ class InputBuilder:
         return self.built[kind]
 
     def join(self, kind: type) -> Iterator[Any]:
-        options = [self.options(*input_part) for input_part in input_parts(kind)]
+        options = [self.options(part) for part in input_parts(kind)]
         return (kind(*chosen) for chosen in itertools.product(*options))
 
-    def options(self, kind: type, optional: bool, every: bool) -> list[Any]:
-        broken = kind in READERS and bool(self.package.parts(kind).broken)
-        if broken and (optional or every):
+    def options(self, part: InputPart) -> list[Any]:
+        broken = part.kind in READERS and bool(self.package.parts(part.kind).broken)
+        if broken and (part.is_optional or part.is_every) and not part.is_readable:
             return []
-        found = self.of(kind)
-        if every:
+        found = self.of(part.kind)
+        if part.is_every:
             return [tuple(found)]
-        return found or ([None] if optional else [])
+        return found or ([None] if part.is_optional else [])
 
 
 @cache
@@ -71,14 +78,16 @@ def input_parts(kind: type) -> tuple[InputPart, ...]:
     except TypeError as error:
         message = f"{kind.__name__} is neither a model that a reader makes nor a dataclass of such models"
         raise TypeError(message) from error
-    hints = typing.get_type_hints(kind)
+    hints = typing.get_type_hints(kind, include_extras=True)
     return tuple(input_part(hints[name]) for name in names)
 
 
 def input_part(hint: Any) -> InputPart:
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
+    if origin is typing.Annotated:
+        return input_part(arguments[0])._replace(is_readable=READABLE in arguments)
     if origin in (typing.Union, types.UnionType):
-        return next(a for a in arguments if a is not type(None)), True, False
+        return InputPart(next(a for a in arguments if a is not type(None)), is_optional=True)
     if origin is tuple:
-        return arguments[0], False, True
-    return hint, False, False
+        return InputPart(arguments[0], is_every=True)
+    return InputPart(hint)

@@ -8,6 +8,8 @@ from .lexer import CMakeToken
 
 CONFLICT = regex(r"(<{7}|={7}|>{7}|\|{7})(?![^ \n])")
 
+CONFLICT_START = "<" * 7
+"""The first word of a conflict's first line: among arguments it would be one of them."""
 
 Found = tuple[ReadProblem, str]
 """A problem and its detail."""

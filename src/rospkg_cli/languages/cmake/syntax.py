@@ -15,7 +15,7 @@ from ...read_problem import ReadProblem
 from ...source import Source, Span
 from ..syntax_problem import SyntaxProblem
 from .lexer import CMakeToken, tokens
-from .parse_errors import unclosed, unexpected
+from .parse_errors import CONFLICT_START, unclosed, unexpected
 
 ArgumentKind = Literal["unquoted", "quoted", "bracket", "paren"]
 
@@ -124,6 +124,8 @@ class CMakeParser:
                 return None
             if kind == "bad":
                 return self.fault(token, *unclosed(token))
+            if before == "newline" and token.text == CONFLICT_START:
+                return self.fault(token, ReadProblem.CMAKE_CONFLICT, token.text)
             if lacks_blank(before, kind):
                 return self.fault(token, ReadProblem.CMAKE_NO_BLANK)
             before = kind

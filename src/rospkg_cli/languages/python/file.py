@@ -11,7 +11,8 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...source import Source, Span
 from .constant_truth import constant_truth
-from .nodes import children_of, nodes_of, nodes_of_kind
+from .dynamic_names import has_dynamic_names
+from .nodes import children_of, nodes_of
 from .syntax import PythonSyntax, parse
 
 IMPORT_ERRORS = frozenset({"ImportError", "ModuleNotFoundError", "Exception", "BaseException"})
@@ -157,11 +158,7 @@ class PythonFile(PythonSyntax):
     @cached_property
     def has_dynamic_names(self) -> bool:
         """Whether the module may have names that are not bound in its text."""
-        if "__getattr__" in self.definitions:
-            return True
-        touched = {"globals", "setattr", "exec", "vars", "__dict__"}
-        is_named = any(node.id in touched for node in nodes_of_kind(self.tree, ast.Name))
-        return is_named or any(node.attr == "__dict__" for node in nodes_of_kind(self.tree, ast.Attribute))
+        return "__getattr__" in self.definitions or has_dynamic_names(self.tree)
 
 
 def statement_calls(body: Iterable[ast.stmt]) -> Iterator[ast.Call]:

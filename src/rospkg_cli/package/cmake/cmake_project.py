@@ -12,6 +12,7 @@ from ...languages.cmake.file import ROOT, CMakeFile
 from ...languages.cmake.syntax import CommandInvocation
 from ...languages.cmake.targets import MAKERS, Target, targets_by_name, targets_of
 from ...languages.cmake.values import UNKNOWN, Word
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, field
 from .ament_installs import install_rules
 from .components import Component, InterfaceTarget, components_of, interface_targets_of
@@ -20,6 +21,9 @@ from .install_rules import InstallRule
 
 PACKAGE_ENDS = ("ament_package", "ament_auto_package")
 """How the commands are called that end a package."""
+
+TESTS = regex(r"(?:ament_)?add_\w*(?:test|gmock)\w*|rosidl_generate_interfaces")
+"""Commands that make a test, and what tests use."""
 
 
 @dataclass(frozen=True)
@@ -139,9 +143,10 @@ class CMake:
 
     @cached_property
     def only_tests(self) -> bool:
-        """Whether all that is built, installed or exported is for tests."""
+        """Whether all that is built, installed or exported is for tests, of which linters alone are none."""
         done = [call for call in self.calls if call.name == "install" or call.name in MAKERS or "export" in call.name]
-        return any(call.testing for call in self.calls) and all(call.testing for call in done)
+        made = [call for call in self.calls if call.testing and (call.name in MAKERS or TESTS.fullmatch(call.name))]
+        return bool(made) and all(call.testing for call in done)
 
     @cached_property
     def targets(self) -> tuple[Target, ...]:

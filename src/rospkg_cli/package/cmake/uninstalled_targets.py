@@ -123,10 +123,14 @@ class UninstalledTargets:
 
     def needed_by(self, target: Target) -> TargetUse | None:
         """Return what does not work without a library."""
+        if target.name in self.promised and target.name not in self.plugins:
+            return TargetUse("exporter")
+        return self.loaded_by(target)
+
+    def loaded_by(self, target: Target) -> TargetUse | None:
+        """Return what can't start without a library: a component of it, or an installed target."""
         if (plugin := self.plugins.get(target.name)) is not None:
             return TargetUse("component", plugin)
-        if target.name in self.promised:
-            return TargetUse("exporter")
         for link in self.links.with_word(target.name):
             if link.target in self.links.installed and not link.package and not self.runs_from_build:
                 return TargetUse("linked target", link.target)

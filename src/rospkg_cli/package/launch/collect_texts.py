@@ -10,7 +10,7 @@ from ...source import Span
 from .file_references import FileReference, ReferenceKind, references_in
 from .launch_classes import class_of
 from .python_to_text import NAMED, text_of
-from .text import LaunchText
+from .text import LaunchText, Substitution
 
 LISTS = frozenset({
     "arguments", "ros_arguments", "parameters", "cmd", "remappings", "launch_arguments", "actions", "entities",
@@ -48,6 +48,8 @@ def file_references(
 
 def kind_of(call: Call) -> ReferenceKind:
     name = class_of(call)
+    if call.callee in READERS:
+        return "open"
     return "default" if name == "DeclareLaunchArgument" else "include" if name.endswith(INCLUDING) else "file"
 
 
@@ -64,7 +66,12 @@ def texts_of(call: Call) -> Iterator[tuple[ReferenceKind, LaunchText]]:
     if call.receiver is None and takes and not writes(call):
         for argument in call.arguments:
             kind = "file" if argument.name == PASSED_ON else kind_of(call)
-            yield from ((kind, text) for text in texts_in(argument.value, apart=argument.name in LISTS))
+            texts = texts_in(argument.value, apart=argument.name in LISTS)
+            yield from ((kind, as_command(text) if name == "Command" else text) for text in texts)
+
+
+def as_command(text: LaunchText) -> LaunchText:
+    return LaunchText(text.span, (Substitution("command", (text,), text.span),))
 
 
 def texts_in(value: Value, *, apart: bool = False, depth: int = 0) -> Iterator[LaunchText]:

@@ -149,6 +149,7 @@ class EntityVisitor:
         choices = tuple(c.attributes["value"].text for c in entity.named("choice") if "value" in c.attributes)
         name = entity.attributes.get("name")
         text = plain_text(name.text, name.span) if name else unknown_text(entity.name_span)
+        certain = certain and all(map(ACTIONS["arg"].takes, entity.attributes))  # else launch refuses the whole file
         return DeclaredArgument(entity.name_span, text, self.get(entity, "default"), choices, certain)
 
 

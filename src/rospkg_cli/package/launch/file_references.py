@@ -13,13 +13,15 @@ from ...light_dataclasses import dataclass
 from ...source import Span
 from .text import LaunchText, Literal, Substitution
 
-ReferenceKind = OneOf["include", "default", "file"]
-"""Included by the launch file; the default of an argument; anything else."""
+ReferenceKind = OneOf["include", "open", "file", "default"]
+"""Included by the launch file; opened by it or by the xacro that it runs; anything else; an argument's default."""
 
 NAME = regex(r"[A-Za-z]\w*")
 BASES = frozenset({"find-pkg-share", "find-pkg-prefix", "dirname"})
 END = regex(r"[\s'\",;:|&()`]")
 """What ends a path inside of a longer text."""
+OPENING = regex(r"\s*['\"]?(?:ros2 run xacro )?(?:\$\(find-exec )?(?:\S*/)?(?:xacro|cat)\b")
+"""The start of a command that stops where the file that it is given is missing."""
 PATTERN = regex(r"[*?\[\]{}<>$%]")
 """Characters of patterns and templates, not of file names."""
 
@@ -57,27 +59,38 @@ NO_DEFAULTS: Mapping[str, str] = {}
 
 
 def references_in(
-    text: LaunchText, folder: str, use: ReferenceKind = "file", defaults: Mapping[str, str] = NO_DEFAULTS
+    text: LaunchText,
+    folder: str,
+    use: ReferenceKind = "file",
+    defaults: Mapping[str, str] = NO_DEFAULTS,
+    *,
+    is_command: bool = False,
 ) -> Iterator[FileReference]:
     """Yield the files that a text of a launch file in `folder` names, as far as they are known.
 
     `defaults` are those of the arguments by their names.
     """
     for at, part in enumerate(text.parts):
+        here = use_in_command(text, at) if is_command else use
         if isinstance(part, Literal):
             if part.text.startswith(f"{ROOT}/"):
-                yield from local_reference(literal_of(text.parts[at:], defaults), "", use, len(ROOT))
+                yield from local_reference(literal_of(text.parts[at:], defaults), "", here, len(ROOT))
             continue
         for place, argument in enumerate(part.arguments):
-            is_default = part.name == "var" and place == 1
-            inner: ReferenceKind = "default" if is_default else "file" if part.name == "command" else use
-            yield from references_in(argument, folder, inner, defaults)
+            inner: ReferenceKind = "default" if part.name == "var" and place == 1 else here
+            yield from references_in(argument, folder, inner, defaults, is_command=part.name == "command")
         if part.name in BASES:
             written = literal_of(text.parts[at + 1 :], defaults)
             if part.name == "dirname":
-                yield from local_reference(written, folder, use)
+                yield from local_reference(written, folder, here)
             elif written is not None and part.arguments:
-                yield from package_reference(part, literal_of(part.arguments[0].parts, defaults), written, use)
+                yield from package_reference(part, literal_of(part.arguments[0].parts, defaults), written, here)
+
+
+def use_in_command(text: LaunchText, at: int) -> ReferenceKind:
+    """Return how a command uses the file that begins with a part: xacro opens it, but not the value of an argument."""
+    before = LaunchText(text.span, text.parts[:at]).shown.rstrip("'\"")
+    return "open" if OPENING.match(before) and not before.endswith("=") else "file"
 
 
 def package_reference(

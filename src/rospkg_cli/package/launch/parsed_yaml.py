@@ -13,6 +13,7 @@ LOADS = regex(r"\b(?:yaml\.load|safe_load|full_load|unsafe_load)\s*\(")
 WORDS = ("yaml.load", "safe_load", "full_load")
 """One of them stands in each of these."""
 QUOTED = regex(r"[\"'](?:[^\"'\n]*/)?([\w.-]+\.ya?ml)[\"']")
+LOOKED_UP = regex(r"(?:\[|\.get\()\s*[\"'](\w+)[\"']")
 
 
 def parsed_yaml(reading: ReaderInput) -> frozenset[str]:
@@ -24,6 +25,12 @@ def parsed_yaml(reading: ReaderInput) -> frozenset[str]:
     texts = (file.source.text for file in files if file.frontend == "python")
     named = {name for text in texts if loads_yaml(text) for name in QUOTED.findall(text)}
     return frozenset(named - {name for file in files for name in given(file)})
+
+
+def parsed_keys(reading: ReaderInput) -> frozenset[str]:
+    """Return the keys that Python launch files look up in the YAML that they parse: `data["hardware"]`."""
+    texts = (file.source.text for file in reading.parts(LaunchFile).good if file.frontend == "python")
+    return frozenset(key for text in texts if loads_yaml(text) for key in LOOKED_UP.findall(text))
 
 
 def loads_yaml(text: str) -> bool:

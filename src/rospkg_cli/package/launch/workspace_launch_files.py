@@ -27,9 +27,10 @@ class WorkspaceLaunchFiles:
                 found.setdefault(name, []).append(each)
         return found
 
-    def has(self, configuration: str) -> bool:
-        """Return whether any file defines a launch configuration of a name."""
-        return any(configuration in each.defines for several in self.by_name.values() for each in several)
+    def has(self, configuration: str, besides: str = "") -> bool:
+        """Return whether any file, but for those of one name, defines a launch configuration of a name."""
+        others = (several for name, several in self.by_name.items() if name != besides)
+        return any(configuration in each.defines for several in others for each in several)
 
     def inherited(self, name: str) -> frozenset[str] | None:
         """Return what is defined by files that include a file of this name; None where that is unknown."""

@@ -11,9 +11,13 @@ from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlN
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Source
+from ...suggest import distance
 
 KEY = "ros__parameters"
 MISSPELT_KEY = regex(r"_*ros_+param(?:eter)?s?_*|_*rosparameters?_*", re.IGNORECASE)
+
+FILLED = regex(r"<\w+>|__\w+__|@\w+@")
+"""What a program writes something else for: `<robot_namespace>`, `__PORT__`, `@PORT@`."""
 
 EntryKind = Literal["block", "namespace", "after block", "no block", "value", "no name"]
 
@@ -109,7 +113,9 @@ def is_key(node: YamlNode) -> bool:
 
 
 def is_misspelt_key(node: YamlNode) -> bool:
-    return isinstance(node, ScalarNode) and not is_key(node) and MISSPELT_KEY.fullmatch(node.text) is not None
+    if not isinstance(node, ScalarNode) or is_key(node):
+        return False
+    return MISSPELT_KEY.fullmatch(node.text) is not None or distance(node.text, KEY, 1) == 1
 
 
 def has_block(node: YamlNode) -> bool:
@@ -163,4 +169,4 @@ def below(node: YamlNode) -> Iterator[YamlNode]:
 
 def has_placeholder(text: str) -> bool:
     """Return whether a text is filled in before rcl sees it: launch substitutions, templates."""
-    return any(sign in text for sign in ("$(", "${", "{{", "{%", "<%", "@("))
+    return any(sign in text for sign in ("$(", "${", "{{", "{%", "<%", "@(")) or FILLED.search(text) is not None

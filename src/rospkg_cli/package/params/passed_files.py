@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from posixpath import normpath
 
 from ...files import ReaderInput
+from ...lazy_regex import regex
 from ..launch.launch_file import LaunchFile
 from ..launch.text import LaunchText, Literal, Substitution
 from ..manifest import Manifest
@@ -14,46 +15,56 @@ from ..manifest import Manifest
 READ_BY_RCL = frozenset({"node", "lifecycle_node", "node_container"})
 """What is started as a process of its own; components get what launch_ros reads by itself."""
 MAX_DEPTH = 5
+IN_SHARE = regex(r"\0([^\0]+)\0/+([^\0]+\.ya?ml)")
 
 
 def handed_files(reading: ReaderInput) -> frozenset[str]:
     """Return the paths of this package's files that are passed to nodes by a literal name."""
     manifest = reading.parts(Manifest).only
     own = manifest.name if manifest else ""
+    handed = (path for package, path in handed_yaml(reading) if package == own)
+    return frozenset(path for path in handed if reading.files.exists(path))
+
+
+def handed_yaml(reading: ReaderInput) -> frozenset[tuple[str, str]]:
+    """Return the parameter files that a package's launch files pass to nodes by a literal name: package and path.
+
+    The path is that below the share directory of the package, which may be another one.
+    """
     return frozenset(
-        path
+        found
         for launch in reading.parts(LaunchFile).good
         for node in launch.nodes
         if node.kind in READ_BY_RCL and not launch.is_ros1
         for entry in node.parameters
         if entry.file is not None
-        for path in path_in_share(entry.file, launch, own)
-        if reading.files.exists(path)
+        for found in path_in_share(entry.file, launch)
     )
 
 
-def path_in_share(text: LaunchText, launch: LaunchFile, own: str) -> Iterator[str]:
-    """Yield the path below the package's share folder, where every part of it is known."""
-    parts = list(known_parts(text, launch, own, 0))
-    if parts and parts[0] == "" and all(part is not None for part in parts):
-        path = normpath(re.sub("/+", "/", "".join(part or "" for part in parts)).lstrip("/"))
-        if path.endswith((".yaml", ".yml")):
-            yield path
+def path_in_share(text: LaunchText, launch: LaunchFile) -> Iterator[tuple[str, str]]:
+    """Yield a package and the path below its share directory, where every part of it is known."""
+    whole = known_text(text, launch, 0)
+    found = IN_SHARE.fullmatch(whole) if whole is not None else None
+    if found is not None:
+        yield found.group(1), normpath(re.sub("/+", "/", found.group(2)))
 
 
-def known_parts(text: LaunchText, launch: LaunchFile, own: str, depth: int) -> Iterator[str | None]:
-    """Yield the text of each part, "" for the own share folder, None for what is not known."""
+def known_text(text: LaunchText, launch: LaunchFile, depth: int) -> str | None:
+    """Return a text with each share directory as `\0name\0`; None where a part of it is not known."""
+    found = ""
     for part in text.parts:
+        piece: str | None = None
         match part:
             case Literal(text=literal):
-                yield literal
-            case Substitution(name="find-pkg-share", arguments=(package, *_)) if package.literal == own:
-                yield ""
+                piece = literal
+            case Substitution(name="find-pkg-share", arguments=(package, *_)) if package.literal:
+                piece = f"\0{package.literal}\0"
             case Substitution(name="var", arguments=(name, *_)) if depth < MAX_DEPTH:
                 defaults = [each.default for each in launch.arguments if each.name.literal == name.literal]
                 if len(defaults) == 1 and defaults[0] is not None:
-                    yield from known_parts(defaults[0], launch, own, depth + 1)
-                else:
-                    yield None
-            case _:
-                yield None
+                    piece = known_text(defaults[0], launch, depth + 1)
+        if piece is None:
+            return None
+        found += piece
+    return found

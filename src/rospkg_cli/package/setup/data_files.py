@@ -16,7 +16,7 @@ from ...light_dataclasses import dataclass
 from ...source import Span
 from .setup_text import SetupText
 
-Shape = Literal["", "list-entry", "text-sources", "tuple-sources", "nested-list", "length"]
+Shape = Literal["", "list-entry", "text-sources", "tuple-sources", "nested-list", "length", "path"]
 
 
 @dataclass(frozen=True)
@@ -96,6 +96,8 @@ def entry(path: str, item: Sequence, place: Span, index: int, folder: SandboxFil
         shape = shape or ("nested-list" if nested else "tuple-sources" if sources.kind == "tuple" else "")
     else:
         texts, places, unknown = [], [], (*unknown, unknown_value(sources))
+    if not shape and any(isinstance(each, Text) and each.is_path for each in (target, *texts)):
+        shape = "path"
     files = [
         file(path, each, where, destination, index, folder, cwd) for each, where in zip(texts, places, strict=True)
     ]

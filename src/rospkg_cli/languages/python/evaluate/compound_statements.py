@@ -13,7 +13,7 @@ from .iterables import items_of
 from .limits import ITEM, Flow, spend
 from .simple_statements import SimpleStatements
 from .truthiness import truth
-from .values import Class, Function, Namespace, Symbol, Unknown, Value
+from .values import Class, Function, Namespace, Sequence, Symbol, Unknown, Value
 
 
 class CompoundStatements(SimpleStatements):
@@ -109,6 +109,8 @@ class CompoundStatements(SimpleStatements):
                 return None
             if flow is Flow.MAYBE and has_break(node):
                 return self.rest_of_loop(node, items[index + 1 :], scope)
+            if isinstance(source, Sequence):
+                items += source.items[len(items) :]  # Python goes on with what the body appends
         return self.execute(node.orelse, scope)
 
     def rest_of_loop(self, node: ast.For | ast.AsyncFor, items: list[Value], scope: Namespace) -> Flow:

@@ -1,0 +1,70 @@
+"""Shared libraries that are installed where no loader looks: ament puts `lib` alone into LD_LIBRARY_PATH."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from functools import cached_property
+
+from ...languages.cmake.targets import Target
+from ...languages.cmake.values import Word
+from ...light_dataclasses import dataclass
+from ...package.cmake.artifacts import Artifacts
+from ...package.cmake.cmake_project import CMake
+from ...package.cmake.uninstalled_targets import TargetUse, UninstalledTargets
+
+
+@dataclass(frozen=True)
+class MisplacedLibrary:
+    word: Word
+    """Where a rule installs it."""
+    place: str
+    needed_by: TargetUse
+
+    @property
+    def sentence(self) -> str:
+        is_component = self.needed_by.user == "component"
+        user = "the component `{}`" if is_component else "`{}`, which is linked with it,"
+        fault = f"the library `{self.word.text}` is installed into `{self.place}`, where no loader looks"
+        return f'{fault}: {user.format(self.needed_by.name)} ends with "cannot open shared object"; use `lib`'
+
+
+@dataclass(frozen=True)
+class MisplacedLibraries:
+    cmake: CMake
+
+    def all(self) -> Iterator[MisplacedLibrary]:
+        """Yield the libraries of which every rule is known and none installs them into lib/; an RPATH may find them."""
+        needs = UninstalledTargets(self.cmake)
+        for target in self.cmake.targets if not self.has_rpath else ():
+            places = self.places.get(target.name, [])
+            is_shared = not target.call.maybe and needs.links.shared(target)
+            if is_shared and places and all(map(is_wrong, places)) and (user := needs.loaded_by(target)) is not None:
+                word, place = places[0]
+                yield MisplacedLibrary(word, place or "", user)
+
+    @cached_property
+    def places(self) -> dict[str, list[tuple[Word, str | None]]]:
+        """Library → where its rules install it; None where that is unknown or hangs on a condition."""
+        found: dict[str, list[tuple[Word, str | None]]] = {}
+        artifacts = Artifacts(self.cmake)
+        for rule in self.cmake.installs:
+            for word in rule.items if rule.kind == "TARGETS" else ():
+                target: Target | None = self.cmake.target(word.text)
+                if target is not None and target.is_library:
+                    place = None if rule.call.maybe else artifacts.destination(rule, target)
+                    found.setdefault(target.name, []).append((word, place))
+        return found
+
+    @cached_property
+    def has_rpath(self) -> bool:
+        """Whether any command of the package tells programs where to look for libraries, or may."""
+        return self.cmake.reads_unknown_files or any(
+            "RPATH" in text for each in self.cmake.calls for text in each.texts
+        )
+
+
+def is_wrong(place: tuple[Word, str | None]) -> bool:
+    """Return whether a rule surely installs below lib/ or into share/, and not for Python."""
+    folder = posixpath.normpath(place[1] or "")
+    return folder.startswith(("lib/", "share/")) and not folder.startswith("lib/python")

@@ -1,0 +1,53 @@
+"""Which parameter files of a package a launch file, a robot or another package may name."""
+
+from __future__ import annotations
+
+import re
+from functools import cached_property
+
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.text import uncommented
+from ...package.package_facts import PackageFacts
+from ...package.params.named_yaml import ANY
+from ...package.urdf.robot_file import RobotFile
+from ...package.workspace import Workspace
+from ..yaml_elsewhere import is_named_elsewhere
+
+EXAMPLE = regex(r"(?:^|[_/.-])examples?(?:[_/.-]|$)")
+LOOKS = "MoveItConfigsBuilder"
+"""MoveIt looks for the files of its configs by their names alone."""
+
+
+@dataclass(frozen=True)
+class OpenedParameters:
+    package: PackageFacts
+    workspace: Workspace
+    launch_files: tuple[LaunchFile, ...]
+    robots: tuple[RobotFile, ...]
+
+    def may_have(self, path: str) -> bool:
+        """Return whether something may give a file to a node; others are there to be copied, or left over."""
+        stem = path.rpartition("/")[2].rpartition(".")[0]
+        word = re.compile(rf"\b{re.escape(stem)}\b")
+        found = re.compile(rf"(?:\$\(find|package:/|\$\{{)[^<>\"'\n]*{word.pattern}")
+        if any(LOOKS in text or word.search(text) for text in self.launches) or any(map(found.search, self.texts)):
+            return True
+        return not EXAMPLE.search(path) and (ANY in self.package.named_yaml or self.is_named_elsewhere(stem))
+
+    def is_named_elsewhere(self, stem: str) -> bool:
+        """Return whether a text of another package, or one of its robots, names a file."""
+        others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
+        in_robots = any({self.package.name, stem} <= words for facts in others for words in facts.robot_words)
+        return in_robots or is_named_elsewhere(stem, self.package, self.workspace)
+
+    @cached_property
+    def launches(self) -> tuple[str, ...]:
+        """The texts of launch files, without comments."""
+        return tuple(uncommented(file.path, file.source.text) for file in self.launch_files)
+
+    @cached_property
+    def texts(self) -> tuple[str, ...]:
+        """The texts of robots, which name parameter files by the packages that hold them, without comments."""
+        return tuple(uncommented(robot.path, robot.source.text) for robot in self.robots)

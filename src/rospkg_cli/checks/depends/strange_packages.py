@@ -1,0 +1,115 @@
+"""Packages that CMake can't do without, that package.xml does not declare, and that no table and no one here knows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
+from ...package.cmake.find_package import FoundPackage
+from ...ros.aliases import keys_for_cmake
+from ...ros.link_targets import ROS_NAME
+from ...ros.names import NameKind
+from ...suggest import near_names
+from .undeclared_find_package import FindPackageDependencies
+from .undeclared_includes import IncludeDependencies
+
+OF_INTERFACES = regex(r"[a-z]\w*_(?:msgs|srvs|actions|interfaces)")
+"""What packages of interfaces are called, and nothing else."""
+
+BRINGING = ("add_subdirectory", "externalproject_add", "fetchcontent_declare", "ament_vendor")
+"""Commands by which a package brings a library itself."""
+
+
+@dataclass(frozen=True)
+class StrangePackage:
+    found: FoundPackage
+    sentence: str
+    is_slip: bool = False
+    """Whether a package is certainly meant whose headers are included."""
+
+
+@dataclass(frozen=True)
+class StrangePackages:
+    includes: IncludeDependencies
+
+    @property
+    def needs(self) -> FindPackageDependencies:
+        return self.includes.find_packages
+
+    @property
+    def cmake(self) -> CMake:
+        return self.includes.cmake
+
+    def all(self) -> Iterator[StrangePackage]:
+        """Yield those that are packages of interfaces by their names or that ament is handed, and libraries whose name
+        is nearly that of a key; any other one may come with a declared package (`sdl2_custom`)."""
+        for found in self.strange():
+            name = found.name
+            is_handed = name in self.needs.handed_to_ament and self.may_be_of_ros(name)
+            if is_handed or OF_INTERFACES.fullmatch(name):
+                meant = self.meant(name)
+                yield StrangePackage(found, unknown_package(name, meant), is_slip=meant is not None)
+            elif (bringer := self.bringer(name)) is not None:
+                start = (
+                    f"CMake requires `{name}`, which `{bringer}` may bring, and package.xml declares nothing like it"
+                )
+                yield StrangePackage(found, f"{start}; declare what brings it")
+
+    def strange(self) -> Iterator[FoundPackage]:
+        """Yield the packages, each once."""
+        seen: set[str] = set()
+        declared = self.needs.declared
+        for found in self.cmake.packages if declared.is_checked else ():
+            name = found.name
+            if name in seen or found.call.testing or not self.needs.is_needed(found) or keys_for_cmake(name):
+                continue
+            seen.add(name)
+            is_known = declared.workspace.kind_of(name) in (NameKind.PACKAGE, NameKind.KEY)
+            if not is_known and not self.needs.is_declared_alike(name) and not self.is_at_hand(name):
+                yield found
+
+    def may_be_of_ros(self, name: str) -> bool:
+        """Return whether a name is no module that a vendor's package brings, as `sdl2_vendor` does `sdl2_custom`."""
+        first, words, _ = name.partition("_")
+        vendors = (each for each in self.needs.declared.names if each.endswith("_vendor"))
+        return bool(words) and ROS_NAME.fullmatch(name) is not None and not any(e.startswith(first) for e in vendors)
+
+    def is_at_hand(self, name: str) -> bool:
+        """Return whether the package itself brings a library, or a module that finds it."""
+        modules = (f"/find{name}.cmake".lower(), f"/{name}config.cmake".lower(), f"/{name}-config.cmake".lower())
+        paths = self.cmake.package_files.paths
+        words = (text.lower() for call in self.cmake.named(*BRINGING) for text in call.texts)
+        is_brought = self.cmake.target(name) is not None or any(name.lower() in word for word in words)
+        return is_brought or any(f"/{path}".lower().endswith(modules) for path in paths)
+
+    def bringer(self, name: str) -> str | None:
+        """Return the package or key that may bring a library, where nothing that is declared does."""
+        index = self.needs.declared.workspace.index
+        alike = [each for each in names_alike(name) if index.is_package(each) or index.is_key(each)]
+        names = tuple(each for each in alike if self.needs.is_installable(each))
+        return names[0] if names and self.needs.bringer(name, names) is None else None
+
+    def meant(self, name: str) -> str | None:
+        """Return the one package whose headers are included and that CMake looks for under a name a letter off."""
+        found = {each.name for each in self.cmake.packages}
+        near = near_names(name, {each.cmake for each in self.includes.packages()} - found, 1)
+        return near[0] if len(near) == 1 else None
+
+
+def names_alike(name: str) -> tuple[str, ...]:
+    """Return what a package of ROS, of a vendor or of Debian may be called that brings what CMake finds by a name."""
+    lower = name.lower()
+    debian, own = lower.replace("_", "-"), lower.replace("-", "_")
+    return (lower, f"{own}_vendor", f"lib{debian}-dev", f"{debian}-dev", f"lib{debian}", f"{own}_core")
+
+
+def unknown_package(name: str, meant: str | None) -> str:
+    start = f"CMake requires `{name}`"
+    if meant is not None:
+        return f"{start}, which no one here knows; did you mean `{meant}`, whose headers are included?"
+    return (
+        f"{start}, and package.xml does not declare it: where it is a package of the workspace, colcon may build this "
+        "one first; declare it"
+    )

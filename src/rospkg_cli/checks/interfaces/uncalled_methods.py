@@ -1,0 +1,54 @@
+"""Methods of nodes that no code of the package names: nothing calls them, and nothing is registered with them."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from functools import cached_property
+
+from ...languages.python.file import PythonFile
+from ...languages.python.nodes import nodes_of, nodes_of_kind
+from ...light_dataclasses import dataclass
+from ...source import Span
+from ..run_imports import RunImports
+from .message_variables import FunctionNode
+
+NODES = frozenset({"Node", "node.Node", "rclpy.node.Node"})
+FOR_ROS = frozenset({"destroy_node"})
+"""Methods that rclpy calls by itself."""
+
+
+@dataclass(frozen=True)
+class UncalledMethods:
+    run: RunImports
+
+    def has(self, path: str, span: Span) -> bool:
+        """Return whether a place lies in a method of a plain node whose name stands nowhere else in the code."""
+        file = self.run.modules.at(path)
+        spans = {each.name: file.span(each) for each in methods(file)} if file is not None else {}
+        return any(each.start <= span.start < each.end for name, each in spans.items() if name not in self.named)
+
+    @cached_property
+    def named(self) -> frozenset[str]:
+        """Every name and every string in the code of the package's files; a comment names nothing."""
+        return frozenset(name for _, file in self.run.files for name in names_in(file))
+
+
+def methods(file: PythonFile) -> Iterator[FunctionNode]:
+    """Yield the methods of classes that are a Node and nothing else, but for those that others may call unseen."""
+    for owner in nodes_of_kind(file.tree, ast.ClassDef):
+        is_plain = bool(owner.bases) and all(ast.unparse(each) in NODES for each in owner.bases)
+        for each in owner.body if is_plain else ():
+            if isinstance(each, FunctionNode) and not may_be_called_unseen(each):
+                yield each
+
+
+def may_be_called_unseen(method: FunctionNode) -> bool:
+    return method.name.startswith("__") or method.name in FOR_ROS or bool(method.decorator_list)
+
+
+def names_in(file: PythonFile) -> Iterator[str]:
+    for node in nodes_of(file.tree):
+        match node:
+            case ast.Attribute(attr=name) | ast.Name(id=name) | ast.Constant(value=str(name)):
+                yield name

@@ -1,0 +1,43 @@
+"""Rule input: whether a repository is for distributions before Galactic alone, by the files that tell how to build."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from ..files import PackageFiles
+from ..lazy_regex import regex
+from ..light_dataclasses import dataclass
+from ..ros.distros import DISTROS
+from .setup.linked_build import build_files
+
+OLDER = ("dashing", "eloquent", "foxy")
+UNSUPPORTED = (*OLDER, "galactic")
+NAMES = regex(rf"(?<![a-z])({'|'.join((*UNSUPPORTED, 'iron', *(each.name for each in DISTROS)))})(?![a-z])")
+
+
+@dataclass(frozen=True)
+class OlderDistribution:
+    files: PackageFiles
+
+    @cached_property
+    def named(self) -> frozenset[str]:
+        """The distributions that pages, scripts and workflows name."""
+        texts = (whole.readable_text(path) for whole, path in build_files(self.files) if whole.exists(path))
+        return frozenset(name for text in texts for name in NAMES.findall(text.lower()))
+
+    @property
+    def is_named_alone(self) -> bool:
+        """Whether one before Galactic is named, and none after it.
+
+        Foxy does not check the types of parameters, gives a LifecycleNode a namespace, and takes `node_executable`.
+        """
+        return bool(self.named) and self.named.issubset(OLDER)
+
+    def is_for_unsupported(self, path: str) -> bool:
+        """Return whether none that is supported is named, or a file is called as being for an older one."""
+        return (bool(self.named) and self.named.issubset(UNSUPPORTED)) or is_called_older(path)
+
+
+def is_called_older(path: str) -> bool:
+    """Return whether a file is called as being for a distribution that is no longer supported."""
+    return not frozenset(UNSUPPORTED).isdisjoint(NAMES.findall(path.lower()))

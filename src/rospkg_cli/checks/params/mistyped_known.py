@@ -1,0 +1,45 @@
+"""Values of another type than well-known packages declare, and what is known of the files that hold them (PRM006)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...light_dataclasses import dataclass
+from ...package.params.parameter_file import ParameterFile
+from ..older_distribution import OlderDistribution
+from .declaring_packages import ParameterContext
+from .known_given import GivenValue, KnownNodes, PartKind
+from .parameter_file_use import ParameterFileUses
+
+
+@dataclass(frozen=True, slots=True)
+class MistypedValue:
+    path: str
+    value: GivenValue
+    wanted: str
+    package: str
+    kind: PartKind
+    file: ParameterFile | None = None
+    is_certain: bool = True
+
+
+@dataclass(frozen=True)
+class MistypedValues:
+    """What files and launch files give, what code declares, and what well-known packages declare (PRM006)."""
+
+    given: ParameterContext
+    known: KnownNodes
+    uses: ParameterFileUses
+    distribution: OlderDistribution
+
+
+def mistyped_known(nodes: KnownNodes) -> Iterator[MistypedValue]:
+    """Yield the values whose type differs from that of all declarations of the name; each place once."""
+    seen = set()
+    for group in nodes.groups():
+        for each in group.values:
+            wanted = group.wanted_type(each.name) if each.type else ""
+            if wanted and each.type != wanted and (group.path, each.value) not in seen:
+                seen.add((group.path, each.value))
+                owner = next(name for name in group.packages if group.is_declared_by(name, each.name))
+                yield MistypedValue(group.path, each, wanted, owner, group.kind, group.file, group.is_certain)

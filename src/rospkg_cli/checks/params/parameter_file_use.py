@@ -1,0 +1,140 @@
+"""Rule input: who gives the parameter files of a package to nodes, as far as texts of the workspace say."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.install_table import InstallTable
+from ...package.launch.text import uncommented
+from ...package.package_facts import PackageFacts
+from ...package.params.parameter_file import ParameterFile
+from ...package.workspace import Workspace
+from ...ros.share_layout import LAUNCH
+from ...source import Span
+from ..fault import Level
+from ..yaml_elsewhere import is_named_elsewhere
+
+STARTING = regex(r"\.(?:py|xml|launch|launch\.ya?ml|sh|bash|[ch]pp|cc|service)$")
+"""Files that give parameter files to nodes."""
+PARSES = regex(r"\bYAML\s*\(|\byaml\.load|\b(?:safe|full|unsafe)_load\s*\(")
+DOCS = regex(r"\.(?:md|rst|txt)$")
+SHOWN = regex(r"(?:^|[_.-])(?:examples?|samples?|templates?)[_.-]")
+"""How a file is called that is there to be copied."""
+CONTROLLERS, MOVEIT = "ros2_controllers.yaml", "moveit_configs_utils"
+"""What generate_demo_launch gives to ros2_control, and the module that has it. (moveit_configs_utils/launches.py)"""
+REWRITES = "RewrittenYaml"
+"""Of nav2_common: it fills in values of a parameter file."""
+
+
+@dataclass(frozen=True)
+class ParameterFileUse:
+    """A parameter file, among the packages whose launch files may use it."""
+
+    file: ParameterFile
+    workspace: Workspace
+    package: PackageFacts
+    files: PackageFiles
+    table: InstallTable | None
+
+    @property
+    def level(self) -> Level | None:
+        """The level of what rcl refuses: an error where a launch file hands the file to a node, an info where nothing
+        here names it."""
+        return None if self.is_handed else "info" if self.is_unnamed else "warning"
+
+    @cached_property
+    def is_handed(self) -> bool:
+        """Whether a launch file of the workspace gives a node the file by its path."""
+        own = self.package.name
+        rows = self.table.below(f"share/{own}") if self.table is not None else ()
+        paths = [path for path, row in rows if row.source == self.file.path] or [self.file.path]
+        return any(self.workspace.having("handed_yaml", own, path) for path in paths)
+
+    @property
+    def is_parsed_by_launch(self) -> bool:
+        """Whether a launch file, or else code, parses it: then what is there for others needs no block."""
+        name = self.file.path.rpartition("/")[2]
+        return bool(self.workspace.having("parsed_yaml", name)) or self.is_parsed_by_code(name)
+
+    def is_parsed_by_code(self, name: str) -> bool:
+        """Return whether Python parses YAML and names the file, and no launch file does."""
+        texts = {path: self.read(path) for path in self.files.paths if STARTING.search(path)}
+        naming = {path: text for path, text in texts.items() if name in text}
+        if any(LAUNCH.fullmatch(path.rpartition("/")[2]) for path in naming):
+            return False
+        return any(PARSES.search(text) for path, text in naming.items() if path.endswith(".py"))
+
+    @cached_property
+    def is_unnamed(self) -> bool:
+        """Whether nothing names it: not the package, and no other that may give it to a node.
+
+        That counts where nodes are launched, or the file is not installed, or called an example. A README names it
+        where it tells to start a node with it.
+        """
+        launches = any(LAUNCH.fullmatch(path.rpartition("/")[2]) for path in self.files.paths)
+        launches = launches or any(facts.launch_files for facts in self.workspace.packages)
+        folder, _, name = self.file.path.rpartition("/")
+        if not (launches or self.is_left_out or SHOWN.search(name)) or self.is_for_moveit(name):
+            return False
+        stem = re.compile(rf"[\"'/]{re.escape(name.rpartition('.')[0])}[\"'.]")
+        paths = [path for path in self.files.paths if path.endswith(f"/{name}") and path != self.file.path]
+        others = [posixpath.dirname(path) for path in paths]
+        told = re.compile(rf"params[-_]file\S*[ \t]*\S*{re.escape(name)}")
+        for path in self.files.paths:
+            wanted = stem if STARTING.search(path) else told if DOCS.search(path) else None
+            if wanted is None or not wanted.search(text := self.read(path)):
+                continue
+            if named_in(folder, name, text) or not any(
+                named_in(posixpath.dirname(each), name, text) for each in others
+            ):
+                return False
+        return not is_named_elsewhere(name.rpartition(".")[0], self.package, self.workspace)
+
+    def is_for_moveit(self, name: str) -> bool:
+        """Return whether the launch files that MoveIt makes give the file to ros2_control, by its usual name."""
+        paths = (path for path in self.files.paths if LAUNCH.fullmatch(path.rpartition("/")[2]))
+        return name == CONTROLLERS and any(MOVEIT in self.read(path) for path in paths)
+
+    @cached_property
+    def rewriting(self) -> tuple[str, ...]:
+        """The launch files of the package that write parameter files anew before nodes read them."""
+        paths = (path for path in self.files.paths if LAUNCH.fullmatch(path.rpartition("/")[2]))
+        return tuple(text for path in paths if REWRITES in (text := self.read(path)))
+
+    def is_rewritten(self, span: Span) -> bool:
+        """Return whether a launch file may give the parameter at a place another value (RewrittenYaml)."""
+        name = re.compile(rf"[\"'.]{re.escape(self.file.source.slice(span))}[\"']")
+        return any(map(name.search, self.rewriting))
+
+    @property
+    def is_left_out(self) -> bool:
+        """Whether the package is known not to install the file."""
+        return self.package.knows("share_files") and self.file.path not in self.package.share_files
+
+    def read(self, path: str) -> str:
+        text = self.files.readable_text(path)
+        return uncommented(path, text) if LAUNCH.fullmatch(path.rpartition("/")[2]) else text
+
+
+@dataclass(frozen=True)
+class ParameterFileUses:
+    """The same for any file of a package."""
+
+    workspace: Workspace
+    package: PackageFacts
+    files: PackageFiles
+    table: InstallTable | None
+
+    def of(self, file: ParameterFile) -> ParameterFileUse:
+        return ParameterFileUse(file, self.workspace, self.package, self.files, self.table)
+
+
+def named_in(folder: str, name: str, text: str) -> bool:
+    """Return whether a text names a file together with its folder, as one path or in parts."""
+    parts = rf"\b{re.escape(posixpath.basename(folder))}[\"'/,\s]+{re.escape(name.rpartition('.')[0])}\b"
+    return re.search(parts, text) is not None

@@ -1,0 +1,57 @@
+"""Whether a repository is built with `colcon build --symlink-install`, or `--merge-install`, by the files that do."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from ...files import PackageFiles
+from ...tree import READABLE
+
+LINKS, MERGES = b"symlink-install", b"merge-install"
+PAGES = tuple(
+    f"{name}{suffix}"
+    for name in ("README", "Readme", "readme", "SETUP", "INSTALL", "BUILD", "CLAUDE", "AGENTS")
+    for suffix in (".md", ".rst", ".txt", "")
+)
+SCRIPTS = tuple(f"{name}.sh" for name in "build setup install compile run start entrypoint docker_entrypoint".split())
+FILES = (*PAGES, *SCRIPTS, "Makefile", "justfile", "Dockerfile", "docker-compose.yml", "docker-compose.yaml",
+         "colcon_defaults.yaml", ".gitlab-ci.yml")  # fmt: skip
+"""Files that say how a repository is built, in each folder from the package's up to the root."""
+FOLDERS = (".github/workflows", ".vscode", ".devcontainer", ".docker", "docker", "scripts")
+"""Folders of files of any name that build it."""
+TEXTS = (".md", ".sh", ".bash", ".yml", ".yaml", ".json", "Dockerfile")
+
+
+def linking_file(files: PackageFiles) -> str:
+    """Return the file, in the package's folder or above it, that builds it with links to its sources; "" for none."""
+    return first_with(files, LINKS)
+
+
+def merging_file(files: PackageFiles) -> str:
+    """Return the file, in the package's folder or above it, that installs all packages into one folder; "" for none."""
+    return first_with(files, MERGES)
+
+
+def first_with(files: PackageFiles, word: bytes) -> str:
+    return next((path for whole, path in build_files(files) if whole.holds(path, word)), "")
+
+
+def build_files(files: PackageFiles) -> Iterator[tuple[PackageFiles, str]]:
+    """Yield the paths where files may be that say how a repository is built, with the files of the whole of it."""
+    tree = files.whole if files.whole is not None else files.tree
+    whole = PackageFiles(tree)
+    parts = files.folder.split("/") if files.folder and files.whole is not None else []
+    for depth in range(len(parts), -1, -1):
+        above = "/".join(parts[:depth])
+        yield from ((whole, posixpath.join(above, name)) for name in FILES)
+        yield from ((whole, path) for path in building(whole, above))
+
+
+def building(whole: PackageFiles, above: str) -> Iterator[str]:
+    """Yield the files in the folders of scripts below a folder."""
+    for folder in FOLDERS:
+        place = posixpath.join(above, folder)
+        for path, kind in whole.tree.sub(place).files().items():
+            if kind in READABLE and path.endswith(TEXTS):
+                yield f"{place}/{path}"

@@ -1,0 +1,106 @@
+"""Rule input: whether a launch file of the workspace certainly opens a robot description of a package."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...light_dataclasses import dataclass
+from ...package.package_facts import PackageFacts
+from ...package.urdf.robot_words import ANY, LAUNCH, is_launch, words_of
+from ...package.workspace import Workspace
+from .opened_robots import ROBOTS, OpenedRobots
+from .xacro_calls import may_include
+
+
+@dataclass(frozen=True)
+class LaunchedRobots:
+    files: PackageFiles
+    package: PackageFacts
+    workspace: Workspace
+    opened: OpenedRobots
+
+    def has(self, path: str) -> bool:
+        """Return whether a launch file names a file as the one it opens, or such a one includes it."""
+        return path in self.paths
+
+    @cached_property
+    def paths(self) -> frozenset[str]:
+        robots = {path: text for path, text in self.opened.texts if path.endswith(ROBOTS)}
+        waiting = [path for path in robots if self.is_named(path) or self.is_included_elsewhere(path)]
+        found = set(waiting)
+        while waiting:
+            text = robots[waiting.pop()]
+            more = [path for path in robots if path not in found and may_include(text, path.rpartition("/")[2])]
+            found.update(more)
+            waiting += more
+        return frozenset(found)
+
+    def is_named(self, path: str) -> bool:
+        """Return whether a launch file, of this package or another one, names a robot, and no other is called so."""
+        name, own = path.rpartition("/")[2], self.package.name
+        others = self.opened.having(name)
+        for _, text in self.launches:
+            words = words_of(text)
+            is_another = own not in words and any(other in words for other in others)
+            if names(words, text, name) and not is_another and self.is_this_copy(path, text):
+                return True
+        return any(
+            names_file(words, own, name)
+            for facts in self.workspace.packages
+            for words in (facts.robot_words if facts.name != own else ())
+        )
+
+    @cached_property
+    def launches(self) -> tuple[tuple[str, str], ...]:
+        return tuple((path, text) for path, text in self.opened.texts if is_launch(path))
+
+    def is_this_copy(self, path: str, text: str) -> bool:
+        """Return whether a text has the folders of a path in it, where the package has two files of one name."""
+        folder, name = posixpath.split(path)
+        again = [each for each in self.files.paths if each != path and each.rpartition("/")[2] == name]
+        return not again or all(re.search(rf"\b{re.escape(each)}\b", text) for each in folder.split("/"))
+
+    def is_included_elsewhere(self, path: str) -> bool:
+        """Return whether a robot of another package includes a file, and a launch file opens that one."""
+        return any(self.is_reached(*each) for each in self.including(self.package.name, path))
+
+    def including(self, package: str, path: str) -> list[tuple[str, str]]:
+        """Return the files of other packages that include one: package and path."""
+        return [
+            (facts.name, by)
+            for facts in self.workspace.packages
+            for owner, included, by in (facts.robot_includes if facts.name != self.package.name else ())
+            if owner == package and included == path
+        ]
+
+    def is_reached(self, package: str, path: str) -> bool:
+        """Return whether a launch file opens a file of another package, or one that includes it, in a few steps."""
+        waiting, seen = [(package, path)], {(package, path)}
+        while waiting:
+            owner, inner = waiting.pop()
+            name = inner.rpartition("/")[2]
+            for facts in self.workspace.packages:
+                if any(names_file(words, owner, name, is_own=facts.name == owner) for words in facts.robot_words):
+                    return True
+            more = [each for each in self.including(owner, inner) if each not in seen]
+            seen.update(more)
+            waiting += more
+        return False
+
+
+def names(words: frozenset[str], text: str, name: str) -> bool:
+    """Return whether a launch file names a robot: in full, or its stem in quotes beside a suffix it puts behind it."""
+    stem = re.escape(name.partition(".")[0])
+    if name in words:
+        return True
+    return (ANY in words or "MoveItConfigsBuilder" in text) and re.search(rf"[\"'/]{stem}[\"']", text) is not None
+
+
+def names_file(words: frozenset[str], package: str, name: str, *, is_own: bool = False) -> bool:
+    """Return whether the words are a launch file's that names a file of a package."""
+    stem = name.partition(".")[0]
+    is_there = name in words or (ANY in words and stem in words)
+    return LAUNCH in words and is_there and (is_own or package in words)

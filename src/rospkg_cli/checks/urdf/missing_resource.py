@@ -1,0 +1,57 @@
+"""A file that a robot names and that is not there, and the sentences about it."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from ...light_dataclasses import dataclass
+from ...source import Span
+
+State = Literal["absent", "not installed"]
+
+
+@dataclass(frozen=True, slots=True)
+class MissingResource:
+    """A file that is referenced and does not exist at run time; or several in one folder that does not."""
+
+    span: Span
+    package: str
+    path: str
+    state: State
+    is_include: bool
+    suggestion: str | None = None
+    """The likely path: of the file, or of the folder where that is missing."""
+    folder: str = ""
+    """The outermost folder of the path that does not exist."""
+    others: tuple[MissingResource, ...] = ()
+    """Other places that refer to it, or to what the same missing folder should hold."""
+
+    @property
+    def spans(self) -> tuple[Span, ...]:
+        return (self.span, *(each.span for each in self.others))
+
+    @property
+    def other_paths(self) -> frozenset[str]:
+        return frozenset(each.path for each in self.others) - {self.path}
+
+
+def wrong(missing: MissingResource, own: str) -> str:
+    several = f" and {len(missing.other_paths)} more" if missing.other_paths else ""
+    if missing.state == "not installed":
+        verb, them = ("are", "them") if several else ("is", "it")
+        return f"`{missing.path}`{several} {verb} there, but `{missing.package}` does not install {them}"
+    verb = "has" if missing.package == own else "installs"
+    if missing.folder:
+        return f"`{missing.package}` {verb} no folder `{missing.folder}` for `{missing.path}`{several}"
+    return f"`{missing.package}` {verb} no file `{missing.path}`{several}"
+
+
+def advice(missing: MissingResource) -> str:
+    if missing.state == "not installed":
+        folder = missing.path.rpartition("/")[0] or missing.path
+        return f"; install `{folder}` (`data_files` in setup.py, `install(…)` in CMakeLists.txt)"
+    return f"; did you mean `{missing.suggestion}`?" if missing.suggestion else "; add it, or correct the path"
+
+
+def also(missing: MissingResource, other: MissingResource) -> str:
+    return "here too" if other.path == missing.path else f"`{other.path}` too"

@@ -1,0 +1,39 @@
+"""Slips that xacro itself tells of elsewhere, or not at all: a brace too many, an argument in its own default."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.xml.parser import Element
+from ...lazy_regex import regex
+from ..fault import Fault
+
+SURPLUS = regex(r"\$\{[^{}]*\}\}")
+"""An expression with a brace behind it that closes nothing."""
+OWN = regex(r"\$\(\s*arg\s+([^\s)]+)\s*\)")
+
+
+def xacro_slips(root: Element) -> Iterator[Fault]:
+    for element in root.walk():
+        yield from surplus_braces(element)
+        if element.tag == "xacro:arg":
+            yield from own_default(element)
+
+
+def surplus_braces(element: Element) -> Iterator[Fault]:
+    """Yield each expression of an attribute in which one brace more is closed than opened."""
+    for attribute in element.attributes.values():
+        text = attribute.value
+        found = SURPLUS.search(text) if text.count("}") == text.count("{") + 1 else None
+        if found is not None:
+            name = element.get("name") or element.tag
+            start = f"a `}}` too many in `{found[0]}` of `{name}`"
+            message = f"{start}: write `{found[0][:-1]}`, or the value is text with a brace"
+            yield Fault(attribute.value_span, message, "warning")
+
+
+def own_default(argument: Element) -> Iterator[Fault]:
+    name, default = argument.get("name"), argument.attributes.get("default")
+    if name and default is not None and name in OWN.findall(default.value):
+        message = f"the default of `{name}` is `{name}` itself: unless it is given, xacro stops; write a value"
+        yield Fault(default.value_span, message, "warning")

@@ -1,0 +1,22 @@
+"""Whether another package may give a YAML file of this one to a node."""
+
+from __future__ import annotations
+
+from ..package.package_facts import PackageFacts
+from ..package.params.named_yaml import ANY
+from ..package.workspace import Workspace
+
+
+def is_named_elsewhere(stem: str, package: PackageFacts, workspace: Workspace) -> bool:
+    """Return whether another package may name a file: it needs this one and names the file, or puts names together,
+    or it names a file that it does not have itself.
+    """
+    ends = (f"/{stem}.yaml", f"/{stem}.yml")
+    needing = {facts.name for facts in workspace.needing(package.name)}
+    for facts in (each for each in workspace.packages if each.name != package.name):
+        if facts.name in needing and not facts.named_yaml.isdisjoint((stem, ANY)):
+            return True
+        files = (*facts.share_files, *facts.uninstalled) if stem in facts.named_yaml else ends
+        if not any(f"/{path}".endswith(ends) for path in files):
+            return True
+    return False
