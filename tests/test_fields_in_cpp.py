@@ -45,13 +45,19 @@ def test_variables_that_hold_a_message(text: str, message: str, names: list[str]
         "void f(a::msg::B::SharedPtr b); void g() { b->c; }",
         "void f() { a::msg::B b; b.c; }\nvoid g() { Other b; b.d; }",
         "void f() { a::msg::B b; b.c; }\nvoid g(Other & b) { b.d; }",
-        "void f() { a::msg::B b; b.c; }\nvoid g() { a::msg::D b; b.d; }",
+        "void f(a::msg::B b) { g([](a::msg::D b) { b.d; }); b.c; }",
         "void f() { a::msg::B b; b.c; for (auto & [x, b] : all) { b.d; } }",
         "void f() { b.c; a::msg::B(); x::a::msg::B y; y.c; }",
     ],
 )
 def test_names_that_may_hold_something_else(text: str) -> None:
     assert not any(paths(text).values())
+
+
+def test_the_same_name_in_two_places() -> None:
+    text = "void f(a::msg::B b) { b.c; }\nvoid g(a::msg::D::SharedPtr b) { b->d; }\n"
+    assert paths(text) == {"a/msg/B": ["c"], "a/msg/D": ["d"]}
+    assert paths(f"{text}void h(a::msg::D b);") == paths(f"void h(a::msg::D b);\n{text}") == paths(text)
 
 
 LINES = """\
@@ -75,8 +81,14 @@ def test_what_is_judged() -> None:
     near = "`std_msgs/msg/Header` has no field `stmp` (did you mean `stamp`?)"
     assert said("h.stamp.sec = 1; s->data = h.frame_id;") == []
     assert said("h.stmp.sec = 1; h.stmp.sec = 2;") == [("error", 1, near)]
-    assert said("h.stmp.sec = 1;", "include/my_pkg/a.hpp") == [("warning", 0, near)]
+    assert said("h.stmp.sec = 1;", "include/my_pkg/a.hpp") == [("info", 0, near)]
     assert said("h.stmp.sec = 1;", "docs/a.cpp") == []
+    two = "h.stmp.sec = 1;\n}\nvoid g(std_msgs::msg::String h) {\n  h.{};"
+    assert said(two.replace("{}", "data")) == [("error", 0, near)]
+    assert said(two.replace("{}", "stmp")) == [("error", 0, near)]
+    assert said(two.replace("{}", "dataa").replace("stmp", "stamp")) == [
+        ("error", 0, "`std_msgs/msg/String` has no field `dataa` (did you mean `data`?)")
+    ]
     assert said("h.something = 1;") == []
     assert said("h.seq = 1;") == [("error", 0, "`std_msgs/msg/Header` has no field `seq`")]
     assert said("h._data; s->_dat; // h.stmp\n") == []

@@ -9,7 +9,7 @@ from rospkg_cli.finding import Severity
 from rospkg_cli.languages.cpp.code_text import code_text
 from rospkg_cli.testing import lint_files
 
-ERROR, WARNING = Severity.ERROR, Severity.WARNING
+ERROR, WARNING, INFO = Severity.ERROR, Severity.WARNING, Severity.INFO
 NODE = CMAKE.replace("ament_package", "add_executable(talker src/a.cpp)\nament_package")
 USER = {"package.xml": manifest("  <depend>base</depend>\n", "ament_cmake"), "CMakeLists.txt": NODE}
 BASE = {
@@ -93,7 +93,7 @@ def test_a_class_may_be_the_packages_own() -> None:
 
 def test_what_the_package_does_not_compile_is_milder() -> None:
     header = {"include/my_pkg/a.hpp": "#include <base/msg/stats.hpp>\n"}
-    assert findings("int main() {return 0;}\n", header) == [(WARNING, "base/msg/status.hpp")]
+    assert findings("int main() {return 0;}\n", header) == [(INFO, "base/msg/status.hpp")]
     assert findings("#include <my_pkg/a.hpp>\n", header) == [(ERROR, "base/msg/status.hpp")]
     assert findings("int main() {return 0;}\n", {"src/b.cpp": header["include/my_pkg/a.hpp"]}) == []
 

@@ -32,9 +32,9 @@ def needs(kind: type) -> Iterator[type]:
     if kind in READERS:
         yield kind
     elif hasattr(kind, "__dataclass_fields__") and kind.__name__ not in PROVIDED:
-        for part, optional, every in input_parts(kind):
-            if not (optional or every):
-                yield from needs(part)
+        for part in input_parts(kind):
+            if not (part.is_optional or part.is_every):
+                yield from needs(part.kind)
 
 
 PROVIDED = {

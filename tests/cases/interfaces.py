@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import INTERFACES_CMAKE, Example, manifest
+from rospkg_cli.example import CMAKE, INTERFACES_CMAKE, Example, manifest
 from rospkg_cli.rules.interfaces import idl012_unknown_interface_in_cpp as idl012
 from rospkg_cli.rules.interfaces import idl013_unknown_field_in_cpp as idl013
 
@@ -29,6 +29,21 @@ def perhaps(text: str, name: str = "Status") -> tuple[Example, ...]:
 
 OLD = {"srvs/Pause.srv": "---\n", "srvs/Clear.srv": "---\n", "msg/srv/Reset.srv": "---\n"}
 OLD_CMAKE = INTERFACES_CMAKE.replace('srv/SetMode.srv"', 'srvs/Pause.srv" "srvs/Clear.srv" "msg/srv/Reset.srv"')
+
+WAYS = (
+    "add_executable(more src/more.cpp)\n",
+    "if(WITH_MORE)\n  add_executable(more src/more.cpp)\nendif()\n",
+    "if(BUILD_TESTING)\n  add_executable(more src/more.cpp)\nendif()\n",
+)
+"""How a file is compiled: by every build, by those that are asked for it, with the tests."""
+
+
+def compiled(lines: str, source: str, files: dict[str, str]) -> Example:
+    """A package with lines more in its CMakeLists.txt, and a source for them beside a faultless one."""
+    text = files.get("CMakeLists.txt", CMAKE).replace("ament_package", f"{lines}ament_package")
+    main = {"src/talker.cpp": "int main() {return 0;}\n"}
+    return Example(bad={**files, "CMakeLists.txt": text, **main, "src/more.cpp": source}, good={}, on="ament_cmake")
+
 
 CASES = {
     "IDL001": (*perhaps("int a\n"), *perhaps("Header header\n")),
@@ -81,6 +96,7 @@ CASES = {
         ),
     ),
     "IDL013": (
+        *(compiled(lines, idl013.VALUE.replace("text.data", "text.daat"), idl013.FILES) for lines in WAYS),
         Example(
             bad={
                 **idl013.FILES,
@@ -113,6 +129,12 @@ CASES = {
             },
             good={},
             on="ament_cmake",
+        ),
+        *(compiled(lines, "#include <std_msgs/msg/strng.hpp>\n", idl012.FILES) for lines in WAYS),
+        compiled(
+            "",
+            "",
+            {"package.xml": idl012.FILES["package.xml"], "include/my_pkg/a.hpp": "#include <std_msgs/msg/strng.hpp>\n"},
         ),
         Example(
             bad={

@@ -53,8 +53,31 @@ NUMBERED = regex(r"\b(?:Node|hear|serve|batery)\b")
 HEAR = "self.create_subscription(Status, 'status', self.hear, 10)\n"
 SERVE = "self.create_service(SetMode, 'set_mode', self.serve)\n"
 
+TICKS = "msg = Status()\nmsg.batery = 1\n"
+
+
+def ticking(bases: str, init: str = "pass\n", name: str = "tick", before: str = "", end: str = "") -> Example:
+    """A class of some bases with a method that sets a field that is not there."""
+    start = f"\n\nclass Talker({bases}):\n    def __init__(self):\n{indent(init, ' ' * 8)}\n"
+    return code(start + indent(f"{before}def {name}(self):\n{indent(TICKS, '    ')}", "    ") + end)
+
+
 CASES = {
     "IDL010": (
+        ticking("Node"),
+        ticking("rclpy.node.Node", "# self.create_timer(1, self.tick)\npass\n"),
+        ticking("Node", "self.create_timer(1, self.tick)\n"),
+        ticking("Node", "getattr(self, 'tick')()\n"),
+        ticking("Node", end="\n\ntick = 1\n"),
+        ticking("Node", name="__call__"),
+        ticking("Node", name="destroy_node"),
+        ticking("Node", before="@timed\n"),
+        ticking("Node, Mixin"),
+        ticking("Mixin"),
+        ticking("metaclass=Node"),
+        ticking("Node", "msg = Status()\nmsg.batery = 2\n"),
+        ticking("Node", "Status().batery\n"),
+        code("\nmsg = Status()\nmsg.idl = 1\nmsg.IDEL = 1\nprint(msg.idl, msg.IDL, Status(idl=1, IDL=1))\n"),
         code("\nmsg = Status()\nmsg.batery = 1\nmsg.unlike = 2\nmsg.pose.positon.x = 1.0\nmsg.next.texts = ''\n"),
         code(
             "\nmsg = Status()\nmsg.battery = msg.rates.batery = 1\nmsg._x = msg.SLOT_TYPES = msg.pose.position.x = 1\n"

@@ -23,8 +23,9 @@ SET = INTERFACES_CMAKE.replace('  "msg/Status.msg"\n', "  ${msg_files}\n").repla
     over=RosidlTargets,
     severity=Severity.WARNING,
     levels={
+        Severity.ERROR: "the call names no file at all",
         Severity.INFO: "a comment in CMakeLists.txt names it or says that some are left out, it is a copy, or rosidl "
-        "would refuse it"
+        "would refuse it",
     },
     examples=(
         Example(
@@ -53,7 +54,7 @@ def interface_not_generated(generated: RosidlTargets) -> Iterator[Hit]:
 
     ## Why is this bad?
     The build succeeds, and the type does not exist: code that includes or imports it gets an error that does not say
-    why.
+    why. A call that lists none at all stops CMake.
 
     ## When it is quiet
     Where a list can't be evaluated, or a file that can't be read is included. Where git ignores the file. Where a
@@ -61,14 +62,20 @@ def interface_not_generated(generated: RosidlTargets) -> Iterator[Hit]:
     left out on purpose: an info, without a fix. So is a copy by its name (`Flags_backup.msg`), and a file that is not
     finished: rosidl would stop the build at its name, its text or a message that is not there.
     """
-    for interface in generated.unlisted():
+    unlisted = list(generated.unlisted())
+    if unlisted and generated.empty is not None:
+        path, span = generated.empty.path, generated.empty.command.name_span
+        names = f"`{unlisted[0].path}`" + (f" and {len(unlisted) - 1} more" if unlisted[1:] else "")
+        yield Hit(path, span, f"this call names no interface: CMake stops; list {names}", Severity.ERROR)
+        return
+    for interface in unlisted:
         aside = generated.is_commented_out(interface)
-        is_refused = generated.is_refused(interface)
-        is_meant = aside or is_refused or generated.is_left_out(interface)
+        refusal = generated.refusal(interface)
+        is_meant = aside or refusal or generated.is_left_out(interface)
         edit = None if is_meant else add_interface_file(generated, interface)
         fix = only_plain_names(Fix("list it in CMakeLists.txt", (edit,)), interface.path) if edit else None
         where = "only in a comment, not" if aside else "not"
         message = f"`{interface.path}` is {where} in `rosidl_generate_interfaces`: nothing is generated of it"
         level = Severity.INFO if is_meant else None
-        todo = "rosidl would refuse it as it is: mend and list it, or delete it" if is_refused else ""
+        todo = f"rosidl would refuse it ({refusal}): mend and list it, or delete it" if refusal else ""
         yield Hit(interface.path, Span(0, 0), f"{message}; {todo or 'list it, or delete it'}", level, fix=fix)

@@ -27,6 +27,7 @@ class Listener(rclpy.node.Node):
 TALKER = "from std_msgs.msg import String\n\n\ndef words():\n    msg = String()\n    msg.{} = 'hello'\n    return msg\n"
 
 LEFT = "; nothing starts or imports this module"
+UNCALLED = "; nothing calls this method"
 
 
 @rule(
@@ -34,7 +35,7 @@ LEFT = "; nothing starts or imports this module"
     "unknown-field",
     over=FieldUses,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "nothing starts or imports the module"},
+    levels={Severity.WARNING: "nothing starts or imports the module, or calls the method"},
     examples=(
         Example(
             bad={"package.xml": manifest(DEPENDS), "my_pkg/listener.py": NODE.format("«dat»")},
@@ -67,7 +68,8 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     caught; for what an action client is handed, a message around the feedback or result (`.feedback`), which
     annotations often take for it; for packages outside of the workspace, unless the name is near a field or was one in
     ROS 1; under a condition that is for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A module that no
-    entry point and no other file of the package names or imports, beside others that start, is a warning.
+    entry point and no other file of the package names or imports, beside others that start, is a warning, and so is a
+    method of a node whose name no other code of the package has.
 
     ## Fix safety
     The intended field is a guess.
@@ -80,9 +82,10 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
             fix = Fix(f"write `{first.near}`", edits, Safety.UNSAFE)
         related = tuple(Related(each.path, each.span, "and here") for each in others)
         names = [field[0].name for field in fields]
-        is_left = uses.is_left(first.path)
-        told = f"{message(first, names)}{LEFT if is_left else ''}"
-        yield Hit(first.path, first.span, told, Severity.WARNING if is_left else None, related, fix)
+        is_uncalled = all(map(uses.is_uncalled, (first, *others)))
+        end = LEFT if uses.is_left(first.path) else UNCALLED if is_uncalled else ""
+        level = Severity.WARNING if end else None
+        yield Hit(first.path, first.span, f"{message(first, names)}{end}", level, related, fix)
 
 
 def together(uses: Iterable[UnknownField]) -> Iterable[Sequence[Sequence[UnknownField]]]:
@@ -90,9 +93,9 @@ def together(uses: Iterable[UnknownField]) -> Iterable[Sequence[Sequence[Unknown
 
     A field that has a near name is a fault of its own.
     """
-    fields: dict[tuple[str, str, str], list[UnknownField]] = {}
+    fields: dict[object, list[UnknownField]] = {}
     for use in uses:
-        fields.setdefault((use.path, use.message, use.name), []).append(use)
+        fields.setdefault((use.path, use.message, use.name, use.near), []).append(use)
     faults: dict[object, list[list[UnknownField]]] = {}
     for field in fields.values():
         first = field[0]

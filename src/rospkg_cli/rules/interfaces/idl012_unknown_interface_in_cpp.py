@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...checks.cpp.interfaces_in_cpp import InterfacesInCpp, WrongInterface
+from ...checks.fault import WORST_FIRST
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -35,7 +36,10 @@ int main()
     "unknown-interface-in-cpp",
     over=InterfacesInCpp,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "in a file that only others compile"},
+    levels={
+        Severity.WARNING: "in a file that only others compile, tests do, or that is compiled on demand",
+        Severity.INFO: "in a file that nothing compiles, beside others",
+    },
     examples=(
         Example(
             bad={**FILES, "src/talker.cpp": SOURCE.replace("std_msgs/msg/string.hpp", "«std_msgs/msg/strng.hpp»")},
@@ -72,15 +76,14 @@ def unknown_interface_in_cpp(interfaces: InterfacesInCpp) -> Iterator[Hit]:
     for first, *others in by_interface(interfaces.wrong()):
         edits = tuple(Edit(each.path, each.span, each.meant) for each in (first, *others) if each.meant)
         fix = Fix(f"write `{first.meant}`", edits, Safety.UNSAFE) if first.meant else None
-        level = None if first.is_compiled else Severity.WARNING
         related = tuple(Related(each.path, each.span, "and here") for each in others)
-        yield Hit(first.path, first.span, message(first), level, related, fix)
+        yield Hit(first.path, first.span, message(first), Severity(first.level), related, fix)
 
 
 def by_interface(found: Iterable[WrongInterface]) -> Iterable[list[WrongInterface]]:
     """Return the places of each interface together, those that the build certainly compiles first: one cause."""
     same: dict[tuple[str, str, str], list[WrongInterface]] = {}
-    for each in sorted(found, key=lambda each: not each.is_compiled):
+    for each in sorted(found, key=lambda each: WORST_FIRST.index(each.level)):
         same.setdefault((each.package, each.kind, each.header_name), []).append(each)
     return same.values()
 

@@ -48,7 +48,10 @@ int main()
     "unknown-field-in-cpp",
     over=FieldsInCpp,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "in a file that only others compile"},
+    levels={
+        Severity.WARNING: "in a file that only others compile, tests do, or that is compiled on demand",
+        Severity.INFO: "in a file that nothing compiles, beside others",
+    },
     examples=(
         Example(
             bad={**FILES, "src/talker.cpp": VALUE.replace("text.data", "text.«daat»")},
@@ -91,5 +94,4 @@ def unknown_field_in_cpp(fields: FieldsInCpp) -> Iterator[Hit]:
         hint = f" (did you mean `{first.near}`?)" if first.near else ""
         related = tuple(Related(each.path, each.span, "and here") for each in others)
         message = f"`{first.message}` has no field `{first.name}`{hint}: the compiler stops there; correct it"
-        level = None if first.is_compiled else Severity.WARNING
-        yield Hit(first.path, first.span, message, level, related, fix)
+        yield Hit(first.path, first.span, message, Severity(first.level), related, fix)
