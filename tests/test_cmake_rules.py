@@ -552,3 +552,23 @@ def test_what_one_install_breaks_is_one_finding() -> None:
     assert findings[0].message.endswith("; `chmod +x` them")
     assert findings[0].fix is not None
     assert len(findings[0].fix.operations) == 2
+
+
+GONE = "install(DIRECTORY {} DESTINATION share/${{PROJECT_NAME}})\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "starts"),
+    [
+        (GONE.format("maps rviz"), ["`maps` and `rviz` do not exist"]),
+        (GONE.format("maps") + GONE.format("rviz"), ["`maps` does not exist", "`rviz` does not exist"]),
+        (GONE.format("maps") + GONE.format("maps rviz"), ["`maps` and `rviz` do not exist"]),
+        (GONE.format("maps lanch"), ["`maps` does not exist", "`lanch` does not exist (did you mean `launch`?)"]),
+        (GONE.format("maps maps"), ["`maps` does not exist"]),
+    ],
+)
+def test_folders_that_one_command_installs_are_one_cause(lines: str, starts: list[str]) -> None:
+    files = {**package(lines + GONE.format("launch")), "launch/a.launch.xml": "<launch/>\n"}
+    found = said(files, "CMK102")
+    assert sorted(each.partition(":")[0] for each in found) == sorted(starts)
+    assert all(("add files to them" in each) is ("do not" in each) for each in found)

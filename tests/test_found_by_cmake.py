@@ -96,6 +96,8 @@ def test_a_package_that_is_linked_is_told_once(lines: str, codes: list[str]) -> 
         ("ament_export_dependencies(rclpcp)", "rclcpp", "rclcpp"),
         ("ament_export_dependencies(rclcpp Eigen3)", "rclcpp", ""),
         ("find_package(OpenGL REQUIRED)\nament_target_dependencies(a rclcpp OpenCV)", "rclcpp", ""),
+        ("find_package(Eigen3 REQUIRED)\nament_target_dependencies(a rclcpp EIGEN3)", "rclcpp", ""),
+        ("find_package(rclcpp REQUIRED)\nament_target_dependencies(a RCLCPP)", "std_msgs", "rclcpp"),
     ],
 )
 def test_packages_that_are_nearly_declared(lines: str, declared: str, near: str) -> None:

@@ -8,7 +8,7 @@ from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.finding import Severity
 from rospkg_cli.testing import lint_files
 
-ERROR, WARNING = Severity.ERROR, Severity.WARNING
+ERROR, WARNING, INFO = Severity.ERROR, Severity.WARNING, Severity.INFO
 BASE = {
     "base/package.xml": manifest("", "ament_cmake", "base"),
     "base/CMakeLists.txt": CMAKE.replace("my_pkg", "base"),
@@ -113,7 +113,7 @@ def test_a_folder_of_two_packages() -> None:
 
 def test_what_the_package_does_not_compile_is_milder() -> None:
     header = '#include "my_pkg/wodrs.hpp"\n'
-    assert findings("", my_pkg__include__my_pkg__b=header) == [(WARNING, "my_pkg/words.hpp")]
+    assert findings("", my_pkg__include__my_pkg__b=header) == [(INFO, "my_pkg/words.hpp")]
     assert findings('#include "my_pkg/b.hpp"', my_pkg__include__my_pkg__b=header) == [(ERROR, "my_pkg/words.hpp")]
 
 
@@ -183,9 +183,7 @@ def test_a_package_of_ros_1_has_its_headers() -> None:
     header = {"include/my_pkg/a.hpp": f"{line}\n"}
     assert of_nobody("", **header) == []
     assert of_nobody('#include "my_pkg/a.hpp"', **header) == [(ERROR, "rclcpp/rclcpp.hpp")]
-    assert of_nobody("", **{"include/my_pkg/a.hpp": '#include "my_pkgg/words.hpp"\n'}) == [
-        (WARNING, "my_pkg/words.hpp")
-    ]
+    assert of_nobody("", **{"include/my_pkg/a.hpp": '#include "my_pkgg/words.hpp"\n'}) == [(INFO, "my_pkg/words.hpp")]
     assert of_nobody(f"#include <ros/time.h>\n{line}") == [(ERROR, "rclcpp/time.hpp")]
     assert of_nobody(line, **{"include/ros/ros.h": ""}) == []
 

@@ -12,10 +12,17 @@ PART = "RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::Part)\n"
 PLUGIN = "PLUGINLIB_EXPORT_CLASS(my_pkg::Part, nav2_core::Controller)\n"
 
 
-def messages(files: dict[str, str], lines: str = "") -> list[str]:
+def package(lines: str = "") -> dict[str, str]:
     cmake = CMAKE.replace("ament_package", f"add_executable(talker src/talker.cpp)\n{lines}\nament_package")
-    package = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": cmake, "src/talker.cpp": NODE}
-    return [each.message for each in lint_files({**package, **files}, ["CMK202"]).findings]
+    return {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": cmake, "src/talker.cpp": NODE}
+
+
+def messages(files: dict[str, str], lines: str = "") -> list[str]:
+    return [each.message for each in lint_files({**package(lines), **files}, ["CMK202"]).findings]
+
+
+def levels(files: dict[str, str]) -> list[str]:
+    return [each.severity.value for each in lint_files({**package(), **files}, ["CMK202"]).findings]
 
 
 @pytest.mark.parametrize(
@@ -86,3 +93,40 @@ def test_a_file_may_be_built_alone() -> None:
 def test_a_file_for_ros_1_is_left_alone() -> None:
     files = {"package.xml": manifest("", "catkin"), "src/spare.cpp": NODE}
     assert messages(files) == []
+
+
+LAUNCH = '<launch>\n  <node pkg="{}" exec="{}"/>\n</launch>\n'
+LOADED = (
+    '<launch>\n  <node_container pkg="rclcpp_components" exec="component_container" name="c" namespace="">\n'
+    '    <composable_node pkg="my_pkg" plugin="{}" name="p"/>\n  </node_container>\n</launch>\n'
+)
+
+
+@pytest.mark.parametrize(
+    ("source", "path", "text", "level"),
+    [
+        (NODE, "README.md", "Run `ros2 run my_pkg spare` first.\n", "warning"),
+        (NODE, "run.sh", "ros2  run my_pkg spare\n", "warning"),
+        (NODE, "README.md", "Run `ros2 run my_pkg spare_part` first.\n", "info"),
+        (NODE, "README.md", "Run `ros2 run other spare` first.\n", "info"),
+        (NODE, "src/a.py", "ros2 run my_pkg spare\n", "info"),
+        (NODE, "launch/a.launch.xml", LAUNCH.format("my_pkg", "spare"), "warning"),
+        (NODE, "launch/a.launch.xml", LAUNCH.format("other", "spare"), "info"),
+        (PART, "launch/a.launch.xml", LOADED.format("my_pkg::Part"), "warning"),
+        (PART, "launch/a.launch.xml", LOADED.format("my_pkg::Other"), "info"),
+        (PLUGIN, "config/a.yaml", "controller:\n  plugin: my_pkg::Part\n", "warning"),
+        (PLUGIN, "plugins.xml", '<class type="my_pkg::Part"/>\n', "warning"),
+        (PLUGIN, "plugins.xml", '<class type="my_pkg::Pump"/>\n', "info"),
+        (PLUGIN, "README.md", "There is my_pkg::Part.\n", "info"),
+    ],
+)
+def test_what_nobody_names_may_be_a_leftover(source: str, path: str, text: str, level: str) -> None:
+    assert levels({"src/spare.cpp": source, path: text}) == [level]
+
+
+def test_a_launch_file_of_another_package_starts_it() -> None:
+    other = {"other/package.xml": manifest("", "ament_cmake", "other")}
+    other["other/CMakeLists.txt"] = CMAKE.replace("my_pkg", "other")
+    other["other/launch/a.launch.xml"] = LAUNCH.format("my_pkg", "spare")
+    own = {f"own/{path}": each for path, each in {**package(), "src/spare.cpp": NODE}.items()}
+    assert [each.severity.value for each in lint_files({**own, **other}, ["CMK202"]).findings] == ["warning"]

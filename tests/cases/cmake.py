@@ -296,6 +296,12 @@ CASES = {
               src__a_DOT_cpp='#include "hepler.hpp"\n#include "my_pkg/not_there.hpp"\nint main() {return 0;}\n',
               src__helper_DOT_hpp="#include <my_pkg/too.hpp>\n",
               include__my_pkg__b_DOT_hpp="#include <my_pkg/bb.hpp>\n"),
+        *(cmake(lines, src__a_DOT_cpp=MAIN, src__more_DOT_cpp="#include <my_pkg/bb.hpp>\n",
+                include__my_pkg__b_DOT_hpp="#pragma once\n")
+          for lines in ("add_executable(talker src/a.cpp)\nif(WITH_MORE)\n  add_executable(b src/more.cpp)\nendif()\n",
+                        "add_executable(talker src/a.cpp)\nif(BUILD_TESTING)\n  add_executable(b src/more.cpp)\n"
+                        "endif()\n", "add_executable(talker ${WHATEVER})\n")),
+        cmake("", include__my_pkg__b_DOT_hpp="#include <my_pkg/bb.hpp>\n"),
     ),
     "CMK118": (
         *(cmake(f"{before}add_library(robot_core_base SHARED src/a.cpp)\n"
