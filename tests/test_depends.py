@@ -285,6 +285,16 @@ def test_code_that_describes_nodes_is_asked_mildly() -> None:
     assert said("DEP103", {"my_pkg/generator.py": code.format(0), "package.xml": manifest(body)}) == []
 
 
+def test_nodes_that_code_describes_are_one_info() -> None:
+    node = "    Writer.Node(package='{}', executable='x')\n"
+    code = "def make(Writer):\n" + "".join(map(node.format, ("tf2_ros", "my_robot_of_none", "nav2_amcl", "tf2_ros")))
+    (found,) = lint_files(existing_files({**PYTHON, "my_pkg/generator.py": code}), ["DEP103"]).findings
+    assert found.message.startswith("`my_robot_of_none`, `nav2_amcl` and `tf2_ros` are not declared, and this code")
+    assert [message for _, message in found.related] == ["`nav2_amcl` here", "`tf2_ros` here"]
+    assert found.fix is not None
+    assert found.fix.title == "declare `nav2_amcl` and `tf2_ros`"
+
+
 LEVELS = [("nav_example", "info"), ("demo_arm", "info"), ("nav_demo", "info"), ("demo", "warning"), ("arm", "warning")]
 
 
@@ -317,7 +327,7 @@ def test_a_name_near_one_of_the_workspace_is_written_and_not_declared() -> None:
     assert (finding.fix.safety, [edit.text for edit in finding.fix.operations]) == (Safety.UNSAFE, ["acme_driver"])
 
 
-@pytest.mark.parametrize("name, meant", [("rclpi", ["rclpy"]), ("joi", [])])
+@pytest.mark.parametrize("name, meant", [("rclpi", ["rclpy"]), ("joi", []), ("qclcpp", []), ("clcpp", [])])
 def test_a_misspelt_name_of_few_letters_may_mean_anything(name: str, meant: list[str]) -> None:
     files = {**PYTHON, "package.xml": manifest(f"  <exec_depend>{name}</exec_depend>\n")}
     found = [finding.message for finding in lint_files(files, ["DEP001"]).findings]
@@ -328,6 +338,22 @@ def test_a_misspelt_name_of_few_letters_may_mean_anything(name: str, meant: list
 SCRIPT = PYTHON["setup.py"].replace(
     "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
 )
+
+
+@pytest.mark.parametrize(
+    ("nodes", "meant"),
+    [
+        ('<node pkg="acme_robot" exec="talker"/>', ["did you mean `my_pkg`?"]),
+        ('<node pkg="acme_robot" exec="talker"/>\n  <node pkg="acme_robot" exec="other"/>', []),
+        ('<include file="$(find-pkg-share acme_robot)/a.launch.xml"/>', []),
+        ('<node pkg="tf2_ros" exec="talker"/>', []),
+    ],
+)
+def test_a_package_that_has_what_is_started_of_an_unknown_one_is_meant(nodes: str, meant: list[str]) -> None:
+    files = {**PYTHON, "setup.py": SCRIPT, "my_pkg/talker.py": "", "launch/a.launch.xml": xml(nodes)}
+    found = [each.message.rpartition(": ")[2] for each in lint_files(existing_files(files), ["DEP103"]).findings]
+    assert [each for each in found if "mean" in each] == meant
+    assert len(found) == 1
 
 
 def starts(inside: str, **more: str | None) -> list[str]:
@@ -539,6 +565,92 @@ def test_files_that_nothing_compiles_include_what_they_like() -> None:
 def test_a_neighbour_whose_folder_cmake_names_needs_no_package(folder: str, found: list[str]) -> None:
     text = cmake("add_executable(node src/node.cpp)", f"include_directories({folder})")
     assert built("DEP105", text, **{"src/node.cpp": "#include <rclcpp/rclcpp.hpp>\n"}) == found
+
+
+def including(text: str, cmake_lines: str = NODE, depends: str = "", **files: str) -> list[tuple[str, str]]:
+    """Return level and consequence of what DEP105 says of a header for others that includes something."""
+    tree = {
+        "package.xml": manifest(depends, "ament_cmake"),
+        "CMakeLists.txt": cmake_lines,
+        "src/node.cpp": "int main() {}\n",
+        "include/my_pkg/public.hpp": text,
+    }
+    found = lint_files({**existing_files(BACKDROPS["ament_cmake"]), **tree, **files}, ["DEP105"]).findings
+    return [(each.severity.value, each.message.partition(": ")[2].partition(";")[0]) for each in found]
+
+
+INSTALLED = "install(DIRECTORY include/ DESTINATION include)"
+ENDS = 'the build ends with "No such file or directory" where nothing else brings it'
+STOPS = "CMake, which requires it, stops where nothing else brings it"
+
+
+@pytest.mark.parametrize(
+    ("lines", "source", "found"),
+    [
+        ((INSTALLED,), "", [("warning", ENDS)]),
+        (("add_executable(node src/node.cpp)", INSTALLED), "", [("info", ENDS)]),
+        (("add_executable(node src/node.cpp)", INSTALLED), '#include "my_pkg/public.hpp"\n', [("warning", ENDS)]),
+        (("add_executable(node src/node.cpp)",), "", [("info", ENDS)]),
+    ],
+)
+def test_a_header_that_is_not_compiled_beside_others(lines: tuple[str, ...], source: str, found: list[object]) -> None:
+    assert including("#include <rclcpp/rclcpp.hpp>\n", cmake(*lines), **{"src/node.cpp": source}) == found
+
+
+def test_a_source_among_the_headers_is_none() -> None:
+    assert including("", cmake(INSTALLED), **{"include/my_pkg/old.cpp": "#include <rclcpp/rclcpp.hpp>\n"}) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "says"),
+    [
+        ("tins/tins.h", "pkg_check_modules(T REQUIRED libtins>=4)", STOPS),
+        ("tins/tins.h", "pkg_search_module(T libtins)", ENDS),
+        ("tins/tins.h", "if(WITH_TINS)\n  pkg_check_modules(T REQUIRED libtins)\nendif()", ENDS),
+        ("tins/tins.h", "pkg_check_modules(T REQUIRED libiio)", ENDS),
+        ("acme_msgs/msg/a.hpp", "find_package(acme_msgs REQUIRED)", STOPS),
+        ("acme_msgs/msg/a.hpp", "find_package(acme_msgs)", ENDS),
+        ("acme_msgs/msg/a.hpp", "if(WITH_ACME)\n  find_package(acme_msgs REQUIRED)\nendif()", ENDS),
+    ],
+)
+def test_cmake_stops_before_the_compiler_does(text: str, line: str, says: str) -> None:
+    lines, include = cmake(line, "add_executable(node src/node.cpp)"), f"#include <{text}>\n"
+    other = {"other/package.xml": manifest("  <depend>acme_msgs</depend>\n", "ament_cmake", "other")}
+    other["other/CMakeLists.txt"] = CMAKE.replace("my_pkg", "other")
+    files = {f"my_pkg/{path}": each for path, each in existing_files(BACKDROPS["ament_cmake"]).items()}
+    files |= {"my_pkg/CMakeLists.txt": lines, "my_pkg/src/node.cpp": include, **other}
+    assert [f.message.partition(": ")[2].partition(";")[0] for f in lint_files(files, ["DEP105"]).findings] == [says]
+
+
+def test_what_cmake_fetches_need_not_be_declared() -> None:
+    fetched = cmake("FetchContent_Declare(yaml-cpp GIT_REPOSITORY x)", "add_executable(node src/node.cpp)")
+    text = "#include <yaml-cpp/yaml.h>\n"
+    assert built("DEP105", fetched, **{"src/node.cpp": text}) == []
+    assert built("DEP105", fetched.replace("yaml-cpp", "toml"), **{"src/node.cpp": text}) == ["yaml-cpp"]
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("kdl_parser_py", ("unsafe", ", which only lyrical and rolling have")),
+        ("rslidar_sdk", ("unsafe", ", which only jazzy has")),
+        ("gazebo_ros", ("safe", "")),
+        ("joy", ("safe", "")),
+    ],
+)
+def test_a_package_that_the_oldest_distribution_lacks(name: str, says: tuple[str, str]) -> None:
+    files = {**existing_files(BACKDROPS["ament_python"])}
+    files["launch/a.launch.xml"] = f'<launch>\n  <node pkg="{name}" exec="a"/>\n</launch>\n'
+    (finding,) = lint_files(files, ["DEP103"]).findings
+    assert finding.fix is not None
+    assert (finding.fix.safety.value, finding.message.partition("_depend>")[2].partition(">")[2]) == says
+
+
+@pytest.mark.parametrize("comment", ["<!-- depend>rclcpp</depend -->", "<!-- <depend>rclcpp</depend> -->"])
+def test_a_dependency_in_a_comment_is_left_out_on_purpose(comment: str) -> None:
+    source = {"src/node.cpp": "#include <rclcpp/rclcpp.hpp>\n"}
+    assert including("", depends=f"  {comment}\n", **source) == [("info", ENDS)]
+    assert including("", depends="  <!-- independ>rclcpp -->\n", **source) == [("warning", ENDS)]
 
 
 def test_an_include_that_find_package_names_is_said_once() -> None:

@@ -52,6 +52,11 @@ def test_undeclared_interfaces_that_nobody_knows() -> None:
     assert message.startswith("info CMake requires `acme_msgs`")
 
 
+def test_a_package_that_ament_is_handed() -> None:
+    (message,) = required((FIND + USE).format("acme_arm", "acme_arm"))
+    assert message.startswith("info CMake requires `acme_arm`")
+
+
 @pytest.mark.parametrize(
     "lines, body",
     [
@@ -61,7 +66,8 @@ def test_undeclared_interfaces_that_nobody_knows() -> None:
         ("if(BUILD_TESTING)\n  find_package(acme_msgs REQUIRED)\nendif()", ""),
         (FIND.format("acme_msgs"), "  <depend>acme_msgs</depend>\n"),
         (FIND.format("acme_msgs"), "  <depend>amce_msgs</depend>\n"),
-        ((FIND + USE).format("acme_arm", "acme_arm"), ""),
+        ((FIND + USE).format("acme", "acme"), ""),
+        ((FIND + USE).format("sdl2_custom", "sdl2_custom"), "  <depend>sdl2_vendor</depend>\n"),
     ],
 )
 def test_what_may_be_no_package_of_ros_or_is_declared(lines: str, body: str) -> None:

@@ -89,9 +89,15 @@ def test_a_found_package_is_no_other_of_a_longer_name() -> None:
     assert said("DEP107", finds.replace("(s", "(tf2_s") + NODE, needs, source) == []
 
 
+@pytest.mark.parametrize(("lines", "found"), [(NODE, ["warning rclcpp"]), ("", []), ("# " + NODE, [])])
+def test_what_nothing_compiles_needs_no_package(lines: str, found: list[str]) -> None:
+    source = f"#include <rclcpp/rclcpp.hpp>\n{MAIN}"
+    assert said("DEP107", lines, "  <depend>rclcpp</depend>\n", source) == found
+
+
 @pytest.mark.parametrize("naming", ["set(NODES node)\n", "list(APPEND NODES node)\n", "message(STATUS node)\n"])
 def test_a_variable_that_names_a_target_uses_nothing(naming: str) -> None:
-    assert said("CMK103", NODE + naming) == ["warning node"]
+    assert said("CMK103", NODE + naming) == ["info node"]
     assert said("CMK103", f"{NODE}{naming}{INSTALLED}") == []
     assert said("CMK103", f"{NODE}set(NODES node)\ninstall(TARGETS ${{NODES}} DESTINATION lib/a)\n") == []
 
