@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.launch.idle_actions import IN_BRANCH, NEVER_ADDED, OFF
+from rospkg_cli.checks.launch.idle_actions import CONDITIONAL, IN_BRANCH, NEVER_ADDED, OFF
 from rospkg_cli.example import manifest
 from rospkg_cli.testing import lint_files
 
@@ -59,18 +59,14 @@ SETUP = "from setuptools import setup\n\nsetup(name='my_pkg', version='0.1.0', p
         (", condition=UnlessCondition(sim)", "1", "warning"),
         (", condition=UnlessCondition(sim)", "false", "error"),
         (", condition=IfCondition('false')", "true", "warning"),
-        (", condition=IfCondition(LaunchConfiguration('other'))", "false", "error"),
+        (", condition=None", "false", "error"),
         (""", condition=IfCondition(PythonExpression(["'", sim, "' == 'gz'"]))""", "gz", "error"),
         (""", condition=IfCondition(PythonExpression(["'", sim, "' == 'gz'"]))""", "real", "warning"),
         (""", condition=IfCondition(PythonExpression(["'", sim, "' != 'gz'"]))""", "gz", "warning"),
         (""", condition=IfCondition(PythonExpression(["'", sim, "' != 'gz'"]))""", "real", "error"),
         (""", condition=UnlessCondition(PythonExpression(["'", sim, "' == 'gz'"]))""", "gz", "warning"),
-        (""", condition=IfCondition(PythonExpression(["'", sim, "' in ('gz',)"]))""", "real", "error"),
-        (
-            """, condition=IfCondition(PythonExpression(["'", sim, EnvironmentVariable('X'), "' == 'gz'"]))""",
-            "real",
-            "error",
-        ),
+        (", condition=IfCondition(PythonExpression(['not ', sim]))", "false", "error"),
+        (", condition=IfCondition(PythonExpression(['not ', sim]))", "true", "warning"),
     ],
 )
 def test_a_condition_counts_with_the_defaults(condition: str, default: str, level: str) -> None:
@@ -82,6 +78,31 @@ def test_a_condition_counts_with_the_defaults(condition: str, default: str, leve
 
 
 @pytest.mark.parametrize(
+    "condition",
+    [
+        "IfCondition(LaunchConfiguration('other'))",
+        """IfCondition(PythonExpression(["'", sim, "' in ('gz',)"]))""",
+        """IfCondition(PythonExpression(["'", sim, EnvironmentVariable('X'), "' == 'gz'"]))""",
+        "LaunchConfigurationEquals('sim', 'real')",
+        "condition_of(sim)",
+        "sys.argv",
+    ],
+)
+def test_a_condition_that_is_not_known_is_one(condition: str) -> None:
+    text = PYTHON.format(condition=f", condition={condition}", default="real", added="node,")
+    ((found, message),) = levels(f"import sys\n\nfrom launch.conditions import LaunchConfigurationEquals\n{text}")
+    assert found == "warning"
+    assert f", {CONDITIONAL}; it" in message
+
+
+@pytest.mark.parametrize(("sim", "level"), [("true", "error"), ("false", "warning")])
+def test_the_condition_of_a_group_is_one_of_its_actions(sim: str, level: str) -> None:
+    group = "GroupAction([node], condition=IfCondition(sim)),"
+    text = PYTHON.format(condition="", default=sim, added=group).replace("DeclareLaunchArgument, ", "GroupAction, ", 1)
+    assert [found for found, _ in levels(f"from launch.actions import DeclareLaunchArgument\n{text}")] == [level]
+
+
+@pytest.mark.parametrize(
     "condition, default, level",
     [
         ("", "true", "error"),
@@ -90,8 +111,8 @@ def test_a_condition_counts_with_the_defaults(condition: str, default: str, leve
         ('unless="$(var sim)"', "true", "warning"),
         ('unless=" $(var sim) "', "false", "error"),
         ('if="false"', "true", "warning"),
-        ('if="$(var sim) and more"', "false", "error"),
-        ('if="$(var other)"', "false", "error"),
+        ('if="$(var sim) and more"', "false", "warning"),
+        ('if="$(var other)"', "false", "warning"),
     ],
 )
 def test_a_condition_in_xml_counts_too(condition: str, default: str, level: str) -> None:
@@ -146,22 +167,28 @@ INCLUDE = PYTHON.replace("Node(package='my_pkg', executable='missing'{condition}
 
 
 @pytest.mark.parametrize(
-    "include, added, name, level",
+    "include, added, name, installed, level",
     [
-        ("IncludeLaunchDescription({})", "node,", "b.launch.py", "error"),
-        ("IncludeLaunchDescription({}, condition=IfCondition(sim))", "node,", "b.launch.py", "warning"),
-        ("IncludeLaunchDescription({})", "", "b.launch.py", "info"),
-        ("Node(package='rviz2', executable='rviz2', arguments=['-d', {}])", "node,", "b.rviz", "warning"),
+        ("IncludeLaunchDescription({})", "node,", "b.launch.py", ["launch/a.launch.py"], "error"),
+        ("IncludeLaunchDescription({})", "node,", "b.launch.py", [], "warning"),
+        ("IncludeLaunchDescription({}, condition=IfCondition(sim))", "node,", "b.launch.py", [], "warning"),
+        ("IncludeLaunchDescription({})", "", "b.launch.py", [], "info"),
+        ("Node(package='rviz2', arguments=['-d', {}])", "node,", "b.rviz", ["launch/a.launch.py"], "warning"),
     ],
 )
-def test_a_missing_file_counts_where_it_is_opened(include: str, added: str, name: str, level: str) -> None:
+def test_a_missing_file_counts_where_it_is_opened(
+    include: str, added: str, name: str, installed: list[str], level: str
+) -> None:
     text = INCLUDE.format(include=include.format(FILE.format(name)), default="false", added=added)
-    setup = SETUP.replace(")\n", ", data_files=[('share/my_pkg', ['package.xml'])])\n")
+    setup = SETUP.replace(")\n", f", data_files=[('share/my_pkg', {['package.xml', *installed]})])\n")
     files = {"package.xml": manifest(), "setup.py": setup, "my_pkg/__init__.py": "", "launch/a.launch.py": text}
     (finding,) = lint_files(files, ["LCH003"]).findings
     assert finding.severity.value == level
     assert ("RViz starts with its default view; add it" in finding.message) is (name == "b.rviz")
     assert (f", {OFF}; " in finding.message) is ("IfCondition" in include)
+    assert (", where it is started from the source" in finding.message) is (
+        level == "warning" and not installed and "IfCondition" not in include
+    )
 
 
 def test_a_sister_package_that_has_the_program_is_named() -> None:

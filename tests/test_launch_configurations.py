@@ -95,6 +95,18 @@ def test_the_order_of_a_python_file(body: str, codes: list[str]) -> None:
     assert said(python(body)) == codes
 
 
+def test_what_a_file_that_is_not_here_may_set() -> None:
+    """The name may be passed on here, and declared in vain, but another file must not have it."""
+    include = (
+        '<include file="$(find-pkg-share other)/launch/b.launch.xml"><arg name="rate" value="$(var rate)"/></include>'
+    )
+    files = xml(f'<arg name="mode" default=""/><include file="$(dirname)/c.launch.xml"/>{include}')
+    assert said(files) == ["LCH008"]
+    assert said({**files, "launch/d.launch.xml": f"<launch>{DECLARE}</launch>"}) == []
+    absent = "IncludeLaunchDescription('b.launch.py')"
+    assert said(python(f"return LaunchDescription([DeclareLaunchArgument('mode'), {absent}, use])")) == ["LCH008"]
+
+
 def test_a_file_that_others_include_has_what_these_set() -> None:
     inner = xml(USE)
     passing = '<include file="$(dirname)/a.launch.xml"><arg name="rate" value="1"/></include>'

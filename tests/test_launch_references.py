@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import pytest
 from reading import package
 
+from rospkg_cli.checks.closest_path import closest_path
 from rospkg_cli.example import BACKDROPS, CMAKE, SETUP_PY, manifest
 from rospkg_cli.finding import Edit
 from rospkg_cli.package.launch.launch_file import LaunchFile
@@ -14,11 +15,13 @@ from rospkg_cli.testing import lint_files
 
 HEAD = """\
 import os
+import xacro
 from ament_index_python.packages import get_package_prefix, get_package_share_directory, get_package_share_path
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess, IncludeLaunchDescription, LogInfo
 from launch.launch_description_sources import PythonLaunchDescriptionSource
-from launch.substitutions import Command, LaunchConfiguration, PathJoinSubstitution, PathSubstitution, ThisLaunchFileDir
+from launch.substitutions import Command, FindExecutable, LaunchConfiguration, PathJoinSubstitution, PathSubstitution
+from launch.substitutions import ThisLaunchFileDir
 from launch_ros.actions import Node
 from launch_ros.parameter_descriptions import ParameterFile
 from launch_ros.substitutions import FindPackageShare
@@ -61,14 +64,22 @@ def said(files: Mapping[str, str], *codes: str) -> list[str]:
         ("Node(parameters=[ParameterFile([FindPackageShare('a'), '/y.yaml'])])", "y.yaml", "file"),
         ("Node(parameters=[get_package_share_path('a') / 'x' / 'y.yaml'])", "x/y.yaml", "file"),
         ("Node(parameters=[get_package_prefix('a') + '/share/a/y.yaml'])", "y.yaml", "file"),
-        ("Command(['xacro ', FindPackageShare('a'), '/y.xacro', ' b:=1'])", "y.xacro", "file"),
+        ("Command(['xacro ', FindPackageShare('a'), '/y.xacro', ' b:=1'])", "y.xacro", "open"),
+        ("Command(['xacro x.xacro b:=', FindPackageShare('a'), '/y.yaml'])", "y.yaml", "file"),
+        ("Command(['xacro x.xacro b:=\\'', FindPackageShare('a'), '/y.yaml'])", "y.yaml", "file"),
+        ("Command([FindExecutable(name='xacro'), ' ', FindPackageShare('a'), '/y.xacro'])", "y.xacro", "open"),
+        ("Command(['/opt/bin/xacro ', FindPackageShare('a'), '/y.xacro'])", "y.xacro", "open"),
+        ("Command(['ros2 run xacro xacro ', FindPackageShare('a'), '/y.xacro'])", "y.xacro", "open"),
+        ("Command(['cat ', FindPackageShare('a'), '/y.urdf'])", "y.urdf", "open"),
+        ("Command(['tool ', FindPackageShare('a'), '/y.urdf'])", "y.urdf", "file"),
+        ("xacro.process_file(get_package_share_directory('a') + '/y.urdf')", "y.urdf", "open"),
         ("Node(parameters=[PathSubstitution(FindPackageShare('a')) / 'y.yaml'])", "y.yaml", "file"),
         ("DeclareLaunchArgument('p', default_value=get_package_share_directory('a') + '/y.yaml')", "y.yaml", "default"),
         ("IncludeLaunchDescription([FindPackageShare('a'), '/y.launch.py'])", "y.launch.py", "include"),
         ("PythonLaunchDescriptionSource([FindPackageShare('a'), '/y.launch.py'])", "y.launch.py", "include"),
         ("ExecuteProcess(cmd=['sh', '-c', ['(cat ', FindPackageShare('a'), '/y.urdf)']])", "y.urdf", "file"),
         ("ExecuteProcess(cmd=['cat', [FindPackageShare('a'), '/y.urdf']])", "y.urdf", "file"),
-        ("open(os.path.join(get_package_share_directory('a'), 'y.urdf')).read()", "y.urdf", "file"),
+        ("open(os.path.join(get_package_share_directory('a'), 'y.urdf')).read()", "y.urdf", "open"),
     ],
 )
 def test_files_of_a_package_are_found_in_python(body: str, path: str, use: str) -> None:
@@ -112,7 +123,7 @@ def test_files_are_found_in_xml_and_beside_the_launch_file() -> None:
         '<let name="d" value="$(command \'xacro $(find-pkg-share a)/z.xacro x:=1\')"/></launch>'
     )
     beside = ("", "launch/b.launch.xml", "include")
-    assert named("launch/a.launch.xml", text) == {("a", "y.yaml", "default"), ("a", "z.xacro", "file"), beside}
+    assert named("launch/a.launch.xml", text) == {("a", "y.yaml", "default"), ("a", "z.xacro", "open"), beside}
     body = "return IncludeLaunchDescription(os.path.join(os.path.dirname(__file__), 'b.launch.py'))"
     assert named("launch/a.launch.py", python(body)) == {("", "launch/b.launch.py", "include")}
     body = "return IncludeLaunchDescription([ThisLaunchFileDir(), '/../config/b.launch.py'])"
@@ -440,7 +451,7 @@ def test_launch_looks_into_no_folder_of_the_executables(started: str, told: str)
 def test_what_xacro_writes_for_the_launch_file_may_be_missing() -> None:
     path = "get_package_share_directory('my_pkg') + '/config/no.urdf'"
     body = "path = {}\n{}return LaunchDescription([Node(package='my_pkg', executable='a', arguments=['-file', path])])"
-    for writes, expected in (("", ["LCH003 error"]), ("out = xacro.open_output(path)\nout.write('')\n", [])):
+    for writes, expected in (("", ["LCH003 warning"]), ("out = xacro.open_output(path)\nout.write('')\n", [])):
         launch = python(body.format(path, writes))
         assert said({**BASE, "launch/a.launch.py": f"import xacro\n{launch}"}, "LCH003") == expected
 
@@ -464,6 +475,46 @@ def test_a_macro_of_elsewhere_may_make_all_programs(own: str, expected: list[str
 def test_where_a_launch_is_started_is_not_known(path: str, found: int) -> None:
     text = python(f"    return LaunchDescription([Node(package='my_pkg', executable='a', parameters=[{path}])])")
     assert len(said({**BASE, "launch/a.launch.py": f"import pathlib\n{text}"}, "LCH003")) == found
+
+
+@pytest.mark.parametrize(
+    ("lines", "level"),
+    [
+        ("", "warning"),
+        ("text = open(path).read()\n", "error"),
+        ("Command(['xacro ', path])\n", "error"),
+        ("DeclareLaunchArgument('a', default_value=path)\n", "warning"),
+    ],
+)
+def test_the_surest_use_of_a_missing_file_counts(lines: str, level: str) -> None:
+    path = "path = get_package_share_directory('my_pkg') + '/config/no.urdf'\n"
+    body = f"{path}{lines}return LaunchDescription([Node(package='my_pkg', executable='a', arguments=['-file', path])])"
+    assert said({**BASE, "launch/a.launch.py": python(body)}, "LCH003") == [f"LCH003 {level}"]
+
+
+@pytest.mark.parametrize(
+    ("there", "missing", "is_meant"),
+    [
+        ("robot_config", "robto_config", True),
+        ("robot_config", "robot.config", True),
+        ("robot_config", "Robot_Config", True),
+        ("robot_config", "my_robot_config", True),
+        ("robot_config", "config", True),
+        ("left_wheel_config", "wheels_config", False),
+        ("nav_config", "slam_config", False),
+        ("robot_config_1", "robot_config_2", False),
+        ("robot_config_l", "robot_config_r", False),
+        ("robot_config_left", "robot_config_right", False),
+        ("map_config", "mask_config", False),
+    ],
+)
+def test_a_sibling_is_not_meant(there: str, missing: str, is_meant: bool) -> None:
+    known = [f"config/{there}.yaml", "launch/a.launch.py"]
+    assert closest_path(f"config/{missing}.yaml", known) == (known[0] if is_meant else None)
+
+
+def test_a_file_of_another_kind_may_be_meant() -> None:
+    assert closest_path("worlds/big_house.world", ["worlds/big_house.sdf"]) == "worlds/big_house.sdf"
 
 
 def test_a_file_that_is_included_is_not_meant_as_itself() -> None:

@@ -75,7 +75,7 @@ def test_cpp_that_may_find_or_write_it(lines: tuple[str, ...]) -> None:
 
 
 def test_cpp_names_a_near_file() -> None:
-    assert in_cpp(f'load({LOOKUP} + "/names/b.txt");') == ["my_pkg"]
+    assert in_cpp(f'load({LOOKUP} + "/names/a.tx");') == ["my_pkg"]
 
 
 @pytest.mark.parametrize(
