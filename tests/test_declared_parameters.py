@@ -208,6 +208,22 @@ def test_a_parameter_of_any_type_takes_any_value() -> None:
     assert not lint_files(package("rate: 5; frame: odom", node), ["PRM006"]).findings
 
 
+@pytest.mark.parametrize(
+    ("line", "count"),
+    [
+        ("yaml.safe_load(x)['{}']", 0),
+        ("yaml.safe_load(x).get('{}', {{}})", 0),
+        ("yaml.safe_load(x)", 1),
+        ("a['{}']", 1),
+    ],
+)
+def test_a_block_that_a_launch_file_reads_itself_is_given_to_no_node(line: str, count: int) -> None:
+    files = package("rate: 5; frame: odom; count: 5")
+    launch = "def generate_launch_description():\n    return " + line.format("talker") + "\n"
+    files = {**files, "src/my_pkg/launch/a.launch.py": launch}
+    assert len(lint_files(files, ["PRM006"]).findings) == count
+
+
 @pytest.mark.parametrize("read, count", [("max_height", 0), ("max_rnage", 1)])
 def test_parameters_of_a_plugin_may_be_declared_by_its_base_class(read: str, count: int) -> None:
     code = f"""\

@@ -292,6 +292,9 @@ def test_a_parameter_of_older_releases_is_an_info() -> None:
         ("goaltolerance", "goal_tolerance", True),
         ("Goal_Tolerance", "goal_tolerance", True),
         ("goal_x", "goal_y", False),
+        ("camera_name", "camera", False),
+        ("camera", "camera_name", True),
+        ("output_frame_id", "output_frame", True),
     ],
 )
 def test_slips_in_names(name: str, right: str, found: bool) -> None:

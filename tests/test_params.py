@@ -8,7 +8,7 @@ from rospkg_cli.checks.fault import Fault
 from rospkg_cli.checks.params.ambiguous_numbers import canonical, number_faults
 from rospkg_cli.checks.params.rcl_validation import rcl_faults
 from rospkg_cli.checks.params.ros_parameters_key import key_faults
-from rospkg_cli.example import BACKDROPS
+from rospkg_cli.example import BACKDROPS, manifest
 from rospkg_cli.languages.yaml.nodes import ScalarNode, documents
 from rospkg_cli.package.params.parameter_file import ParameterFile
 from rospkg_cli.package.params.scalar_types import type_of, yaml_type
@@ -170,5 +170,23 @@ def test_numbers_that_two_readers_take_differently(text: str, says: str) -> None
 def test_a_name_that_a_program_fills_in_is_left_alone() -> None:
     texts = {"config/a.yaml": "<ROS_NAMESPACE>/talker:\n  ros__parameters:\n    a: 1\n"}
     assert not lint_files({**BACKDROPS["config"], **texts}, ["PRM004"]).findings
-    texts = {"config/a.yaml": "a<b>/talker:\n  ros__parameters:\n    a: 1\n"}
+    assert not lint_files(
+        {**BACKDROPS["config"], "config/a.yaml": "a<b>/talker:\n  ros__parameters: {}\n"}, ["PRM004"]
+    ).findings
+    texts = {"config/a.yaml": "a-b/talker:\n  ros__parameters:\n    a: 1\n"}
     assert len(lint_files({**BACKDROPS["config"], **texts}, ["PRM004"]).findings) == 1
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "level"),
+    [
+        ('["GridBased"]', "[GridBased]", "info"),
+        ("'map'", '"map"', "info"),
+        ("5", "'5'", "warning"),
+        ("[a]", "[a, b]", "warning"),
+    ],
+)
+def test_one_value_that_is_written_twice(first: str, second: str, level: str) -> None:
+    text = f"talker:\n  ros__parameters:\n    a: {first}\n    a: {second}\n"
+    (found,) = lint_files({"package.xml": manifest(), "config/a.yaml": text}, ["PRM002"]).findings
+    assert found.severity.value == level

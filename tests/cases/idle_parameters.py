@@ -1,0 +1,144 @@
+"""Levels of values in parameter files, by who reads them: nodes that are started, or by a name alone, or nobody."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest
+
+INSTALL = CMAKE.replace(
+    "ament_package", "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package"
+)
+LAUNCH = "<launch>{}</launch>\n"
+NAMES = LAUNCH.format('<let name="f" value="$(find-pkg-share my_pkg)/config/robot.yaml"/>')
+STARTS = LAUNCH.format(
+    '<node pkg="{}" exec="{}" name="{}"><param from="$(find-pkg-share my_pkg)/config/robot.yaml"/></node>'
+)
+SMOOTHER = "velocity_smoother:\n  ros__parameters:\n    odom_duration: 1\n    feedback: 1\n"
+SAVER = "map_saver:\n  ros__parameters:\n    save_map_timeout: 5000\n    free_thresh_defualt: 0.25\n"
+BLOCK = "{}:\n  ros__parameters:\n    use_sim_time: true\n"
+SEVERAL = SMOOTHER + BLOCK.format("planner_server") + BLOCK.format("bt_navigator")
+CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    drive: {type: diff_drive_controller/DiffDriveController}
+drive:
+  ros__parameters:
+    publish_rate: 50
+    publish_rat: 50.0
+"""
+LAYER = (
+    "costmap:\n  ros__parameters:\n    static:\n      plugin: nav2_costmap_2d::StaticLayer\n"
+    "      map_subscribe_transient_local: 1\n"
+)
+CODE = """\
+#include <rclcpp/rclcpp.hpp>
+class Talker : public rclcpp::Node {
+public:
+  Talker() : Node("talker") {
+    declare_parameter("rate", 1.0);
+    declare_parameter("port", "/dev/ttyUSB0");
+    declare_parameter("global_frame", "map");
+  }
+};
+"""
+
+
+def given(text: str, launch: str = NAMES, **more: str) -> Example:
+    """A package with a parameter file and a launch file."""
+    named = {name.replace("__", "/").replace("_DOT_", "."): content for name, content in more.items()}
+    files = {"CMakeLists.txt": INSTALL, "config/robot.yaml": text, "launch/a.launch.xml": launch, **named}
+    return Example(on="ament_cmake", bad=files, good={})
+
+
+def declared(values: str, launch: str = NAMES, **more: str) -> Example:
+    return given(f"talker:\n  ros__parameters:\n{values}", launch, src__talker_DOT_cpp=CODE, **more)
+
+
+LINES = "    rate: {}\n    port: {}\n    global_flame: a\n"
+WORKSPACE = {"src/my_pkg/package.xml": manifest("", "ament_cmake"), "src/my_pkg/CMakeLists.txt": INSTALL}
+
+
+def below(readme: str, files: dict[str, str]) -> Example:
+    """A package of a repository with a page."""
+    inner = {f"src/my_pkg/{path}": text for path, text in files.items()}
+    return Example(
+        on="", bad={**WORKSPACE, "src/my_pkg/CMakeLists.txt": INSTALL, "README.md": readme, **inner}, good={}
+    )
+
+
+LIFECYCLE = """\
+from launch import LaunchDescription
+from launch_ros.actions import LifecycleNode, Node
+
+
+def generate_launch_description():
+    return LaunchDescription([LifecycleNode(package='a', executable='b', name='c'), Node(executable='b', nam='c')])
+"""
+PAGES = (
+    "Built on Foxy.\n",
+    "For foxy and humble.\n",
+    "A foxytail.\n",
+    "`/opt/ros/foxy/setup.bash`, Dashing\n",
+    "ros\n",
+)
+VALUES = {"config/robot.yaml": f"talker:\n  ros__parameters:\n{LINES.format(1, 2)}", "src/talker.cpp": CODE}
+BOTH = (
+    given(SMOOTHER),
+    given(SMOOTHER, STARTS.format("nav2_velocity_smoother", "velocity_smoother", "velocity_smoother")),
+    given(SEVERAL),
+    given(SEVERAL.replace("bt_navigator", "somebodys")),
+    given(SEVERAL + SAVER),
+    given(SAVER, STARTS.format("nav2_map_server", "map_saver_server", "map_saver")),
+    given(SAVER, STARTS.format("nav2_map_server", "map_server", "map_server")),
+    given(CONTROLLERS),
+    given(CONTROLLERS, LAUNCH.format("")),
+    given(LAYER),
+    declared(LINES.format(1, 2)),
+    declared(LINES.format(1, 2), LAUNCH.format("")),
+    *(
+        declared(LINES.format(1.0, each))
+        for each in ("$(var port)", "'${PORT}'", "a<port>b", "a__PORT__", "@PORT@", "2")
+    ),
+    *(declared(LINES.format(each, "a")) for each in ("'__RATE__'", "'5__'", "'<5>'", "'5'")),
+)
+OLD = LIFECYCLE.replace("Node(executable='b', nam='c')", "Node(package='a', node_executable='b')")
+OLD_XML = LAUNCH.format('<node pkg="a" type="b"/><let name="c" value="d"/>')
+SPAWNS = LAUNCH.format('<node pkg="controller_manager" exec="spawner.py"/><node pkg="nav2_recoveries" exec="{}"/>')
+REMOVED = SPAWNS.format("recoveries_server")
+GALACTIC = ("Built on Galactic.\n", "Galactic, or Humble.\n")
+FRAMES = LAUNCH.format(
+    '<node pkg="tf2_ros" exec="a"><param name="/frame_id" value="a"/><param name="/child_frame_id" value="b"/></node>'
+    '<node pkg="tf2_ros" exec="a"><param name="/frame_id" value="c"/></node>'
+)
+NAMED = """\
+from launch import LaunchDescription
+from launch.actions import LogInfo
+from launch.substitutions import LaunchConfiguration
+
+
+def generate_launch_description():
+    name = {}
+    return LaunchDescription([LogInfo(msg={})])
+"""
+CONFIGURED = "LaunchConfiguration('a')"
+UNUSED = (
+    (f'f"x{{{CONFIGURED}}}"', "'a'"),
+    (f'f"x{{{CONFIGURED}}}"', "name"),
+    (f"{CONFIGURED} + 'x'", "'a'"),
+)
+CASES = {
+    "LCH002": (
+        *(below(each, {"launch/a.launch.xml": REMOVED}) for each in (*PAGES, *GALACTIC)),
+        *(below("ros\n", {f"launch/{name}.launch.xml": REMOVED}) for name in ("a_foxy", "Galactic", "foxes", "humble")),
+        below("Foxy\n", {"launch/a.launch.xml": SPAWNS.format("recoveries_sevrer")}),
+    ),
+    "LCH005": (
+        *(below(each, {"launch/a.launch.py": OLD}) for each in (*PAGES, GALACTIC[0])),
+        below(PAGES[0], {"launch/a.launch.xml": OLD_XML}),
+    ),
+    "PRM006": (*BOTH, *(below(each, {**VALUES, "launch/a.launch.xml": NAMES}) for each in PAGES)),
+    "PRM007": (*BOTH, given("a:\n  ros__parameters: {}\n", FRAMES)),
+    "LCH014": (
+        *(below(each, {"launch/a.launch.py": LIFECYCLE}) for each in PAGES),
+        *(below("", {"launch/a.launch.py": NAMED.format(*each)}) for each in UNUSED),
+    ),
+}

@@ -1,0 +1,94 @@
+"""Which robots and parameter files need an undeclared package (DEP106): those that something opens."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
+from rospkg_cli.testing import lint_files
+
+NATIVE = existing_files(BACKDROPS["ament_cmake"])
+INSTALLED = CMAKE.replace(
+    "ament_package", "install(DIRECTORY launch urdf config DESTINATION share/${PROJECT_NAME})\nament_package"
+)
+XACRO = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">{}</robot>\n'
+FOREIGN = XACRO.format('<xacro:include filename="$(find ur_description)/urdf/ur.xacro"/>')
+LAUNCH = """\
+def generate_launch_description():
+    return [Node(package='controller_manager', executable='ros2_control_node')]
+"""
+PLUGIN = "a:\n  ros__parameters:\n    one:\n      type: {}\n"
+GAZEBO = "<gazebo><plugin><parameters>$(find my_pkg)/config/{}</parameters></plugin></gazebo>"
+
+
+def levels(files: dict[str, str], *others: str, body: str = "") -> list[str]:
+    """Return the levels of a package's DEP106, beside packages with a launch file or a robot each."""
+    tree = {f"my_pkg/{path}": text for path, text in {**NATIVE, "CMakeLists.txt": INSTALLED, **files}.items()}
+    for name, other in zip("xyz", others, strict=False):
+        path = "urdf/r.xacro" if other.startswith("<") else "launch/a.launch.py"
+        tree[f"{name}/package.xml"] = manifest(body, "ament_cmake", name)
+        tree[f"{name}/CMakeLists.txt"] = CMAKE.replace("my_pkg", name)
+        tree[f"{name}/{path}"] = other
+    return [each.severity.value for each in lint_files(tree, ["DEP106"]).findings if each.package == "my_pkg"]
+
+
+@pytest.mark.parametrize(
+    ("launch", "others", "level"),
+    [
+        ("", (), "warning"),
+        ("PATH = share + '/urdf/spare.xacro'\n", (), "warning"),
+        ("PATH = share + '/urdf/robot.xacro'\n", (), "info"),
+        ("PATH = share + '/urdf/robot.xacro'\n", ("PATH = get('my_pkg') + '/urdf/spare.xacro'\n",), "warning"),
+    ],
+)
+def test_a_robot_that_is_passed_over(launch: str, others: tuple[str, ...], level: str) -> None:
+    files = {"urdf/spare.xacro": FOREIGN, "urdf/robot.xacro": XACRO.format("")}
+    assert levels({**files, "launch/a.launch.py": launch}, *others) == [level]
+
+
+@pytest.mark.parametrize(
+    ("launch", "robot", "others", "level"),
+    [
+        ("LOADED = 'walk.yaml'\n", "", (), "warning"),
+        ("LOADED = 'walking.yaml'\n", "", (), "info"),
+        ("LOADED = MoveItConfigsBuilder('a')\n", "", (), "warning"),
+        ("LOADED = f'{NAME}.yaml'\n", "", (), "warning"),
+        ("", GAZEBO.format("walk.yaml"), (), "warning"),
+        ("", GAZEBO.format("run.yaml"), (), "info"),
+        ("", GAZEBO.format("walk.yaml").replace("$(find my_pkg)", "/home/me/my_pkg"), (), "info"),
+        ("", GAZEBO.format("walk.yaml").replace("$(find my_pkg)", "package://my_pkg"), (), "warning"),
+        ("", GAZEBO.format("walk.yaml").replace("$(find my_pkg)", "${HERE}"), (), "warning"),
+        ("", "", ("PATH = get('my_pkg') + '/walk.yaml'\n",), "warning"),
+        ("", "", ("PATH = get('my_pkg') + '/run.yaml'\n",), "info"),
+        ("", "", (XACRO.format(GAZEBO.format("walk.yaml")),), "warning"),
+        ("", "", (XACRO.format(GAZEBO.format("walk.yaml").replace("my_pkg", "other")),), "info"),
+        ("", "", (XACRO.format(GAZEBO.format("run.yaml")),), "info"),
+    ],
+)
+def test_parameters_that_something_opens(launch: str, robot: str, others: tuple[str, ...], level: str) -> None:
+    files = {
+        "config/walk.yaml": PLUGIN.format("joint_state_broadcaster/JointStateBroadcaster"),
+        "urdf/r.xacro": XACRO.format(robot),
+    }
+    files["package.xml"] = manifest("  <exec_depend>controller_manager</exec_depend>\n", "ament_cmake")
+    files["launch/a.launch.py"] = launch + LAUNCH
+    assert levels(files, *others, body="  <depend>my_pkg</depend>\n") == [level]
+
+
+def test_an_example_is_there_to_be_copied() -> None:
+    files = {"config/walk_example.yaml": PLUGIN.format("joint_state_broadcaster/JointStateBroadcaster")}
+    files["package.xml"] = manifest("  <exec_depend>controller_manager</exec_depend>\n", "ament_cmake")
+    files["launch/a.launch.py"] = LAUNCH
+    assert levels(files, "PATH = get('my_pkg') + '/walk_example.yaml'\n", body="  <depend>my_pkg</depend>\n") == [
+        "info"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("plugin", "level"),
+    [("solver_plugins::CeresSolver", "info"), ("joint_state_broadcaster/JointStateBroadcaster", "warning")],
+)
+def test_a_plugin_that_the_node_of_its_own_package_alone_loads(plugin: str, level: str) -> None:
+    files = {"config/walk.yaml": PLUGIN.format(plugin), "launch/a.launch.py": "A = 'walk.yaml'\n" + LAUNCH}
+    files["package.xml"] = manifest("  <exec_depend>controller_manager</exec_depend>\n", "ament_cmake")
+    assert levels(files) == [level]
