@@ -119,3 +119,12 @@ def test_a_config_above_the_package_counts() -> None:
     assert broken.fix is not None
     assert whole.fix is not None
     assert [len(each.text) for each in broken.fix.operations] > [len(each.text) for each in whole.fix.operations]  # type: ignore[union-attr]
+
+
+def test_a_node_that_nothing_adds_gets_no_robot() -> None:
+    adds = "    return LaunchDescription(["
+    idle = LAUNCH.replace(adds, "    node = (").replace("    ])", "    )\n    return LaunchDescription([])")
+    assert idle != LAUNCH
+    robot = "<!-- base: x -->\n<link name='a'/>"
+    assert lint(idle, robot) == ()
+    assert len(lint(idle.replace("([])", "([node])"), robot)) == 1

@@ -118,7 +118,13 @@ PARTS = (
         my_pkg__launch__show_DOT_py="MODEL = 'urdf/arm.urdf.xacro'\n",
     ),
 )
+JOINED = "MODEL = f'urdf/{name}.urdf.xacro'\n"
 BROKEN = (
+    robot("", launch__show_DOT_py=LAUNCH),
+    robot("", launch__show_DOT_py=JOINED),
+    robot("", launch__show_DOT_py="MODEL = 'urdf/arm.urdf.xacro.in'\n"),
+    robot("", "arm.urdf", launch__show_DOT_py="MODEL = 'urdf/arm.urdf'\n", urdf__arm_DOT_urdf="<robot name='r'/>\n"),
+    robot(OPEN, launch__show_DOT_py=JOINED),
     robot(OPEN),
     robot(OPEN, launch__show_DOT_py=LAUNCH),
     robot(OPEN, "urdf/arm.urdf"),
@@ -156,5 +162,103 @@ JUDGED = (
     workspace(REFUSED, ""),
 )
 
+SECOND = f'<robot {XACRO} name="r"><xacro:include filename="$(find my_pkg)/urdf/{{}}"/></robot>\n'
+NAMES = "MODEL = {}\n"
+OTHER = {
+    "other__package_DOT_xml": manifest(build_type="ament_cmake", name="other"),
+    "other__CMakeLists_DOT_txt": INSTALL.replace("my_pkg", "other"),
+}
+LAUNCHED = (
+    *(
+        robot(INCLUDES, launch__show_DOT_launch_DOT_py=NAMES.format(text), **more)
+        for text, more in (
+            ("'urdf/arm.urdf.xacro'", {}),
+            ("'urdf/arm.urdf'", {}),
+            ("'forearm.urdf.xacro'", {}),
+            ("'arm', '.rviz'", {}),
+            ("'arm' + '.urdf.xacro'", {}),
+            ("'charm' + '.urdf.xacro'", {}),
+            ("MoveItConfigsBuilder('arm')", {}),
+            ("'leg.urdf.xacro'", {"urdf__leg_DOT_urdf_DOT_xacro": SECOND.format("arm.urdf.xacro")}),
+            (
+                "'leg.urdf.xacro'",
+                {
+                    "urdf__leg_DOT_urdf_DOT_xacro": SECOND.format("foot.xacro"),
+                    "urdf__foot_DOT_xacro": SECOND.format("arm.urdf.xacro"),
+                },
+            ),
+            ("'urdf', 'arm.urdf.xacro'", {"urdf__small__arm_DOT_urdf_DOT_xacro": "<robot name='r'/>\n"}),
+        )
+    ),
+    robot(INCLUDES, show_DOT_py=NAMES.format("'urdf/arm.urdf.xacro'")),
+    robot(INCLUDES, launch__old__show_DOT_py=NAMES.format("'urdf/arm.urdf.xacro'")),
+    robot(INCLUDES, "urdf/old/arm.urdf.xacro", show_DOT_py=NAMES.format("'urdf/old/arm.urdf.xacro'")),
+    robot(INCLUDES, "urdf/old/arm.urdf.xacro", launch__show_DOT_py=NAMES.format("'urdf/old/arm.urdf.xacro'")),
+    robot(
+        INCLUDES,
+        "urdf/small/arm.urdf.xacro",
+        launch__show_DOT_py=NAMES.format("'urdf', 'arm.urdf.xacro'"),
+        urdf__arm_DOT_urdf_DOT_xacro="<robot name='r'/>\n",
+    ),
+    *(
+        workspace(INCLUDES, "", bringup__launch__show_DOT_launch_DOT_py=NAMES.format(text))
+        for text in ("'my_pkg', 'urdf/arm.urdf.xacro'", "'urdf/arm.urdf.xacro'", "'my_pkg', 'arm', f'{a}.urdf.xacro'")
+    ),
+    workspace(INCLUDES, "", bringup__show_DOT_py=NAMES.format("'my_pkg', 'urdf/arm.urdf.xacro'")),
+    *(
+        workspace(
+            INCLUDES,
+            "",
+            launch__show_DOT_py=NAMES.format(text),
+            **OTHER,
+            other__urdf__arm_DOT_urdf_DOT_xacro="<robot name='r'/>\n",
+        )
+        for text in ("'other', 'urdf/arm.urdf.xacro'", "'other', 'my_pkg', 'urdf/arm.urdf.xacro'")
+    ),
+    *(
+        workspace(
+            INCLUDES,
+            "",
+            **OTHER,
+            other__urdf__leg_DOT_urdf_DOT_xacro=SECOND.format("arm.urdf.xacro"),
+            **{name: NAMES.format(text)},
+        )
+        for name, text in (
+            ("other__launch__show_DOT_py", "'urdf/leg.urdf.xacro'"),
+            ("bringup__launch__show_DOT_py", "'other', 'leg.urdf.xacro'"),
+            ("bringup__launch__show_DOT_py", "'leg.urdf.xacro'"),
+            ("other__show_DOT_py", "'urdf/leg.urdf.xacro'"),
+        )
+    ),
+    workspace(
+        INCLUDES,
+        "",
+        **OTHER,
+        other__urdf__foot_DOT_xacro=SECOND.format("arm.urdf.xacro"),
+        other__urdf__leg_DOT_urdf_DOT_xacro=SECOND.replace("my_pkg", "other").format("foot.xacro"),
+        bringup__launch__show_DOT_py=NAMES.format("'other', 'leg.urdf.xacro'"),
+    ),
+)
+ORIGIN = '<link name="a"><visual><origins {}/><geometry><sphere radius="1"/></geometry></visual></link>'
+ORIGINS = tuple(
+    robot(f"<robot name='r'>{ORIGIN.format(each)}</robot>\n", "urdf/arm.urdf", launch__show_DOT_py=LAUNCH)
+    for each in ("", 'xyz="0 0 0" rpy="0 0.0 -0"', 'xyz="0 0 0" rpy="0 0 1"', 'xyz="1 0 0"', 'xyz="a 0 0"')
+)
+GAZEBO = tuple(
+    robot(
+        f'<robot {XACRO} name="r"><link name="base_link"/><gazebo reference="{each}"/></robot>\n',
+        launch__show_DOT_py=LAUNCH,
+    )
+    for each in ("ee_link", "base_lnk", "base_link", "elsewhere")
+)
+DEFAULT = f'<robot {XACRO} name="r"><xacro:arg name="roll" default="${{PI}}"/><link name="a"/></robot>\n'
+DEFAULTS = tuple(
+    robot(DEFAULT, launch__show_DOT_py=f"RUN = ['xacro ', 'arm.urdf.xacro', {each}]\n") for each in ("", "' roll:=', x")
+)
 
-CASES = {"URD001": (*JUDGED, *PARTS), "URD002": USES, "RPK001": (*BROKEN, *COPIES, TAB, *DESCRIPTIONS, *ROSLAUNCH)}
+
+CASES = {
+    "URD001": (*JUDGED, *PARTS, *ORIGINS, *DEFAULTS, *GAZEBO),
+    "URD002": (*USES, *LAUNCHED),
+    "RPK001": (*BROKEN, *COPIES, TAB, *DESCRIPTIONS, *ROSLAUNCH),
+}

@@ -11,6 +11,7 @@ def robot(*lines: str, suffix: str = "urdf", opening: str = '<robot name="r">', 
     """A robot of some lines, below `config/`."""
     text = "".join(f"  {line}\n" for line in lines)
     files = {f"config/{name}.xacro": text for name, text in more.items()}
+    files["launch/show.xml"] = f"<launch><let name='model' value='config/robot.{suffix}'/></launch>\n"
     return Example(bad={f"config/robot.{suffix}": f"{opening}\n{text}</robot>\n", **files}, good={}, on="config")
 
 
@@ -208,11 +209,14 @@ FILES = {
 }
 
 
+OPENED = {"launch/show.xml": "<launch><let name='model' value='urdf/robot.urdf.xacro'/></launch>\n"}
+
+
 def resources(*lines: str, **files: str) -> Example:
     text = "".join(f"  {line}\n" for line in lines)
     robots = {"urdf/robot.urdf.xacro": f'<robot {XACRO} name="r">\n{text}</robot>\n'}
     named = {name.replace("__", "/").replace("_DOT_", "."): text for name, text in files.items()}
-    return Example(bad={**FILES, **robots, **named}, good={}, on="ament_cmake")
+    return Example(bad={**FILES, **OPENED, **robots, **named}, good={}, on="ament_cmake")
 
 
 CASES = {

@@ -27,10 +27,13 @@ INCLUDE = '<xacro:include filename="$(find my_pkg)/urdf/wheel.xacro"/>'
 BLOCKS = '<origin xyz="0 0 0"/><more/>'
 
 
+OPENED = {"launch/show.xml": "<launch><let name='model' value='urdf/robot.urdf.xacro'/></launch>\n"}
+
+
 def robot(*lines: str, wheel: str = WHEEL, name: str = ' name="robot"', **more: str) -> Example:
     """A robot of a line each, that includes the macro of a wheel."""
     text = f"{HEAD}{name}>\n" + "".join(f"  {line}\n" for line in lines) + "</robot>\n"
-    files = {"CMakeLists.txt": INSTALL, "urdf/robot.urdf.xacro": text, "urdf/wheel.xacro": wheel, **more}
+    files = {"CMakeLists.txt": INSTALL, "urdf/robot.urdf.xacro": text, "urdf/wheel.xacro": wheel, **OPENED, **more}
     return Example(on="ament_cmake", bad=files, good={})
 
 
