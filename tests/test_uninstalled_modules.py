@@ -104,4 +104,19 @@ def test_interfaces_take_the_name_of_the_python_package() -> None:
     }
     (found,) = lint_files(files, ["CMK109"]).findings
     assert found.message.endswith("the interfaces make a `my_pkg` of their own: move the modules to another package")
-    assert found.fix is None
+    assert (found.severity, found.fix) == (Severity.WARNING, None)
+
+
+@pytest.mark.parametrize(
+    ("path", "place", "level"),
+    [
+        ("scripts/a.py", "lib/${PROJECT_NAME}", Severity.ERROR),
+        ("scripts/a.py", "share/${PROJECT_NAME}", Severity.WARNING),
+        ("launch/a.launch.py", "share/${PROJECT_NAME}", Severity.ERROR),
+    ],
+)
+def test_who_imports_what_is_not_installed(path: str, place: str, level: Severity) -> None:
+    kind = "PROGRAMS" if place.startswith("lib") else "FILES"
+    files = {path: "#!/usr/bin/env python3\nfrom trials.rates import x\n", "trials/__init__.py": ""}
+    files["trials/rates.py"] = "x = 1\n"
+    assert levels(f"install({kind} {path} DESTINATION {place})\n", files) == [level]

@@ -40,6 +40,9 @@ OTHER_NAME = SETUP_PY.replace("package_name = 'my_pkg'", "package_name = 'your_p
 WITH_OPTIONS = setup_py(scripts("a = my_pkg.talker:main"), OPTIONS)
 NARROW = set207.launch("glob('launch/*.launch.xml')")
 
+MODELS = "from glob import glob\n" + SETUP_PY.replace(
+    ENTRY, ENTRY + "        ('share/' + package_name + '/models/sun', glob('models/sun/model.sdf')),\n"
+)
 YAML = "from glob import glob\n" + SETUP_PY.replace(
     ENTRY, ENTRY + "        ('share/' + package_name + '/config', glob('config/*.yaml')),\n"
 )
@@ -124,7 +127,7 @@ CASES = {
     ),
     "SET102": tuple(
         python({"setup.py": setup_py(scripts("talker = my_pkg.talker:main")), "my_pkg/talker.py": text})
-        for text in (*RUNNING, DRIVER, DRIVER.replace("step", "steps"), *STARS)
+        for text in (*RUNNING, DRIVER, DRIVER.replace("step", "steps"), *STARS, "")
     ),
     "SET105": tuple(
         python({"setup.py": setup_py(scripts(f"talker = my_pkg{each}:main")), "my_pkg/__init__.py": MAIN})
@@ -141,6 +144,8 @@ CASES = {
     "SET204": (
         python({"setup.py": set204.launch("glob('models/*.onnx')"), ".gitignore": "*.onnx\n"}),
         python({"setup.py": set204.launch("glob('models/*.onnx')"), ".gitmodules": "\tpath = models\n"}),
+        *(python({"setup.py": set204.launch("glob('models/*.onnx')"), f"models/{name}": ""})
+          for name in ("placeholder.txt", "README.md", "replaced.txt", "Empty")),
     ),
     "SET205": (
         python({"setup.py": NAV, ".gitignore": "nva.yaml\n"}),
@@ -160,6 +165,16 @@ CASES = {
         python({**set207.FILES, ".gitignore": "arm_launch.xml\n", "setup.py": NARROW}),
         python({**ROBOTS, "setup.py": GLOBS}),
         python({**CONFIG, "config/view.rviz": "Panels: []\n", "setup.py": YAML}),
+        *(
+            python({**CONFIG, "config/view.rviz": "Panels: []\n", "setup.py": YAML, "my_pkg/a.py": f"A = '{path}'\n"})
+            for path in ("/home/ada/ws/view.rviz", "~/view.rviz", "rviz/view.rviz", "view.rviz")
+        ),
+        *(python({**CONFIG, path: CONFIG["config/nav.yaml"], "setup.py": YAML})
+          for path in ("config/old/a.yaml", "config/new/a.yaml")),
+        *(python({**CONFIG, "config/new/a.yaml": "a: 1\n", "setup.py": YAML, "my_pkg/a.py": f"A = {text}\n"})
+          for text in ("'config/new/a.yaml'", "'new'", "'newer'", "'a.yaml'")),
+        *(python({"models/sun/model.sdf": "<sdf/>\n", path: "<sdf/>\n", "setup.py": MODELS})
+          for path in ("models/sun/model-1_2.sdf", "models/sun/sun.sdf")),
         *(python({**{f"launch/{each}.launch.xml": set207.LAUNCH for each in here},
                   "setup.py": set207.launch(str([f"launch/{each}.launch.xml" for each in listed])), **more})
           for here, listed, more in (
