@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...checks.cmake.missing_paths import MissingPaths
+from ...checks.enumeration import in_ticks
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.cmake_project import CMake
 from ...package.cmake.meant_paths import meant_path
 from ...package.cmake.referenced_paths import ReferencedPath
 from ...rule import rule
@@ -82,21 +84,34 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     it. Below a submodule that is not checked out. Inside `if(EXISTS …)`, for what is installed inside any condition
     that can't be evaluated, and with OPTIONAL.
     """
-    for (named, for_everyone), *others in together(MissingPaths(package.cmake).all()):
-        meant = meant_path(package.cmake, named)
-        near = f" (did you mean `{meant}`?)" if meant else ""
-        message = f"`{named.path}` does not exist{near}: {consequence(named)}"
+    for (named, for_everyone), *others in together(package.cmake, MissingPaths(package.cmake).all()):
+        paths = list(dict.fromkeys([named.path, *(each.path for each, _ in others)]))
+        near = f" (did you mean `{meant}`?)" if (meant := meant_path(package.cmake, named)) else ""
+        do, end = ("do", PLURAL.get(named.use, consequence(named))) if paths[1:] else ("does", consequence(named))
+        message = f"{in_ticks(paths)} {do} not exist{near}: {end}"
         related = tuple(Related(each.word.path, each.word.span, "and here") for each, _ in others[:MAX_RELATED])
         level = None if for_everyone else Severity.WARNING
         yield Hit(named.word.path, named.word.span, message, level, related=related)
 
 
-def together(found: Iterable[tuple[ReferencedPath, bool]]) -> Iterable[list[tuple[ReferencedPath, bool]]]:
-    """Return what is missing by path and consequence, in the order of the first ones: one file is one cause."""
-    same: dict[tuple[str, str, bool], list[tuple[ReferencedPath, bool]]] = {}
+def together(cmake: CMake, found: Iterable[tuple[ReferencedPath, bool]]) -> Iterable[list[tuple[ReferencedPath, bool]]]:
+    """Return what is missing by path and consequence, in the order of the first ones: one file is one cause.
+
+    So are folders of one `install()`, of which none is nearly called like another one.
+    """
+    same: dict[object, list[tuple[ReferencedPath, bool]]] = {}
     for named, for_everyone in found:
-        same.setdefault((named.path, consequence(named), for_everyone), []).append((named, for_everyone))
-    return same.values()
+        kind = (consequence(named), for_everyone)
+        is_one = named.use == "folder" and not meant_path(cmake, named)
+        of_call = same.get((id(named.call.command), *kind)) if is_one else None
+        group = same.setdefault((named.path, *kind), [] if of_call is None else of_call)
+        group.append((named, for_everyone))
+        if is_one:
+            same.setdefault((id(named.call.command), *kind), group)
+    return list({id(group): group for group in same.values()}.values())
+
+
+PLURAL = {"folder": "the build stops when it installs (git keeps no empty folder); add files to them, or remove them"}
 
 
 def consequence(named: ReferencedPath) -> str:

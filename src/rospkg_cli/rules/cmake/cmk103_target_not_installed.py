@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.misplaced_libraries import MisplacedLibraries
+from ...checks.cmake.node_programs import NodePrograms
 from ...checks.cmake.target_references import TargetReferences
 from ...edits.cmake_install import install_executable, install_library
 from ...edits.plain_names import only_plain_names
@@ -15,6 +17,7 @@ from ...rule import rule
 from ...suggest import near_names
 
 MAIN = "int main() {return 0;}\n"
+README = "Run `ros2 run my_pkg listener` beside it.\n"
 TWO = """\
 add_executable(talker src/talker.cpp)
 add_executable(«listener» src/listener.cpp)
@@ -22,6 +25,7 @@ install(TARGETS talker
   DESTINATION lib/${PROJECT_NAME}
 )
 """
+BOTH = TWO.replace("«listener»", "listener").replace("TARGETS talker", "TARGETS talker listener")
 LIBRARY = """\
 add_library(«core» SHARED src/core.cpp)
 add_executable(talker src/talker.cpp)
@@ -49,15 +53,14 @@ def cmake(lines: str) -> str:
     "target-not-installed",
     over=CMakePackage,
     severity=Severity.WARNING,
-    levels={Severity.ERROR: "an exported target needs it: CMake stops"},
+    levels={
+        Severity.ERROR: "an exported target needs it: CMake stops",
+        Severity.INFO: "an executable is no node: its sources leave ROS alone, and nothing starts it by `ros2 run`",
+    },
     examples=(
         Example(
-            bad={"CMakeLists.txt": cmake(TWO), "src/talker.cpp": MAIN, "src/listener.cpp": MAIN},
-            good={
-                "CMakeLists.txt": cmake(
-                    TWO.replace("«listener»", "listener").replace("TARGETS talker", "TARGETS talker listener")
-                )
-            },
+            bad={"CMakeLists.txt": cmake(TWO), "src/talker.cpp": MAIN, "src/listener.cpp": MAIN, "README.md": README},
+            good={"CMakeLists.txt": cmake(BOTH)},
             on="ament_cmake",
             fix=Safety.SAFE,
         ),
@@ -73,28 +76,36 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
     Finds executables, and shared libraries needed at run time, that are built and not installed.
-    A shared library is needed where a component, another installed target, or users of the package need it. What serves
-    the build or the tests is left alone.
+    It also finds libraries that are installed into another folder than `lib`. A shared library is needed where a
+    component, another installed target, or users need it. What serves the build or the tests is left alone.
 
     ## Why is this bad?
-    The build is green. `ros2 run` finds no such executable; a program ends with "error while loading shared libraries".
-    A target that an exported one is linked with has to be exported too: CMake stops.
+    The build is green. `ros2 run` finds no such executable; a program ends with "error while loading shared libraries",
+    also where the library is in `lib/<package>`, unless a RPATH or `--symlink-install` helps. A target that an exported
+    one is linked with has to be exported too: CMake stops.
 
     ## When it is quiet
     Where an install rule can't be evaluated or runs code. For executables that a test or another command uses, and in
-    folders of tests, benchmarks, examples or third parties. For static libraries, and with EXCLUDE_FROM_ALL. For
-    libraries that are linked, where the RPATH of what is installed names the build folder: they are loaded from there.
+    folders of tests, benchmarks, examples or third parties. For static libraries, with EXCLUDE_FROM_ALL, and for what
+    is linked where the RPATH of what is installed names the build folder.
     """
     if not package.is_ament:
         return
     misspelt = {each.word.text for each in TargetReferences(package.cmake).broken() if each.call.name == "install"}
+    programs = NodePrograms(package)
     for forgotten in UninstalledTargets(package.cmake).all():
         word = forgotten.target.word
         if near_names(word.text, misspelt):
             continue  # the install rule that means it is CMK110's
-        level = Severity.ERROR if forgotten.stops else None
         fix = only_plain_names(Fix(f"install `{word.text}`", (edit(package, forgotten),)), word.text)
-        yield Hit(word.path, word.span, message(package, forgotten), level, fix=fix)
+        yield Hit(word.path, word.span, message(package, forgotten), level(forgotten, programs), fix=fix)
+    yield from (Hit(each.word.path, each.word.span, each.sentence) for each in MisplacedLibraries(package.cmake).all())
+
+
+def level(forgotten: UninstalledTarget, programs: NodePrograms) -> Severity | None:
+    if forgotten.stops:
+        return Severity.ERROR
+    return Severity.INFO if forgotten.target.is_executable and not programs.is_run(forgotten.target) else None
 
 
 USERS = {
@@ -123,8 +134,7 @@ def message(package: CMakePackage, forgotten: UninstalledTarget) -> str:
 
 
 def edit(package: CMakePackage, forgotten: UninstalledTarget) -> Edit:
-    cmake, target = package.cmake, forgotten.target
-    if target.is_executable:
-        return install_executable(cmake, target)
-    exports = [rule.export.text for rule in cmake.installs if rule.export is not None and forgotten.stops]
-    return install_library(cmake, target, exports[0] if exports else "")
+    if forgotten.target.is_executable:
+        return install_executable(package.cmake, forgotten.target)
+    exports = [rule.export.text for rule in package.cmake.installs if rule.export is not None and forgotten.stops]
+    return install_library(package.cmake, forgotten.target, exports[0] if exports else "")

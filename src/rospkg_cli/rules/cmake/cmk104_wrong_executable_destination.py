@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...checks.cmake.misplaced_executables import MisplacedExecutable, MisplacedExecutables
+from ...checks.cmake.misplaced_files import MisplacedFiles
 from ...edits.cmake_destination import to_libexec
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -12,6 +13,7 @@ from ...package.cmake.cmake_project import CMake
 from ...rule import rule
 
 MAIN = "int main() {return 0;}\n"
+README = "Start it with `ros2 run my_pkg talker`.\n"
 WRONG = "add_executable(talker src/talker.cpp)\ninstall(TARGETS «talker» DESTINATION share/${PROJECT_NAME})\n"
 BOTH = """\
 add_library(core SHARED src/core.cpp)
@@ -46,12 +48,13 @@ OF_FILES = ("DIRECTORY", "FILES")
     over=MisplacedExecutables,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "neither a launch file nor the README starts it, and it goes to bin/, or is a script",
-        Severity.INFO: "it goes to bin/, and nothing shows that it is a node; or a script is installed as another file",
+        Severity.WARNING: "neither a launch file nor the README starts the node, and it goes to bin/, or is a script",
+        Severity.INFO: "nothing shows that it is a node, a script is installed as another file, or any file beside the "
+        "packages' folders in lib/ or share/",
     },
     examples=(
         Example(
-            bad={"CMakeLists.txt": cmake(WRONG), "src/talker.cpp": MAIN},
+            bad={"CMakeLists.txt": cmake(WRONG), "src/talker.cpp": MAIN, "README.md": README},
             good={"CMakeLists.txt": cmake(WRONG.replace("«talker»", "talker").replace("share/", "lib/"))},
             on="ament_cmake",
             fix=Safety.SAFE,
@@ -61,7 +64,7 @@ OF_FILES = ("DIRECTORY", "FILES")
                 "CMakeLists.txt": cmake(BOTH),
                 "src/talker.cpp": MAIN,
                 "src/core.cpp": "int core() {return 1;}\n",
-                "README.md": "Start it with `ros2 run my_pkg talker`.\n",
+                "README.md": README,
             },
             good={"CMakeLists.txt": cmake(BOTH.replace("  «talker»\n", "") + SPLIT)},
             on="ament_cmake",
@@ -73,8 +76,9 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
     """
     ## What it does
     Finds executables and scripts that are not installed to `lib/${PROJECT_NAME}`.
-    A tool that is no node may be in bin/ on purpose, and a node may be there if it is in both. Executable nodes in
-    Python count too where a rule for files or folders installs them into bin/ or share/.
+    A tool that is no node may lie elsewhere on purpose, and a node may be in bin/ if it is in both. Executable nodes in
+    Python count too where a rule for files or folders installs them into bin/ or share/, and all files that land in
+    `share` itself and scripts of a folder that lands in `lib` itself.
 
     ## Why is this bad?
     `ros2 run` and launch files look in `lib/<package>` alone: "No executable found".
@@ -106,6 +110,8 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
         places = dict.fromkeys((each.word.path, each.word.span) for each in others if each.word != first.word)
         related = tuple(Related(path, span, "and here") for path, span in places)
         yield Hit(first.word.path, first.word.span, message, severity, related, fix)
+    for each in MisplacedFiles(misplaced.package).all():
+        yield Hit(each.word.path, each.word.span, each.sentence(name), Severity.INFO)
 
 
 def together(
@@ -123,6 +129,9 @@ def together(
 def level(misplaced: MisplacedExecutable) -> Severity | None:
     if misplaced.rule.kind in OF_FILES:
         return None if misplaced.is_started else Severity.INFO
-    if misplaced.is_started or not (misplaced.destination == "bin" or misplaced.rule.kind == "PROGRAMS"):
+    if misplaced.is_started:
         return None
-    return Severity.WARNING if misplaced.is_node else Severity.INFO
+    if not misplaced.is_node:
+        return Severity.INFO
+    is_quiet = misplaced.destination == "bin" or misplaced.rule.kind == "PROGRAMS"
+    return Severity.WARNING if is_quiet else None

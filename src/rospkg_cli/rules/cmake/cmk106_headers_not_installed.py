@@ -75,7 +75,8 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     if package.is_ament and (doubled := exported.in_doubled_folder()):
         word, place = doubled
         message = f"the headers land in `{place}/`: who uses `{package.facts.name}` stops at the first `#include`"
-        level = Severity.INFO if exported.are_of_plugins or not exported.may_be_used else None
+        is_quiet = exported.are_of_plugins or not exported.may_be_used or not headers.exports
+        level = Severity.INFO if is_quiet and not exported.is_built_against else None
         yield Hit(word.path, word.span, f"{message}; install `include/`, with a slash", level)
     if not package.is_ament or not headers.are_uninstalled():
         return

@@ -34,8 +34,8 @@ BODY = "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n"
     over=PythonPackages,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a module next to a script, which a build with --symlink-install finds; or nothing in the "
-        "package imports it"
+        Severity.WARNING: "a module next to a script, which a build with --symlink-install finds; only data, or "
+        "nothing in the package, imports it; or interfaces take its name"
     },
     examples=(
         Example(
@@ -92,7 +92,9 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
         )
         message = f"{start} with ModuleNotFoundError; {repair(packages, each.folder)}"
         related = Related(each.path, each.span, "it is imported here")
-        yield Hit(place.path, place.command.span, message, related=(related,), fix=installing(packages, each.folder))
+        is_certain = each.is_started and not is_generated(packages, each.folder)
+        level, fix = None if is_certain else Severity.WARNING, installing(packages, each.folder)
+        yield Hit(place.path, place.command.span, message, level, (related,), fix)
     if name := packages.forgotten():
         start = f"the Python package `{name}` is not installed, though CMake looks for ament_cmake_python"
         message = f"{start}: no one can import it; {repair(packages, name)}"

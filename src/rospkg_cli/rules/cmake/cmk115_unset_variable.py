@@ -59,11 +59,11 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     ## When it is quiet
     Where the name stands anywhere outside of `${…}`, since a command may set it, and where it begins like what
     `cmake_parse_arguments()` sets; those like the package's own where they begin like a package that is found, or where
-    a macro of another one is called. Where a file is included that can't be read. In `message()`. Under an unknown
-    condition only names near to those of CMake are told, as warnings.
+    a macro of another one is called. In `message()`. Under an unknown condition only names near to those of CMake are
+    told, as warnings; where a file is included that can't be read, those near to PROJECT_NAME in `install()`.
     """
     for each in variables.all():
-        is_sure = each.call.name == "install" and not each.call.maybe
+        is_sure = each.call.name == "install" and not each.call.maybe and not variables.cmake.reads_unknown_files
         is_lost = not each.near and each.call.name == "install"
         level = Severity.INFO if is_lost else Severity.ERROR if is_sure else None
         yield Hit(each.call.path, each.span, message(each), level)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.mistyped_values import MistypedValues
 from ...checks.cmake.refused_arguments import refused_calls
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
@@ -22,6 +23,12 @@ add_library(core SHARED src/core.cpp)
 target_link_libraries(core {}m)
 install(TARGETS core DESTINATION lib)
 """
+SWITCH = """\
+set(with_camera {})
+if(with_camera)
+  message(STATUS "with a camera")
+endif()
+"""
 
 
 def cmake(lines: str) -> str:
@@ -33,7 +40,7 @@ def cmake(lines: str) -> str:
     "refused-arguments",
     over=CMakePackage,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "under a condition that can't be evaluated"},
+    levels={Severity.WARNING: "under a condition that can't be evaluated, or CMake goes on with another value"},
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake(INCLUDED.format("«").replace("src)", "src»)")), **SOURCE},
@@ -43,6 +50,11 @@ def cmake(lines: str) -> str:
         Example(
             bad={"CMakeLists.txt": cmake("install(DIRECTORY launch «RUNTIME» DESTINATION share/my_pkg)\n"), **LAUNCH},
             good={"CMakeLists.txt": cmake("install(DIRECTORY launch DESTINATION share/my_pkg)\n"), **LAUNCH},
+            on="ament_cmake",
+        ),
+        Example(
+            bad={"CMakeLists.txt": cmake(SWITCH.format("«flase»"))},
+            good={"CMakeLists.txt": cmake(SWITCH.format("FALSE"))},
             on="ament_cmake",
         ),
         Example(
@@ -58,7 +70,8 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
     Finds calls whose arguments CMake refuses, or takes for something else than is meant.
     It knows `target_include_directories()` and its like without `PUBLIC`, `PRIVATE` or `INTERFACE`,
     `install(FILES …)` without a destination or with a keyword of another form, `target_link_libraries(x SHARED …)`,
-    and commands that are given too few arguments, such as `pluginlib_export_plugin_description_file()`.
+    and commands that are given too few arguments, such as `pluginlib_export_plugin_description_file()`. It also finds
+    `flase`, and `${CMAKE_CURRENT_SOURCE_DIR}scripts` where the slash is missing.
 
     ## Why is this bad?
     CMake stops at once, or the build does when it links or installs: CMake takes a keyword that a command does not know
@@ -72,3 +85,5 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
         place = each.word.span if each.word else each.call.command.name_span
         level = Severity.WARNING if each.call.maybe or (each.word and each.word.maybe) else None
         yield Hit(each.call.path, place, each.message, level)
+    for value in MistypedValues(package.cmake).all():
+        yield Hit(value.call.path, value.span, value.message, Severity.WARNING)

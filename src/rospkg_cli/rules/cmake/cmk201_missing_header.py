@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from ...checks.cpp.foreign_headers import ForeignHeader, ForeignHeaders
 from ...checks.cpp.missing_headers import MissingHeader, MissingHeaders
 from ...checks.cpp.unreached_headers import UnreachedHeader, UnreachedHeaders
+from ...checks.fault import WORST_FIRST
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -31,7 +32,11 @@ int main()
     "missing-header",
     over=MissingHeaders,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "in a file that only others compile, or in a folder that no command names"},
+    levels={
+        Severity.WARNING: "in a file that only others compile, tests do, or that is compiled on demand, or in a folder "
+        "that no command names",
+        Severity.INFO: "in a file that nothing compiles, beside others",
+    },
     examples=(
         Example(
             bad={
@@ -68,7 +73,8 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     ## When it is quiet
     Where the build makes a header of that name (`configure_file()`), and, for names that are near to none, where
     programs or commands of other packages may make any. Inside of `#if`, in files with `__has_include`, where git
-    ignores the header or a submodule is not checked out, and in files that nothing compiles or installs.
+    ignores the header or a submodule is not checked out, and in files that nothing compiles or installs. A header that
+    the build does not open, beside sources that it compiles, may be a leftover: an info.
 
     ## Fix safety
     The intended header is a guess.
@@ -76,14 +82,12 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     for first, *others in by_header(headers.all()):
         edits = tuple(Edit(each.path, each.span, each.meant) for each in (first, *others))
         fix = Fix(f"include `{first.meant}`", edits, Safety.UNSAFE) if first.meant else None
-        level = None if first.is_compiled else Severity.WARNING
         related = tuple(Related(each.path, each.span, "and here") for each in others)
-        yield Hit(first.path, first.span, message(first), level, related, fix)
+        yield Hit(first.path, first.span, message(first), Severity(first.level), related, fix)
     for lost in UnreachedHeaders(headers).first():
         yield Hit(lost.path, lost.span, unreached(lost), Severity.WARNING)
     for other in ForeignHeaders(headers).all():
-        level = None if other.is_compiled else Severity.WARNING
-        yield Hit(other.path, other.span, of_nobody(other), level)
+        yield Hit(other.path, other.span, of_nobody(other), Severity(other.level))
 
 
 def unreached(each: UnreachedHeader) -> str:
@@ -95,7 +99,7 @@ def unreached(each: UnreachedHeader) -> str:
 def by_header(found: Iterable[MissingHeader]) -> Iterable[list[MissingHeader]]:
     """Return the includes of each header together, those that the build certainly compiles first: one cause."""
     same: dict[tuple[str, str], list[MissingHeader]] = {}
-    for each in sorted(found, key=lambda each: not each.is_compiled):
+    for each in sorted(found, key=lambda each: WORST_FIRST.index(each.level)):
         same.setdefault((each.header, each.meant), []).append(each)
     return same.values()
 

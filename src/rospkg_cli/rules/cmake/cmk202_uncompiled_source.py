@@ -32,6 +32,7 @@ MORE = LINES.replace("talker", "listener").partition("\n")[2]
     "uncompiled-source",
     over=UncompiledSources,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "no launch file, page or description names what is in it"},
     examples=(
         Example(
             bad={
@@ -39,6 +40,7 @@ MORE = LINES.replace("talker", "listener").partition("\n")[2]
                 "CMakeLists.txt": CMAKE.replace("ament_package", LINES + "ament_package"),
                 "src/talker.cpp": NODE,
                 "src/listener.cpp": NODE.replace("int main(", "«int main»("),
+                "README.md": "Run `ros2 run my_pkg listener`.\n",
             },
             good={"CMakeLists.txt": CMAKE.replace("ament_package", LINES + MORE + "ament_package")},
             on="ament_cmake",
@@ -58,14 +60,15 @@ def uncompiled_source(sources: UncompiledSources) -> Iterator[Hit]:
     Where a CMake file has the name of the file anywhere, in a comment too, or another file includes it. In folders of
     tests, examples, demos or third parties, in a file whose name says `template`, `old` or the like, where git ignores
     the file, where the sources of a target can't be evaluated, and where a command of another package may add targets.
+    Where no launch file or page starts the node, and no launch file or description names the class, the file may be a
+    leftover: an info.
     """
     for each in sources.all():
-        name = each.path.rpartition("/")[2].rpartition(".")[0]
         if each.what == "node":
-            fails = f"`ros2 run {sources.package.facts.name} {name}` finds nothing; add an executable of it"
+            fails = f"`ros2 run {sources.package.facts.name} {each.name}` finds nothing; add an executable of it"
         else:
             fails = f"the {each.what} can't be loaded; add the file to a library"
         message = (
             f"no target in CMakeLists.txt compiles `{each.path}`: the build passes over it, and {fails}, or remove it"
         )
-        yield Hit(each.path, each.span, message)
+        yield Hit(each.path, each.span, message, None if sources.is_wanted(each) else Severity.INFO)

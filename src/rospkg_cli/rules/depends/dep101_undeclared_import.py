@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...checks.depends.name_source import is_left_out
 from ...checks.depends.undeclared_imports import ImportDependencies, ImportUse, UndeclaredImport
@@ -17,6 +17,7 @@ BUILD = "`colcon build` stops with ModuleNotFoundError"
 BAD = "import rclpy\nfrom «trajectory_msgs.msg» import JointTrajectory\n"
 ONLY_LAUNCH = "only launch files need it, and `ros2 launch` brings it"
 LEFT = "; nothing starts or imports this module"
+OPTIONAL = "; this module is imported only where that may fail"
 
 
 @rule(
@@ -26,7 +27,7 @@ LEFT = "; nothing starts or imports this module"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment, "
-        "where only PyPI has it, and where nothing but launch files, or nothing at all, imports the module"
+        "where only PyPI has it, and where nothing but launch files, only `try`, or nothing at all imports the module"
     },
     examples=(
         Example(
@@ -65,10 +66,11 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     nor can what rosdep itself needs (PyYAML): that is one info, which names who brings it. What may come with a
     declared one is another: with a package that is neither here nor in the table of what is installed with what,
     anything may come. A module that no entry point and no other file of the package names or imports, beside others
-    that start, is an info; so is what `ros2 launch` brings, where only launch files import the module. Left out are
-    optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition
-    on the machine, or one that asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that
-    never run. So are files that nothing installs, and the package's own modules.
+    that start, is an info, and one that others import under `try` … `except ImportError` alone; so is what
+    `ros2 launch` brings, where only launch files import the module. Left out are optional imports: under `try` …
+    `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
+    get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, and the package's
+    own modules.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, where no released package has the name, or where a comment of
@@ -93,27 +95,30 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
 
 def ros1_leftover(imports: ImportDependencies, places: list[ImportUse]) -> Hit:
     first, *others = places
-    files, end = (f"this file and {len(others)} more", "end") if others else ("this file", "ends")
+    files, ends = (f"this file and {len(others)} more", "end") if others else ("this file", "ends")
     them = "them" if others else "it"
     message = (
-        f"`{first.module}` is a module of ROS 1: {files} {end} with ModuleNotFoundError before anything else; port "
+        f"`{first.module}` is a module of ROS 1: {files} {ends} with ModuleNotFoundError before anything else; port "
         f"{them} to rclpy, or do not install {them}"
     )
-    is_left = imports.is_left(places)
-    also = tuple(Related(each.path, each.span, "and here") for each in others)
-    told = f"{message}{LEFT}" if is_left else message
-    return Hit(first.path, first.span, told, Severity.INFO if is_left else None, also)
+    also, end = tuple(Related(each.path, each.span, "and here") for each in others), unneeded(imports, places)
+    return Hit(first.path, first.span, f"{message}{end}", Severity.INFO if end else None, also)
+
+
+def unneeded(imports: ImportDependencies, places: Iterable[ImportUse]) -> str:
+    """Return what is said of modules that nobody needs; "" for others."""
+    return LEFT if imports.is_left(places) else OPTIONAL if imports.are_optional(places) else ""
 
 
 def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str, ends: str) -> Hit:
     first, declared = missing.places[0], imports.declared
-    is_left, is_launch = imports.is_left(missing.places), imports.is_for_launch(missing)
+    end, is_launch = unneeded(imports, missing.places), imports.is_for_launch(missing)
     shown = "" if missing.name == first.module.partition(".")[0] else f" here as `{first.module}`"
     lacks = "" if declared.workspace.named(missing.name) else "rosdep does not install it, and "
     what = ONLY_LAUNCH if is_launch else f"{where_absent(declared, missing.name)} {lacks}{ends}"
-    todo = f"{advice(declared, kind, missing.name)}{LEFT if is_left else ''}"
-    message = f"`{missing.name}` is imported{shown} and not declared: {what}; {todo}"
+    todo = advice(declared, kind, missing.name)
+    message = f"`{missing.name}` is imported{shown} and not declared: {what}; {todo}{end}"
     places = related((place.path, place.span) for place in missing.places)
-    mild = is_left or is_launch or is_left_out(declared, missing.name)
+    mild = bool(end) or is_launch or is_left_out(declared, missing.name)
     fix = declaration(declared, kind, missing.name)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)

@@ -6,11 +6,17 @@ from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_left_out
 from ...checks.depends.undeclared_launch_packages import LaunchDependencies
-from ...checks.enumeration import enumerated
 from ...checks.launch.absent_package import ends_with
 from ...checks.launch.package_references import PackageReference
-from ...edits.manifest import add_dependency
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
+from ...edits.launch_hits import described_nodes, no_launch
+from ...edits.undeclared_hits import (
+    BroughtUse,
+    advice,
+    declaration,
+    left_to_others,
+    related,
+    where_absent,
+)
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...ros.implied_dependencies import LAUNCH
@@ -91,7 +97,7 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     for tests, tag in ((False, "exec_depend"), (True, "test_depend")):
         missing = launch.asked_for(tests=tests)
         if not tests and missing.keys() & LAUNCH:
-            yield no_launch(launch, {name: missing.pop(name) for name in sorted(missing.keys() & LAUNCH)})
+            yield no_launch(launch.declared, {name: missing.pop(name) for name in sorted(missing.keys() & LAUNCH)})
         bringers = launch.declared.bringers(missing, runs=not tests)
         for name, uses in missing.items():
             bringer = bringers.get(name)
@@ -99,42 +105,28 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
                 brought.append(BroughtUse(name, bringer, tag, uses[0].path, uses[0].span))
             else:
                 yield undeclared(launch, tag, name, uses)
-    for name, uses in launch.nodes_in_code().items():
-        yield undeclared(launch, "exec_depend", name, uses, is_described=True)
+    nodes = ((name, uses[0].path, uses[0].span) for name, uses in launch.nodes_in_code().items())
+    yield from described_nodes(launch.declared, sorted(nodes))
     yield from left_to_others(launch.declared, brought, "used by launch files")
 
 
-def undeclared(
-    launch: LaunchDependencies, tag: str, name: str, uses: list[PackageReference], *, is_described: bool = False
-) -> Hit:
+def undeclared(launch: LaunchDependencies, tag: str, name: str, uses: list[PackageReference]) -> Hit:
     declared = launch.declared
     uses = sorted(uses, key=lambda use: bool(use.only_with))
     first = uses[0]
     meant = launch.meant(name)
-    who = "this code" if is_described else "this launch file"
     if meant:
-        message = f"`{name}` is known nowhere, and {who} {first.does} it: did you mean `{meant}`?"
+        message = f"`{name}` is known nowhere, and this launch file {first.does} it: did you mean `{meant}`?"
         fix = Fix(f"write `{meant}`", (Edit(first.path, first.span, meant),), Safety.UNSAFE)
         fix_or_none = fix if launch.is_written(first) else None
     else:
         ends = ends_with(first, name, where_absent(declared, name))
-        message = f"`{name}` is not declared, and {who} {first.does} it: {ends}; {advice(declared, tag, name)}"
+        message = (
+            f"`{name}` is not declared, and this launch file {first.does} it: {ends}; {advice(declared, tag, name)}"
+        )
         fix_or_none = declaration(declared, tag, name)
     is_meant = meant is None and (is_left_out(declared, name) or launch.is_told(name))
     is_aside = tag == "exec_depend" and launch.is_for_examples(name, uses)
-    mild = is_described or is_meant or is_aside or first.only_with or all(use.is_usual for use in uses)
+    mild = is_meant or is_aside or first.only_with or all(use.is_usual for use in uses)
     places = related((use.path, use.span) for use in uses)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix_or_none)
-
-
-def no_launch(launch: LaunchDependencies, missing: dict[str, list[PackageReference]]) -> Hit:
-    """Ask for ros2launch once, whatever of launch itself is missing."""
-    first = min((use for uses in missing.values() for use in uses), key=lambda use: (use.path, use.span))
-    line = "<exec_depend>ros2launch</exec_depend>"
-    names = enumerated(f"`{name}`" for name in missing)
-    message = (
-        f"this launch file needs {names}, which nothing in package.xml brings: `ros2 launch` may be missing where it "
-        f"is installed; add {line}"
-    )
-    fix = Fix(f"add {line}", (add_dependency(launch.declared.manifest, "exec_depend", "ros2launch"),))
-    return Hit(first.path, first.span, message, Severity.INFO, fix=fix)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_left_out
+from ...checks.depends.strange_packages import StrangePackages
 from ...checks.depends.undeclared_find_package import UndeclaredFindPackage
 from ...checks.depends.undeclared_includes import IncludeDependencies
 from ...checks.depends.undeclared_test_commands import CommandsForTests, UndeclaredTestCommand
@@ -60,7 +61,8 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
     ROS packages are checked, and libraries that have a rosdep key (`Eigen3` is `eigen`). Without REQUIRED the call
     counts where a target or an export uses the package all the same. A command for tests (`ament_add_gtest()`) counts
     where its package is neither found nor declared. A name that no one here knows counts where it ends like
-    one of interfaces (`acme_msgs`).
+    one of interfaces (`acme_msgs`), where `ament_target_dependencies()` is handed it, or where a package or key is
+    called alike (`GDAL`, `libgdal-dev`).
 
     ## Why is this bad?
     It builds where the package happens to be installed, or to be built before. On a clean machine and on the build farm
@@ -100,8 +102,9 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
     included = brought_includes(includes) if brought else []
     how = "required by CMake or included" if included else "required by CMake"
     yield from left_to_others(declared, [*brought, *included], how)
-    for found in dependencies.unknown():
-        yield Hit(found.word.path, found.word.span, unknown_package(found.name), Severity.INFO)
+    for strange in StrangePackages(includes).all():
+        level = Severity.WARNING if strange.is_slip else Severity.INFO
+        yield Hit(strange.found.word.path, strange.found.word.span, strange.sentence, level)
     for each in CommandsForTests(declared, dependencies.cmake).undeclared():
         level = Severity.WARNING if each.call.testing else Severity.ERROR
         level = Severity.INFO if each.may_be_brought else level
@@ -121,13 +124,6 @@ def not_installable(missing: UndeclaredFindPackage) -> str:
     return (
         f"CMake requires `{missing.found.name}`, and package.xml does not declare it: rosdep installs nothing for "
         f"`{missing.names[0]}` on supported distributions; declare the vendor package that brings it"
-    )
-
-
-def unknown_package(name: str) -> str:
-    return (
-        f"CMake requires `{name}`, and package.xml does not declare it: where it is a package of the workspace, colcon "
-        "may build this one first; declare it"
     )
 
 

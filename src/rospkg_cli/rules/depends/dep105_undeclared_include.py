@@ -17,6 +17,9 @@ NODE = CMAKE.replace(
 )
 
 
+BUILD_ENDS, CMAKE_STOPS = 'the build ends with "No such file or directory"', "CMake, which requires it, stops"
+
+
 @rule(
     "DEP105",
     "undeclared-include",
@@ -49,9 +52,10 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     ## When it is quiet
     What a declared dependency or a package that CMake requires certainly installs, or may, is one info, which names who
     brings it, and DEP104's where CMake requires such a package, too. So is what only files include that an option of
-    CMake must ask for, or only headers that it neither compiles nor installs. Files that no target compiles, includes
-    under `#if`, headers that all others include under it, neighbours whose folder CMake names
-    (`include_directories(../other/include)`), and packages that `find_package()` names as well (DEP104) are left alone.
+    CMake must ask for, or only headers that are not compiled, where others are, or that are not installed. Files that
+    no target compiles, includes under `#if`, headers that all others include under it, neighbours whose folder CMake
+    names (`include_directories(../other/include)`), what CMake fetches, and packages that `find_package()` names as
+    well (DEP104) are left alone.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -65,9 +69,10 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
         if includes.bringer(each):
             continue
         is_used = "used" if first.is_type else "included"
+        ends = CMAKE_STOPS if includes.are_required(each) else BUILD_ENDS
         message = (
-            f"`{name}` is not declared, and `{first.header}` of it is {is_used}: the build ends with "
-            f'"No such file or directory" where nothing else brings it; {advice(declared, kind, name)}'
+            f"`{name}` is not declared, and `{first.header}` of it is {is_used}: {ends} where nothing else brings it; "
+            f"{advice(declared, kind, name)}"
         )
         places = related((use.path, use.span) for use in each.uses)
         is_mild = is_left_out(declared, name) or includes.are_optional(each) or includes.are_idle(each)

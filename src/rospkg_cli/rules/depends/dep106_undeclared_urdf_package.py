@@ -32,8 +32,9 @@ Visualization Manager:
     over=RobotUses,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "for plugins of robots and of RViz configs, in a package that launches nothing, and where an "
-        "argument must turn it on, a declared dependency brings or may bring it, or package.xml has it in a comment"
+        Severity.INFO: "for plugins of robots and of RViz configs, in a package that launches nothing, in a file that "
+        "nothing opens, and where an argument must turn it on, a declared dependency brings or may bring it, or "
+        "package.xml has it in a comment"
     },
     examples=(
         Example(
@@ -67,7 +68,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     package whose node is launched, and what launch files need as well (DEP103). Plugins of robots and RViz configs are
     infos, and so are those of parameter files in a package that launches nothing that loads plugins
     (controller_manager, nav2, MoveIt), or in a file that no launch file names: others may use the file without
-    them. So is what xacro needs only where an argument turns it on (`GAZEBO:=true`).
+    them. So is what a robot needs that nothing opens, beside others, or only where an argument turns it on
+    (`GAZEBO:=true`).
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. Where this

@@ -47,9 +47,9 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     """
     ## What it does
     Finds ROS packages that CMake uses without a `find_package()`.
-    Targets are linked with the package, declared or not, or headers of a declared one are included. Packages that come
-    with one that is found are left alone, and so is everything where a command such as
-    `ament_auto_find_build_dependencies()` finds what is declared.
+    Targets are linked with the package or interfaces depend on it, whether it is declared or not, or headers of a
+    declared one are included. Packages that come with one that is found are left alone, and so is everything where a
+    command such as `ament_auto_find_build_dependencies()` finds what is declared.
 
     ## Why is this bad?
     CMake stops ("was not found before", "target … was not found"), or the compiler does not see the headers; it builds

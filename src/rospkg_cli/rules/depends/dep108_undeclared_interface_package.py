@@ -27,9 +27,9 @@ RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
     "DEP108",
     "undeclared-interface-package",
     over=InterfaceTypeDependencies,
-    severity=Severity.ERROR,
+    severity=Severity.WARNING,
     levels={
-        Severity.WARNING: "CMake lists it in DEPENDENCIES, or what brings it: it builds where that is installed",
+        Severity.ERROR: "no package has that name, and one has nearly it",
         Severity.INFO: "where a declared dependency brings or may bring it, or package.xml has it in a comment",
     },
     examples=(
@@ -83,16 +83,16 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
             f"does not build; {advice(declared, 'depend', name)}"
         )
         places = related((use.path, use.span) for use in uses)
-        mild = Severity.WARNING if interfaces.is_found(name) else None
-        level = Severity.INFO if is_left_out(declared, name) else mild
+        level = Severity.INFO if is_left_out(declared, name) else None
         yield Hit(first.path, first.span, message, level, places, declaration(declared, "depend", name))
     yield from left_to_others(declared, brought, "used in interfaces")
 
 
 def misspelt(name: str, near: str, uses: Sequence[InterfaceTypeUse]) -> Hit:
     first = uses[0]
-    message = f"no package is called `{name}` (did you mean `{near}`?), and its `{first.type}` is used here"
+    start = f"no package is called `{name}` (did you mean `{near}`?), and its `{first.type}` is used here"
+    message = f"{start}: the generated code does not build; correct it"
     edits = tuple(Edit(use.path, use.span, use.type.replace(name, near, 1)) for use in uses)
     fix = Fix(f"write `{near}`", edits, Safety.UNSAFE)
     places = related((use.path, use.span) for use in uses)
-    return Hit(first.path, first.span, f"{message}: the generated code does not build; correct it", None, places, fix)
+    return Hit(first.path, first.span, message, Severity.ERROR, places, fix)

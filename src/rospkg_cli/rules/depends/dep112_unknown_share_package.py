@@ -37,6 +37,7 @@ NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend
     "unknown-share-package",
     over=ShareLookups,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "no target certainly compiles the file, or nothing starts or imports the module"},
     examples=(
         Example(
             bad={**NEEDS, "my_pkg/talker.py": MODULE.format("«my_pgk»")},
@@ -69,4 +70,5 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     for found in lookups.unknown_packages():
         message = f"there is no package `{found.name}`: this raises PackageNotFoundError; did you mean `{found.near}`?"
         fix = Fix(f"write `{found.near}`", (Edit(found.path, found.span, found.near),), Safety.UNSAFE)
-        yield Hit(found.path, found.span, message, fix=fix)
+        level = None if lookups.is_run(found.path) else Severity.WARNING
+        yield Hit(found.path, found.span, message, level, fix=fix)

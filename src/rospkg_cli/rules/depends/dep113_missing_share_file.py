@@ -27,6 +27,7 @@ PEOPLE = {**NEEDS, "names/people.txt": "Ada\n", "my_pkg/talker.py": MODULE.forma
     "missing-share-file",
     over=ShareLookups,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "C++ names it, the package does not have it, or nothing starts or imports the module"},
     examples=(
         Example(bad={**PEOPLE, "setup.py": SETUP_PY}, good={"setup.py": INSTALLED}),
         Example(
@@ -55,4 +56,5 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
             message = f"`{found.file}` is not installed: this does not find it in share/{found.package}; install it"
         else:
             message = f"`{found.package}` installs no file `{found.file}`; did you mean `{found.near}`?"
-        yield Hit(found.path, found.span, message)
+        is_certain = found.is_here and found.path.endswith(".py") and lookups.is_run(found.path)
+        yield Hit(found.path, found.span, message, None if is_certain else Severity.WARNING)

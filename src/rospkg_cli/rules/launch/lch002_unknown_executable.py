@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.node_executables import ExecutableUse, NodeExecutables, WellKnownUse
+from ...checks.launch.node_executables import ExecutableUse, NodeExecutables, WellKnownUse, by_name
 from ...checks.launch.without_package import NodesWithoutPackage, PathUse
 from ...edits.offers import node_command
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
-from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts
 from ...rule import rule
@@ -36,7 +36,7 @@ FILES = {
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "the condition is false by default, or an old distribution had the name",
-        Severity.INFO: "the node is built and never added to the launch description",
+        Severity.INFO: "the node is never added to the launch description, or the repository is for that distribution",
     },
     examples=(
         Example(
@@ -66,25 +66,24 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     Packages whose executables are not all known, or whose build may write the file, are left alone, and so are launch
     files of tests that CMake does not run, and paths that begin at the root or where the launch file is: launch starts
     them as they are. A node whose condition is false by default, or that Python makes in a branch alone, or in a file
-    without `generate_launch_description`, is a warning, one that nothing adds to the launch description an info.
+    without `generate_launch_description`, is a warning, one that nothing adds to the launch description an info. So is
+    what was there in Foxy or Galactic, where pages and scripts name no later distribution.
 
     ## Fix safety
     The name is replaced by the only similar one; another program may be right.
     """
-    for node in started.unknown_executables():
-        suggestion = node.suggestion
+    for node, *others in by_name(started.unknown_executables()):
         start = f"`{node.facts.name}` installs no executable `{node.executable}`"
         ends = f"the launch stops with \"executable '{node.executable}' not found on the libexec directory\""
         told = {None: f"{start}: {ends}", "warning": f"{start}: {ends}, {node.why}", "info": f"{start}, {node.why}"}
         level = Severity(node.level) if node.level else None
         message = f"{told[node.level]}; {hint(node, started.scope.package)}"
-        yield Hit(node.path, node.span, message, level, fix=rename(node, suggestion))
+        again = tuple(Related(each.path, each.span, "and here") for each in others)
+        yield Hit(node.path, node.span, message, level, again, rename([node, *others], node.suggestion))
     for known in started.renamed():
-        is_mild = known.wrong.is_removed or "/" in known.wrong.better
-        severity = Severity(known.level) if known.level else Severity.WARNING if is_mild else None
-        yield Hit(
-            started.scope.file.path, known.executable.span, not_offered(known), severity, fix=other_name(started, known)
-        )
+        mild = started.level_of(known)
+        severity, fix = Severity(mild) if mild else None, other_name(started, known)
+        yield Hit(started.scope.file.path, known.executable.span, not_offered(known), severity, fix=fix)
     for text, what in started.blank():
         yield blank_name(started.scope.file.path, text, what)
     for use in NodesWithoutPackage(started.scope).uses():
@@ -129,12 +128,12 @@ def hint(node: ExecutableUse, own: PackageFacts) -> str:
         return f"launch does not look into folders: install `{folder}/{node.in_folder}` into `{folder}` itself"
     if node.sister:
         return f"`{node.sister}` has one"
-    there = ", ".join(f"`{name}`" for name in sorted(node.startable)[:8])
+    there = ", ".join(f"`{name}`" for name in node.programs[:8])
     offered = node_command(node.facts, node.executable, own)
     return f"it installs {there or 'no executable at all'}" + (f"; `{offered}` writes one" if offered else "")
 
 
-def rename(node: ExecutableUse, suggestion: str | None) -> Fix | None:
-    if suggestion is None or not node.plain:
+def rename(nodes: list[ExecutableUse], suggestion: str | None) -> Fix | None:
+    if suggestion is None or not all(node.plain for node in nodes):
         return None
-    return Fix(f"start `{suggestion}`", (Edit(node.path, node.span, suggestion),), Safety.UNSAFE)
+    return Fix(f"start `{suggestion}`", tuple(Edit(each.path, each.span, suggestion) for each in nodes), Safety.UNSAFE)

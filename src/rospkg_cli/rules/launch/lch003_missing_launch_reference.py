@@ -43,6 +43,7 @@ NODE = {
 }
 HARM: dict[ReferenceKind, str] = {
     "include": "the launch stops there, as the file can't be opened",
+    "open": "the launch stops there, as the file can't be opened",
     "default": "what opens it fails unless another one is given",
     "file": "what opens it finds nothing there",
 }
@@ -55,8 +56,8 @@ WITHOUT_PARAMETERS = "launch warns, and the node starts with its defaults"
     over=LaunchContext,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is the default of an argument, a parameter file, for RViz or a camera, in the current "
-        "directory, or its action is off",
+        Severity.WARNING: "a process that is started opens it, it is the default of an argument or in the current "
+        "directory, its action has a condition, or the launch file is not installed",
         Severity.INFO: "the action is never added to the launch description, the argument or value never used",
     },
     examples=(
@@ -84,25 +85,27 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     packages that everybody uses it knows the launch files, and tells of an include of nearly one of them.
 
     ## Why is this bad?
-    The build is green, and the launch stops at an included file that can't be opened. A node whose parameter file is
-    missing starts with its defaults ("Parameter file path is not a file"), RViz with its default view, a camera without
-    its calibration (`camera_info_url`).
+    The build is green, and the launch stops at an included file that can't be opened, and at one that it opens itself
+    or gives to xacro. All others are warnings: a node whose parameter file is missing starts with its defaults
+    ("Parameter file path is not a file"), RViz with its default view, a camera without its calibration
+    (`camera_info_url`).
 
     ## When it is quiet
     Files are left alone that the code looks for first (`os.path.exists`, `try`), that the build or the package's
     Python code writes, that git ignores or that lie in a submodule that is not checked out
     (`git submodule update --init`); so are packages whose installed files are not all known (a CMake macro of another
-    package may install some), and launch files of tests that CMake does not run. Where the defaults of the arguments
-    switch the action off, it is a warning, where nothing adds the action or uses the value, an info.
+    package may install some), and launch files of tests that CMake does not run. Where the action has a condition that
+    the defaults of the arguments do not make true, it is a warning, where nothing adds the action or uses the value, an
+    info.
     """
     for each in scope.missing():
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):
             softer, why = level_at(scope.file, each.span)
             if not softer and scope.is_unread(each):
                 softer, why = "info", "but nothing uses the argument"
-            mild = each.use == "default" or each.is_for_rviz or each.is_well_known
-            mild = mild or scope.is_for_url(each) or is_for_nodes(scope, each)
-            level = Severity(softer) if softer else Severity.WARNING if mild else None
+            if not softer and not scope.is_installed:
+                softer, why = "warning", "where it is started from the source: it is not installed"
+            level = Severity(softer) if softer else None if each.stops_launch else Severity.WARNING
             others = tuple(Related(scope.file.path, span, "here too") for span in each.other_spans)
             yield Hit(scope.file.path, each.span, message(scope, each, why), level, others)
     for found in relative_parameter_files(scope):
@@ -116,7 +119,8 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
 
 
 def message(scope: LaunchContext, missing: MissingReference, why: str) -> str:
-    harm = WITHOUT_PARAMETERS if is_for_nodes(scope, missing) else harm_of(missing)
+    harm = "RViz starts with its default view" if missing.is_for_rviz else HARM[missing.use]
+    harm = WITHOUT_PARAMETERS if is_for_nodes(scope, missing) else harm
     harm = f"{harm}, {why}" if why else harm
     if missing.state == "no slash":
         return (
@@ -133,7 +137,3 @@ def hint(scope: LaunchContext, missing: MissingReference) -> str:
     facts = scope.workspace.named(missing.package)
     command = file_command(facts, missing.path, scope.package) if facts else ""
     return f"`{command}` adds it, or correct the path" if command else "add it, or correct the path"
-
-
-def harm_of(missing: MissingReference) -> str:
-    return "RViz starts with its default view" if missing.is_for_rviz else HARM[missing.use]

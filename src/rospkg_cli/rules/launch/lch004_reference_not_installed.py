@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from ...checks.launch.idle_actions import level_at
 from ...checks.launch.missing_references import MissingReference
 from ...checks.launch.reference_install import InstalledReferences, ReferenceInstall
-from ...checks.launch.relative_parameter_files import is_for_nodes
 from ...edits.install_file import install_for_cmake, install_for_setup
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -31,7 +30,8 @@ BOTH = ONE.replace("robot.launch.xml", "robot.launch.xml launch/wheels.launch.xm
     over=InstalledReferences,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the path is or holds the default of an argument; for RViz or parameters; the action is off",
+        Severity.WARNING: "a process that is started opens it, the path is or holds the default of an argument, or its "
+        "action has a condition",
         Severity.INFO: "it is the default of an argument that nothing uses, or nothing adds its action",
     },
     examples=(
@@ -62,13 +62,14 @@ def reference_not_installed(package: InstalledReferences) -> Iterator[Hit]:
     ## When it is quiet
     Where nothing of the folder is installed, or setup.py leaves it out, SET206, SET207 or CMK101 reports it alone.
     Paths that are checked first, that the build writes, and packages whose install rules are not all known, are left
-    alone. RViz starts with its default view where its config is missing, and a node with its defaults: a warning, as in
-    an action that is switched off.
+    alone. RViz starts with its default view where its config is missing, and a node with its defaults: what the launch
+    itself does not open is a warning, as in an action with a condition.
     """
-    for (files, missing), *others in package.missing():
+    for found in package.missing():
+        (files, missing), *others = sorted(found, key=lambda each: level_of(*each).rank, reverse=True)
         edits = repair(files, missing) if missing.state == "not installed" else ()
         fix = Fix(f"install {missing.path}", edits) if edits else None
-        level = max((level_of(*each) for each in ((files, missing), *others)), key=lambda each: each.rank)
+        level = level_of(files, missing)
         places = [Related(files.scope.file.path, span, "here too") for span in missing.other_spans]
         places += [Related(file.scope.file.path, each.span, f"`{each.path}` too") for file, each in others]
         row = files.rule_of(missing)
@@ -79,10 +80,10 @@ def reference_not_installed(package: InstalledReferences) -> Iterator[Hit]:
 def level_of(files: ReferenceInstall, missing: MissingReference) -> Severity:
     if softer := level_at(files.scope.file, missing.span)[0]:
         return Severity(softer)
-    if missing.use != "default":
-        is_mild = missing.is_for_rviz or is_for_nodes(files.scope, missing)
-        return Severity.WARNING if is_mild else Severity.ERROR
-    return Severity.INFO if files.scope.is_unread(missing) else Severity.WARNING
+    if missing.stops_launch:
+        return Severity.ERROR
+    is_unread = missing.use == "default" and files.scope.is_unread(missing)
+    return Severity.INFO if is_unread else Severity.WARNING
 
 
 def repair(files: ReferenceInstall, missing: MissingReference) -> tuple[Edit, ...]:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.call_errors import LaunchCalls
 from ...checks.launch.removed_arguments import removed_arguments
 from ...edits.fault_hits import hits
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Safety, Severity
-from ...package.launch.launch_file import LaunchFile
+from ...light_dataclasses import replace
 from ...rule import rule
 
 PYTHON = """\
@@ -37,8 +38,9 @@ FILES = {
 @rule(
     "LCH005",
     "removed-launch-argument",
-    over=LaunchFile,
+    over=LaunchCalls,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "pages and scripts name Foxy alone, which takes it"},
     examples=(
         Example(
             bad={**FILES, "launch/talker.launch.py": PYTHON},
@@ -52,7 +54,7 @@ FILES = {
         ),
     ),
 )
-def removed_launch_argument(file: LaunchFile) -> Iterator[Hit]:
+def removed_launch_argument(calls: LaunchCalls) -> Iterator[Hit]:
     """
     ## What it does
     Finds arguments of nodes that launch_ros removed, such as `node_executable`.
@@ -64,6 +66,9 @@ def removed_launch_argument(file: LaunchFile) -> Iterator[Hit]:
     keyword-only argument: 'executable'`.
 
     ## When it is quiet
-    Files that check which distribution they run on are left alone, and so are launch files for ROS 1.
+    Files that check which distribution they run on are left alone, and so are launch files for ROS 1. Where pages and
+    scripts of the repository name Foxy and no later distribution, it is a warning.
     """
-    yield from hits(file.path, removed_arguments(file))
+    is_taken = calls.file.frontend == "python" and calls.distribution.is_named_alone
+    for fault in removed_arguments(calls.file):
+        yield from hits(calls.file.path, [replace(fault, level="warning") if is_taken else fault])

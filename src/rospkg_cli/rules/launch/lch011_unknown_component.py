@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.launch.idle_actions import level_at
 from ...checks.launch.loaded_components import LoadedComponents, UnknownComponent
 from ...example import CMAKE, Example, manifest
-from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule
 
 BAD = """\
@@ -79,14 +79,18 @@ def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
     ## Fix safety
     The name is replaced by the only similar class; another one may be right.
     """
+    by_class: dict[tuple[str, str], list[UnknownComponent]] = {}
     for each in loaded.unknown():
+        by_class.setdefault((each.package, each.name), []).append(each)
+    for alike in by_class.values():
+        each, *others = sorted(alike, key=lambda one: level_at(loaded.file, one.plugin.span)[0] is not None)
         level, why = level_at(loaded.file, each.plugin.span)
         if each.wrong is not None and each.wrong.is_removed:
             level = level or "warning"
         message = message_for(each, f", {why}" if why else "")
-        yield Hit(
-            loaded.file.path, each.plugin.span, message, Severity(level) if level else None, fix=rename(loaded, each)
-        )
+        path, again = loaded.file.path, tuple(Related(loaded.file.path, one.plugin.span, "and here") for one in others)
+        severity = Severity(level) if level else None
+        yield Hit(path, each.plugin.span, message, severity, again, rename(loaded, alike))
 
 
 def message_for(each: UnknownComponent, why: str) -> str:
@@ -108,8 +112,8 @@ def message_for(each: UnknownComponent, why: str) -> str:
     return f"`{each.facts.name}` registers no component `{each.name}`: the container can't load it{why}; {hint}"
 
 
-def rename(loaded: LoadedComponents, each: UnknownComponent) -> Fix | None:
-    span = each.plugin.span
-    if each.suggestion is None or loaded.file.source.slice(span) != each.name:
+def rename(loaded: LoadedComponents, uses: list[UnknownComponent]) -> Fix | None:
+    better, file = uses[0].suggestion, loaded.file
+    if better is None or any(file.source.slice(each.plugin.span) != each.name for each in uses):
         return None
-    return Fix(f"load `{each.suggestion}`", (Edit(loaded.file.path, span, each.suggestion),), Safety.UNSAFE)
+    return Fix(f"load `{better}`", tuple(Edit(file.path, each.plugin.span, better) for each in uses), Safety.UNSAFE)

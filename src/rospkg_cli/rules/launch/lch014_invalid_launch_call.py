@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.call_errors import call_faults
+from ...checks.launch.call_errors import LaunchCalls
 from ...edits.fault_hits import hits
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
-from ...package.launch.launch_file import LaunchFile
 from ...rule import rule
 
 NEEDED = "  <exec_depend>ros2launch</exec_depend>\n  <exec_depend>tf2_ros</exec_depend>\n"
@@ -41,9 +40,12 @@ def generate_launch_description():
 @rule(
     "LCH014",
     "invalid-launch-call",
-    over=LaunchFile,
+    over=LaunchCalls,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the launch goes on, with another value than intended, or the action is never added"},
+    levels={
+        Severity.WARNING: "the launch goes on, with another value than intended, or the action is never added",
+        Severity.INFO: "it is another value than intended, which nothing uses",
+    },
     examples=(
         Example(
             bad={"package.xml": manifest(NEEDED), "launch/a.launch.py": BAD},
@@ -56,7 +58,7 @@ def generate_launch_description():
         ),
     ),
 )
-def invalid_launch_call(file: LaunchFile) -> Iterator[Hit]:
+def invalid_launch_call(calls: LaunchCalls) -> Iterator[Hit]:
     """
     ## What it does
     Finds calls in Python launch files that raise, or do not do what they say.
@@ -71,9 +73,10 @@ def invalid_launch_call(file: LaunchFile) -> Iterator[Hit]:
 
     ## When it is quiet
     Arguments of unknown value are left alone, and files that `ros2 launch` can't start. What launch looks at only when
-    it visits an action is a warning where nothing adds the action.
+    it visits an action is a warning where nothing adds the action, and so is a LifecycleNode without a namespace where
+    pages and scripts name Foxy alone, which gives it one.
 
     ## Fix safety
     A number is quoted, `.items()` is added: what launch requires.
     """
-    yield from hits(file.path, call_faults(file))
+    yield from hits(calls.file.path, calls.faults())

@@ -72,6 +72,11 @@ def include_argument_mismatch(context: IncludeContext) -> Iterator[Hit]:
 
 def message(mismatch: ArgumentMismatch) -> str:
     of = "" if not mismatch.package else f" of `{mismatch.package}`"
+    if mismatch.is_missing and mismatch.suggestion:
+        return (
+            f"`{mismatch.file}`{of} requires an argument `{mismatch.argument}`, and `{mismatch.suggestion}` is given: "
+            f'the launch stops ("missing required argument"); correct the name'
+        )
     if mismatch.is_missing:
         return (
             f"`{mismatch.file}`{of} requires an argument `{mismatch.argument}`, which is not given here: the launch "

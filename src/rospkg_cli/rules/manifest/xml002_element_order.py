@@ -12,7 +12,7 @@ from ...example import XMLLINT, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...languages.xml.elements import Element
 from ...package.schema.schema import misplaced
-from ...ros.manifest import place_of
+from ...ros.manifest import ORDER, place_of
 from ...rule import rule
 from ...source import Span
 
@@ -64,9 +64,10 @@ def element_order(tests: SchemaTests) -> Iterator[Hit]:
         return
     edits = tuple(reorder(manifest, schema_order(manifest)))
     fix = Fix("Put the elements of package.xml in order", edits) if edits else None
-    moving = misplaced(manifest.root.children)
+    children = [child for child in manifest.root.children if place_of(child.tag) < len(ORDER)]  # XML001 tells of others
+    moving = misplaced(children)
     moved = set(moving)
-    staying = [child for child in manifest.root.children if child not in moved]
+    staying = [child for child in children if child not in moved]
     places = [place_of(child.tag) for child in staying]
     if not manifest.names_schema:
         level, ends = Severity.INFO, "no tool checks it while the `<?xml-model?>` line names no schema of this format"

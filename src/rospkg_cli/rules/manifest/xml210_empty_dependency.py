@@ -16,7 +16,7 @@ from ...rule import rule
     "XML210",
     "empty-dependency",
     over=Manifest,
-    severity=Severity.ERROR,
+    severity=Severity.WARNING,
     examples=(
         Example(
             bad={"package.xml": manifest("  «<exec_depend/>»\n")},
@@ -31,8 +31,8 @@ def empty_dependency(manifest: Manifest) -> Iterator[Hit]:
     Finds dependencies and groups without a name.
 
     ## Why is this bad?
-    colcon ignores them. `rosdep install` looks up a key without a name and fails, and bloom writes a Debian control
-    file that can't be read.
+    colcon ignores them: the build is green. `rosdep install` looks up a key without a name and fails, and bloom writes
+    a Debian control file that can't be read.
 
     ## When it is quiet
     An element that holds other elements is left to XML001.

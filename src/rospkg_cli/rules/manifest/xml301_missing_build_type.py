@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.manifest.manifest_inputs import ManifestAndCMake
+from ...checks.setup.linked_build import merging_file
 from ...edits.manifest import add_export
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
@@ -20,7 +21,8 @@ EXPORT = "  <export>\n    <build_type>ament_python</build_type>\n  </export>\n"
     over=ManifestAndCMake,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it has no programs and no launch files, or is not certainly of ament_cmake",
+        Severity.WARNING: "it has no programs and no launch files, is not certainly of ament_cmake, or all is "
+        "installed into one folder (`--merge-install`)",
         Severity.INFO: "plain CMake builds it",
     },
     examples=(
@@ -89,4 +91,6 @@ def consequence(package: ManifestAndCMake) -> tuple[Severity, str]:
     if package.likely_build_type and not package.may_be_started:
         return Severity.WARNING, ": the build is green, and no command of `ros2` finds it"
     not_found = f": the build is green, and `ros2 run` says \"Package '{package.manifest.name}' not found\""
+    if merging := merging_file(package.files):
+        return Severity.WARNING, f"{not_found}, but for `--merge-install` (`{merging}`)"
     return (Severity.ERROR if package.likely_build_type else Severity.WARNING), not_found

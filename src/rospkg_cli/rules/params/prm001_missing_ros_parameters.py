@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.ros_parameters_key import ParameterFileUse, key_faults
+from ...checks.params.parameter_file_use import ParameterFileUse
+from ...checks.params.ros_parameters_key import key_faults
 from ...edits.fault_hits import hits
-from ...example import Example
+from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...light_dataclasses import replace
 from ...rule import rule
@@ -19,6 +20,17 @@ listener:
   ros__parameters:
     depth: 5
 """
+HANDED = {
+    "package.xml": manifest("  <exec_depend>turtlesim</exec_depend>\n", "ament_cmake"),
+    "config/start.launch.xml": """\
+<launch>
+  <node pkg="turtlesim" exec="turtlesim_node">
+    <param from="$(find-pkg-share my_pkg)/config/robot.yaml"/>
+  </node>
+</launch>
+""",
+}
+"""A launch file that gives the file to a node."""
 
 
 @rule(
@@ -26,17 +38,20 @@ listener:
     "missing-ros-parameters",
     over=ParameterFileUse,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "nodes are launched, and nothing names the file"},
+    levels={
+        Severity.WARNING: "no launch file is known to give the file to a node",
+        Severity.INFO: "nodes are launched, and nothing names the file, or code parses it itself",
+    },
     examples=(
         Example(
             on="config",
-            bad={"config/robot.yaml": GOOD.replace("ros__parameters", "«ros_parameters»", 1)},
+            bad={**HANDED, "config/robot.yaml": GOOD.replace("ros__parameters", "«ros_parameters»", 1)},
             good={"config/robot.yaml": GOOD},
             fix=Safety.SAFE,
         ),
         Example(
             on="config",
-            bad={"config/robot.yaml": GOOD.replace("listener:\n  ros__parameters:\n    ", "«listener»:\n  ")},
+            bad={**HANDED, "config/robot.yaml": GOOD.replace("listener:\n  ros__parameters:\n    ", "«listener»:\n  ")},
             good={"config/robot.yaml": GOOD},
             fix=Safety.UNSAFE,
         ),
@@ -55,8 +70,9 @@ def missing_ros_parameters(use: ParameterFileUse) -> Iterator[Hit]:
     ## When it is quiet
     Only YAML files that hold a block of parameters (perhaps misspelt), begin with `/**:`, or are passed to a node by a
     launch file are read; those of tests, and templates, are not. Where a launch file parses the file itself
-    (`yaml.safe_load`) and gives no node its path, a block without the key may be for something else. Of a file
-    that nothing of the workspace names, though nodes are launched, it is a warning.
+    (`yaml.safe_load`) and gives no node its path, a block without the key may be for something else. It is an error
+    only where a launch file of the workspace gives a node the file by its path, and an info where nothing of the
+    workspace names the file, though nodes are launched.
 
     ## Fix safety
     The fix of the spelling is safe. A missing `ros__parameters:` is added above all that the block holds, which is
@@ -65,6 +81,7 @@ def missing_ros_parameters(use: ParameterFileUse) -> Iterator[Hit]:
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c
     """
-    level = Severity.WARNING if use.is_unnamed else None
-    for hit in hits(use.file.path, key_faults(use.file, is_parsed_by_launch=use.is_parsed_by_launch)):
-        yield replace(hit, level=level or hit.level)
+    is_parsed = use.is_parsed_by_launch
+    level = "info" if is_parsed else use.level
+    for fault in key_faults(use.file, is_parsed_by_launch=is_parsed):
+        yield from hits(use.file.path, [replace(fault, level=level)])

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.params.parameter_file_use import ParameterFileUse
 from ...checks.params.rcl_validation import rcl_faults
-from ...checks.params.ros_parameters_key import ParameterFileUse
 from ...edits.fault_hits import hits
-from ...example import Example
+from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...light_dataclasses import replace
 from ...rule import rule
@@ -19,8 +19,22 @@ talker:
 """
 
 
+HANDED = {
+    "package.xml": manifest("  <exec_depend>turtlesim</exec_depend>\n", "ament_cmake"),
+    "config/start.launch.xml": """\
+<launch>
+  <node pkg="turtlesim" exec="turtlesim_node">
+    <param from="$(find-pkg-share my_pkg)/config/robot.yaml"/>
+  </node>
+</launch>
+""",
+}
+"""A launch file that gives the file to a node."""
+
+
 def example(bad: str, good: str) -> Example:
-    return Example(on="config", bad={"config/robot.yaml": GOOD + bad}, good={"config/robot.yaml": GOOD + good})
+    files = {**HANDED, "config/robot.yaml": GOOD + bad}
+    return Example(on="config", bad=files, good={"config/robot.yaml": GOOD + good})
 
 
 @rule(
@@ -29,7 +43,9 @@ def example(bad: str, good: str) -> Example:
     over=ParameterFileUse,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a list is empty, at which only C++ nodes stop, or no launch file gives the file to a node"
+        Severity.WARNING: "a list is empty, at which only C++ nodes stop, or no launch file is known to give the file "
+        "to a node",
+        Severity.INFO: "nodes are launched, and nothing names the file",
     },
     examples=(
         example("    limits: [1, «2.5»]\n", "    limits: [1.0, 2.5]\n"),
@@ -57,8 +73,9 @@ def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
     Files without `ros__parameters` that no launch file passes to a node may hold any YAML, and so may those that a
     launch file parses itself, to hand on values (and what a `RewrittenYaml` fills in), or that only code names and
     parses. rcl takes a list of mappings with one key each (`- a: 1`), and makes parameters of it. An empty list is a
-    warning: a Python node takes it. So is all of a file that no launch file, program or README of the workspace names,
-    where nodes are launched, or the file is not installed, or called an example.
+    warning: a Python node takes it. So is all of a file that no launch file of the workspace gives a node by its path.
+    Of a file that no launch file, program or README of the workspace names, it is an info, where nodes are launched, or
+    the file is not installed, or called an example.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
@@ -73,5 +90,5 @@ def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
         place = file.source.position(fault.span.start)[0], fault.message
         if place not in seen:
             seen.add(place)
-            level = Severity.WARNING if use.is_unnamed else None
-            yield from (replace(hit, level=level or hit.level) for hit in hits(file.path, [fault]))
+            is_info = "info" in (fault.level, use.level)
+            yield from hits(file.path, [replace(fault, level="info" if is_info else fault.level or use.level)])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.declaring_packages import given_type
-from ...checks.params.known_given import MistypedValue, MistypedValues, mistyped_known
+from ...checks.params.mistyped_known import MistypedValue, MistypedValues, mistyped_known
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...languages.yaml.nodes import ScalarNode, SequenceNode
@@ -53,6 +53,7 @@ def example(bad: str, good: str, fix: Safety | None = None) -> Example:
     "parameter-type-mismatch",
     over=MistypedValues,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "nothing names the file, or the block is one of a well-known node by its name alone"},
     examples=(
         example("rate: «50»", "rate: 50.0", Safety.SAFE),
         example("frames: «odom»", "frames: [odom]"),
@@ -82,9 +83,13 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
 
     ## When it is quiet
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
-    three names. Where declarations differ, a type is not known, or a launch file fills the value in, nothing is said.
-    So it is where the releases of a well-known package differ.
+    three names. Where declarations differ, a type is not known, or a launch file or script fills the value in, nothing
+    is said. So it is where the releases of a well-known package differ, and where pages and scripts name Foxy alone,
+    which takes any type. Where nothing names the file, and where only the name of a block tells which well-known
+    package is meant, it is an info; nav2's nodes are known by several blocks together.
     """
+    if scope.distribution.is_named_alone:
+        return
     told = set()
     for group in scope.given.groups():
         for parameter in group.parameters:
@@ -94,13 +99,16 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
                 fix = as_double(group.file.path, parameter) if (given, wanted[0]) in INTEGERS else None
                 what = f"{message}: {article(given)} stops the node when it starts; write {article(wanted[0])}"
                 told.add((group.file.path, parameter.value.span))
-                yield Hit(group.file.path, parameter.value.span, what, fix=fix)
+                level = Severity.INFO if scope.uses.of(group.file).is_unnamed else None
+                yield Hit(group.file.path, parameter.value.span, what, level, fix=fix)
     for each in mistyped_known(scope.known):
         if (each.path, each.value.value) not in told:
             message = f"`{each.value.name}` is declared as {each.wanted} by `{each.package}`"
             fix = known_as_double(each) if (each.value.type, each.wanted) in INTEGERS else None
             given = f"{article(each.value.type)} stops the {each.kind} when it starts"
-            yield Hit(each.path, each.value.value, f"{message}: {given}; write {article(each.wanted)}", fix=fix)
+            is_idle = each.file is not None and scope.uses.of(each.file).is_unnamed
+            level = Severity.INFO if is_idle or not each.is_certain else None
+            yield Hit(each.path, each.value.value, f"{message}: {given}; write {article(each.wanted)}", level, fix=fix)
 
 
 def article(kind: str) -> str:

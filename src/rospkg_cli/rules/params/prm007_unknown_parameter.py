@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from ...checks.params.declaring_packages import ParameterGroup, given_type
 from ...checks.params.launched_names import SIM_TIME, mistyped_sim_time, unknown_to_known
-from ...checks.params.unknown_reads import UnknownParameters, UnknownRead
+from ...checks.params.unknown_reads import UnknownParameters, undeclared
 from ...edits.plain_names import only_plain_names
 from ...example import Example, manifest
-from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.params.parameter_file import Parameter
 from ...rule import rule
 from ...source import Span
@@ -53,7 +53,7 @@ talker:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code gets a parameter that is not declared, and nothing may catch what it throws",
-        Severity.INFO: "older releases had the parameter",
+        Severity.INFO: "older releases had it, nothing names the file, or only the block's name tells the node",
     },
     examples=(
         Example(
@@ -81,48 +81,39 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     ## What it does
     Finds values for parameters that no code declares, where a similar name is declared.
     The package that declares the other parameters of the block declares the similar one, and the block does not give
-    it. Names in launch files are compared with what the node's package declares; `wheels` for `number_of_wheels` is
-    similar there. What packages that everybody uses declare is known without their sources, and `use_sim_time` is of
-    every node. In code `get_parameter` is checked
-    likewise: a name that is not declared, in a file that declares a similar one without getting it.
+    it. Names in launch files are compared with what the node's package declares; `wheels` is for `number_of_wheels`
+    there. Well-known packages are known without their sources, and `use_sim_time` is of every node. In code
+    `get_parameter` is checked likewise: the file declares a similar name without getting it.
 
     ## Why is this bad?
-    There is no warning: the value is dropped, and the node runs with its default; or it stops with a
-    ParameterNotDeclaredException, or goes on with a variable that was never set.
+    The value is dropped, and the node runs with its default; or it stops, or a variable is never set.
 
     ## When it is quiet
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
-    three names. Where nodes allow undeclared parameters, code is left alone, and Python code that declares any under a
-    computed name. One that is got into a variable, has an alternative, or whose exception may be caught is a warning.
+    three names. Code is left alone where nodes allow undeclared parameters, or Python computes the name of one.
+    One that is got into a variable, has an alternative, or whose exception may be caught is a warning.
 
     ## Fix safety
-    The similar name may not be the right one. A value of another type than the declared one is not renamed, a single
-    one that should be a list is put into brackets.
+    The similar name may not be the right one. A value of another type is not renamed, a single one for a list is put
+    into brackets.
     """
     for group in scope.given.groups():
         for parameter, meant in group.unknown():
-            last, start = meant.rpartition(".")[2], f"`{group.owners[0].name}` declares no parameter `{parameter.name}`"
-            message = f"{start}: the value is dropped; did you mean `{last}`?"
-            fix = only_plain_names(renamed(group, parameter, meant), last)
-            yield Hit(group.file.path, parameter.key.span, message, fix=fix)
+            last, by = meant.rpartition(".")[2], group.owners[0].name
+            message = f"`{by}` declares no parameter `{parameter.name}`: the value is dropped; did you mean `{last}`?"
+            is_idle, fix = scope.is_idle(group.file), only_plain_names(renamed(group, parameter, meant), last)
+            yield Hit(group.file.path, parameter.key.span, message, Severity.INFO if is_idle else None, fix=fix)
     for named in (*scope.launched.unknown(), *unknown_to_known(scope.known)):
-        more, level = (" any more", Severity.INFO) if named.is_removed else ("", None)
-        message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped; did you mean"
-        yield Hit(named.path, named.span, f"{message} `{named.meant}`?", level)
+        more = " any more" if named.is_removed else ""
+        level = Severity.INFO if more or not named.is_certain or scope.is_idle(named.file) else None
+        message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped"
+        others = tuple(Related(named.path, span, "and this one") for span in named.others)
+        yield Hit(named.path, named.span, f"{message}; did you mean `{named.meant}`?", level, others)
     for path, span, name in mistyped_sim_time(scope.known.launched):
         message = f"no node has a parameter `{name}`: the value is dropped, and the node runs on the wall clock"
         yield Hit(path, span, f"{message}; write `{SIM_TIME}`")
     for read in (*scope.reads.in_cpp(), *scope.reads.in_python()):
         yield Hit(read.path, read.span, undeclared(read), Severity.ERROR if read.throws else None)
-
-
-def undeclared(read: UnknownRead) -> str:
-    """Return what comes of a parameter that nothing declares, and what may be meant."""
-    lost = "the value that is set for it is never seen" if read.is_python else "the variable is never set"
-    ends = "the node stops with ParameterNotDeclaredException" if read.throws else lost
-    known = f"this file declares `{read.suggestion}` and never gets it"
-    hint = known if read.suggestion else "declare it, as the others here"
-    return f"nothing declares the parameter `{read.name}`: {ends}; {hint}"
 
 
 def renamed(group: ParameterGroup, parameter: Parameter, meant: str) -> Fix | None:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ...checks.older_distribution import is_called_older
 from ...checks.params.launch_parameters import MissingParameters
-from ...checks.params.plugin_lists import unfound_plugins
+from ...checks.params.plugin_lists import lost_plugins, unfound_plugins
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -84,14 +85,15 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
     Finds parameters without a default that neither the launch file nor a parameter file sets.
     A node's code declares them (`declare_parameter<double>("rate")`), and a launch file starts the node. It also finds
     copies of a package's own parameter file that lack such a parameter, and names in a list of plugins that have no
-    group of their own, while another group has no name in the list.
+    group of their own, while another group has no name in the list, or the node is a server of nav2.
 
     ## Why is this bad?
     The node stops when it starts: "Statically typed parameter 'rate' must be initialized".
 
     ## When it is quiet
     A node that is given values which can't be evaluated, or a file that is not here, may have all that it needs. So may
-    one whose declaration lies behind a condition, or has a default.
+    one whose declaration lies behind a condition, or has a default. Lists of plugins in a file that is called as being
+    for Foxy or another unsupported distribution had other names there.
     """
     for given, missing in scope.launched.missing():
         started = given.node.executable or given.node.plugin
@@ -103,10 +105,15 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
         message = f"{listed(left.names)} is missing here, and `{left.path}` of `{left.facts.name}` declares no default"
         yield Hit(left.file.path, left.block.key.span, f"{message}: the node stops when it starts; give a value here")
     for file in scope.code.files:
-        for block in file.blocks:
-            for item, group in unfound_plugins(block):
+        for block in file.blocks if not is_called_older(file.path) else ():
+            meant = dict(unfound_plugins(block))
+            for item, group in meant.items():
                 message = f"`{item.text}` has no `{item.text}.plugin` here: the plugin can't be loaded"
                 yield Hit(file.path, item.span, f"{message}; did you mean `{group}`, which no list names?")
+            for item, name in lost_plugins(block):
+                if item not in meant and not any(f"{item.text}:" in each.source.text for each in scope.code.files):
+                    message = f"`{item.text}` of `{name}` has no `{item.text}.plugin`: the server stops when it starts"
+                    yield Hit(file.path, item.span, f"{message}; give it one, or take it out of the list")
 
 
 def listed(names: Sequence[str]) -> str:

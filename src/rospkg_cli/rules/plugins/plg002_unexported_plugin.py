@@ -9,6 +9,7 @@ from ...checks.plugins.exported_classes import ExportedClass
 from ...checks.plugins.plugin_package import DescribedPlugin, PluginPackage
 from ...edits.cmake_commands import add_before
 from ...edits.plain_names import only_plain_names
+from ...edits.plugin_hits import undefined_classes, undescribed_classes
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.plugins.description import PluginDescription
@@ -44,7 +45,7 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
     over=PluginExports,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a source exports a class, and no description has it",
+        Severity.WARNING: "a source exports a class, and no description has it, or no target compiles the source",
         Severity.INFO: "the class is the base of another one that is exported",
     },
     examples=(
@@ -101,27 +102,27 @@ def unexported_plugin(exports: PluginExports) -> Iterator[Hit]:
     only with `--unsafe-fixes`: its package is taken from the base class.
     """
     package = exports.package
-    for entry in package.without_source():
-        yield without_source(exports, entry)
+    yield from undefined_classes(exports)
+    yield from (without_source(exports, each) for each in package.without_source() if not exports.is_nowhere(each))
     for description, exported in package.unexported():
         yield unexported(package, description, exported)
-    for exported in package.undescribed():
-        text, level = exports.undescribed(exported)
-        yield Hit(exported.path, exported.span, text, Severity(level))
+    yield from undescribed_classes(exports)
 
 
 def without_source(exports: PluginExports, entry: DescribedPlugin) -> Hit:
     kind, file, meant = entry.plugin.type, entry.description.file, exports.package.suggestion(entry)
     if meant is None:
-        fails = f"no source exports `{entry.type}`: loading the plugin `{entry.plugin.lookup_name}` fails"
-        return Hit(file, kind.value_span, f"{fails}; {exports.advice(entry)}")
+        return Hit(file, kind.value_span, (advice := exports.advice(entry))[0], Severity(advice[1]))
+    related = (Related(meant.path, meant.span, "exported here"),)
+    if text := exports.uncompiled(entry, meant):
+        return Hit(file, kind.value_span, text, Severity.WARNING, related)
     safety = Safety.SAFE if entry.plugin.name is not None else Safety.UNSAFE
     message = (
         f"no source exports `{entry.type}`: `{meant.path}` exports `{meant.type}`, and pluginlib wants the same name "
         f"on both sides, so loading `{entry.plugin.lookup_name}` fails; write `{meant.type}`"
     )
-    fix = only_plain_names(Fix(f"write `{meant.type}`", (Edit(file, kind.value_span, meant.type),), safety), meant.type)
-    return Hit(file, kind.value_span, message, related=(Related(meant.path, meant.span, "exported here"),), fix=fix)
+    fix = Fix(f"write `{meant.type}`", (Edit(file, kind.value_span, meant.type),), safety)
+    return Hit(file, kind.value_span, message, related=related, fix=only_plain_names(fix, meant.type))
 
 
 def unexported(package: PluginPackage, description: PluginDescription, exported: ExportedClass) -> Hit:
@@ -130,8 +131,7 @@ def unexported(package: PluginPackage, description: PluginDescription, exported:
     start = f"CMakeLists.txt does not export `{description.file}`: `{exported.type}` is not found at run time"
     message = f"{start}; add `{call}` (`{base}`: the package that loads it)"
     where = next(((e.path, e.span) for e in description.exported), (description.file, description.document.root.open))
-    before = next(iter(package.cmake.named("ament_package", "ament_auto_package")), None)
-    fix = None
+    before, fix = next(iter(package.cmake.named("ament_package", "ament_auto_package")), None), None
     if before is not None and before.path == package.cmake.root.path and not before.function:
         edit = add_before(package.cmake.root, before.command, call)
         added = Fix(f"export `{description.file}` to `{base}`", (edit,), Safety.UNSAFE)

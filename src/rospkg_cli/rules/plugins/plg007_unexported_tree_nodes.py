@@ -39,7 +39,7 @@ def cmake(more: str) -> str:
     "PLG007",
     "unexported-tree-nodes",
     over=TreeNodeLibraries,
-    severity=Severity.ERROR,
+    severity=Severity.WARNING,
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake(""), "package.xml": NEEDS, "src/wait.cpp": SOURCE},

@@ -25,7 +25,10 @@ HALF = "«[develop]»\nscript_dir=$base/lib/my_pkg\n"
     "wrong-script-dir",
     over=ScriptDir,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "only `[develop]` is wrong, which `colcon build --symlink-install` alone reads"},
+    levels={
+        Severity.WARNING: "only `[develop]` is wrong, which `colcon build --symlink-install` alone reads, or only "
+        "`[install]`, where the repository is built that way"
+    },
     examples=(
         Example(bad={**PACKAGE, "setup.cfg": WRONG}, good={"setup.cfg": SETUP_CFG}, fix=Safety.SAFE),
         Example(
@@ -58,8 +61,7 @@ def wrong_script_dir(home: ScriptDir) -> Iterator[Hit]:
     """
     name = home.package.name
     wanted = f"$base/lib/{name}"
-    linked = all(section == "develop" for section, _, _ in home.wrong)
-    when, level = (" with `--symlink-install`", Severity.WARNING) if linked else ("", None)
+    when, level = home.when, Severity.WARNING if home.when else None
     for _, key, value in home.wrong:
         if value is not None:
             message = (

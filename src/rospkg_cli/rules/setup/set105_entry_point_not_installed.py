@@ -61,10 +61,11 @@ def hit(tree: ModuleTree, names: Sequence[str], entries: Sequence[tuple[EntryPoi
     edits = add_packages(tree.setup, *names) if names else ()
     what = f"add {in_ticks(names)} to `packages`" if names else "move it into a package of `packages`"
     who = f"`{first.name}` and {len(others)} more raise" if others else f"`{first.name}` raises"
-    but = f", but for `--symlink-install` (`{tree.linking}`)" if tree.linking else ""
+    link = tree.link_of(*names)
+    but = f", but for `--symlink-install` (`{link}`)" if link else ""
     lacking = f"`{path}` is" if len(names) < 2 else f"`{path}` and others are"
     message = f"{lacking} not installed: the build is green, and {who} ModuleNotFoundError{but}; {what}"
     related = tuple(Related(entry.path, entry.module_span, f"`{entry.name}` too") for entry, _ in others)
     fix = Fix(f"add {in_ticks(names)} to `packages`", edits, Safety.UNSAFE) if edits else None
-    level = Severity.WARNING if tree.linking else None
+    level = Severity.WARNING if link else None
     return Hit(first.path, first.module_span, message, level, related, fix)

@@ -23,7 +23,6 @@ FILES = {
     "unregistered-main",
     over=UnregisteredNodes,
     severity=Severity.INFO,
-    levels={Severity.WARNING: "the package has no entry point at all"},
     examples=(
         Example(
             bad={**FILES, "setup.py": setup_py(scripts("talker = my_pkg.talker:main"))},
@@ -43,8 +42,8 @@ def unregistered_main(nodes: UnregisteredNodes) -> Iterator[Hit]:
     ## When it is quiet
     Where entry points can't be evaluated or are misspelt (SET103, SET310), in packages that extend a command line tool,
     where another module imports it, or a README or another file names it, and where a launch file starts an executable
-    of its name (LCH002 reports that it is not there). Beside nodes that have one it is an info: many such nodes are
-    variants of these, run as scripts, or left over.
+    of its name (LCH002 reports that it is not there). It is an info: many such nodes are variants of those that have an
+    entry point, run as scripts, or left over.
 
     ## Fix safety
     It makes an executable of a module that may be there for import only.
@@ -58,5 +57,4 @@ def unregistered_main(nodes: UnregisteredNodes) -> Iterator[Hit]:
         fix = Fix(f"add `{entry}`", edits, Safety.UNSAFE) if edits else None
         message = f"`{node.path}` has a node and a `main`, but no entry point: `ros2 run` can't start it; add `{entry}`"
         if node.starts_itself or node.is_alone:
-            is_missed = node.starts_itself and nodes.starts_nothing
-            yield Hit(node.path, node.main, message, Severity.WARNING if is_missed else None, fix=fix)
+            yield Hit(node.path, node.main, message, fix=fix)

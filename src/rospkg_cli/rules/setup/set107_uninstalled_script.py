@@ -17,8 +17,7 @@ NODE = "import rclpy\n\n\ndef «main»():\n    rclpy.init()\n\n\nif __name__ == 
     "SET107",
     "uninstalled-script",
     over=UninstalledScripts,
-    severity=Severity.WARNING,
-    levels={Severity.INFO: "entry points start the package's nodes: this one is probably a helper of its developers"},
+    severity=Severity.INFO,
     examples=(
         Example(
             bad={
@@ -45,15 +44,13 @@ def uninstalled_script(scripts: UninstalledScripts) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a README or another file names the script, where git ignores it, where it does not start itself, and where
-    setup.py may write files or can't be evaluated. Where entry points start the package's nodes, a script next to them
-    is probably there for its developers: an info.
+    setup.py may write files or can't be evaluated. It is an info: many such scripts are there for the developers alone.
     """
     package = scripts.package.name
-    level = Severity.INFO if scripts.package.nodes else None
     for path, span in scripts.found():
         stem = posixpath.splitext(posixpath.basename(path))[0]
         message = (
             f"`{path}` is a node that setup.py does not install: `ros2 run {package} {stem}` does not find it; move it "
             f"to `{package}/` and give it an entry point"
         )
-        yield Hit(path, span, message, level)
+        yield Hit(path, span, message)

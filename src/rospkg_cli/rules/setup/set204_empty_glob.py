@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ...checks.setup.share_files import ShareFiles, folder_of
 from ...example import Example, setup_py
 from ...finding import Hit, Severity
+from ...lazy_regex import regex
 from ...rule import rule
 
 LAUNCH = "<launch>\n</launch>\n"
@@ -18,6 +20,10 @@ def launch(pattern: str) -> str:
     return "from glob import glob\n" + setup_py().replace(ENTRY, ENTRY + line)
 
 
+PLACEHOLDER = regex(r"(?:.*/)?(?:place_?holder|git_?keep|keep|empty|readme|todo)\b.*", re.IGNORECASE)
+"""Files that keep a folder in git until it holds something."""
+
+
 @rule(
     "SET204",
     "empty-glob",
@@ -25,7 +31,7 @@ def launch(pattern: str) -> str:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "a launch file, a module or the README refers to the folder",
-        Severity.INFO: "the folder is not there, and nothing refers to it",
+        Severity.INFO: "the folder is not there, or holds nothing but a placeholder, and nothing refers to it",
     },
     examples=(
         Example(
@@ -65,8 +71,8 @@ def empty_glob(shared: ShareFiles) -> Iterator[Hit]:
     for glob in shared.empty_globs if not setup.may_write_files else ():
         folder = folder_of(glob.pattern)
         held = sorted(path for path in files.below(folder) if "/." not in path)
-        refers = shared.uses.opens(folder)
-        level = Severity.ERROR if refers and held else None
+        refers, is_bare = shared.uses.opens(folder), all(map(PLACEHOLDER.fullmatch, held))
+        level = Severity.ERROR if refers and held else Severity.INFO if is_bare else None
         if held:
             shown = ", ".join(f"`{path}`" for path in held[:3]) + (", …" if len(held) > 3 else "")
             what = f"the folder holds {shown}"

@@ -22,11 +22,14 @@ def config(entry: str) -> str:
 
 GOOD = config("('share/' + package_name + '/config', ['config/nav.yaml'])")
 YAML = {"config/nav.yaml": "/**:\n  ros__parameters:\n    rate: 2.0\n"}
+PATHS = "from pathlib import Path\n"
+FOUND = "Path('config').glob('*.yaml')"
 SHAPES = {
     "list-entry": "is a list; colcon stops at it: write a tuple `(destination, [files])`",
     "text-sources": "has a string where the list of files belongs; colcon stops at it: write `[…]` around it",
     "tuple-sources": "has a tuple where the list of files belongs; colcon stops at it: write `[…]`",
     "nested-list": "has a list inside of the list of files; colcon stops at it: take one pair of brackets away",
+    "path": 'holds a Path, whose `repr` colcon can\'t read: it stops with "malformed node or string"; write `str(…)`',
     "length": "is no pair of a destination and a list of files",
 }
 
@@ -63,6 +66,13 @@ SHAPES = {
             good={"setup.py": GOOD},
         ),
         Example(
+            bad={
+                **YAML,
+                "setup.py": PATHS + config(f"«('share/' + package_name, list({FOUND}))»"),
+            },
+            good={"setup.py": PATHS + config(f"('share/' + package_name, list(map(str, {FOUND})))")},
+        ),
+        Example(
             bad={"README.md": "", "NOTICE": "", "setup.py": config("('share/my_pkg', [«'README.md' 'NOTICE'»])")},
             good={"setup.py": config("('share/my_pkg', ['README.md', 'NOTICE'])")},
         ),
@@ -72,8 +82,8 @@ def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
     """
     ## What it does
     Finds entries of `data_files` that can't be installed.
-    It is a file that does not exist, a link to nothing that a glob matches, a folder, an absolute path, or an entry
-    that is no tuple of a destination and a list.
+    It is a file that does not exist, a link to nothing that a glob matches, a folder, an absolute path, an entry that
+    is no tuple of a destination and a list, or a `Path` in place of a string.
 
     ## Why is this bad?
     The build stops: "can't copy 'config': doesn't exist or not a regular file", "'data_files' must be relative", or a

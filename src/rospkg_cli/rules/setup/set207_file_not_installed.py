@@ -48,8 +48,9 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Where `data_files` can't be evaluated, where setup.py may write files, for files that git ignores, and for those of
-    other kinds than the folder is for. All files that one glob misses are one finding, an info where no code and no
-    README names them and the glob is for another kind: `robot.rviz` next to `*.yaml`.
+    other kinds than the folder is for, and those that are laid aside (`old/`). All files that one glob misses are one
+    finding. It is an info where no code and no README names them and the glob is for another kind (`robot.rviz` next to
+    `*.yaml`), where they are in folders that none names, and for a model's versions for older ones of Gazebo.
 
     ## Fix safety
     A wider glob may install more than is wanted.

@@ -26,7 +26,7 @@ GOOD = config("share/my_pkg/config")
     "wrong-data-destination",
     over=DataDestinations,
     severity=Severity.WARNING,
-    levels={Severity.ERROR: "it begins with a slash: colcon stops"},
+    levels={Severity.ERROR: "it begins with a slash: colcon stops; or a launch file includes what goes there"},
     examples=(
         Example(bad={**YAML, "setup.py": config("«share/your_pkg/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
         Example(bad={**YAML, "setup.py": config("«share/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
@@ -55,6 +55,8 @@ def wrong_data_destination(destinations: DataDestinations) -> Iterator[Hit]:
         package = destinations.shared.package
         edits = replace_destination(package.setup, package.name, entry.destination, right)
         fix = Fix(f"install into {right}", edits) if edits else None
-        level = Severity.ERROR if entry.destination.text.startswith("/") else None
-        message = f"`{entry.destination.text}` {why}; write `{right}`"
+        stops = None if entry.destination.text.startswith("/") else destinations.included(entry)
+        level = Severity.ERROR if stops or entry.destination.text.startswith("/") else None
+        harm = f", so that `{stops[0]}` stops at `{stops[1]}`" if stops else ""
+        message = f"`{entry.destination.text}` {why}{harm}; write `{right}`"
         yield Hit(entry.path, entry.destination.shown, message, level=level, fix=fix)

@@ -6,14 +6,17 @@ from collections.abc import Iterator
 
 from ...checks.setup.module_tree import ModuleTree
 from ...edits.setup_py import add_packages
-from ...example import Example
+from ...example import Example, scripts, setup_py
 from ...finding import Create, Edit, Fix, Hit, Move, Safety, Severity
 from ...lazy_regex import regex
 from ...package.file_role import role_of
 from ...rule import rule
 from ...source import Span
 
-FILES = {"my_pkg/talker.py": "from my_pkg.speech.words import GREETING\n\nprint(GREETING)\n"}
+FILES = {
+    "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+    "my_pkg/talker.py": "from my_pkg.speech.words import GREETING\n\n\ndef main():\n    print(GREETING)\n",
+}
 
 MISSPELT = regex(r"/_{0,3}init_{0,3}\.py$")
 
@@ -27,8 +30,8 @@ SHOWN = regex(r"(?:.*/)?(?:examples?|demos?|scripts?|tools?|tutorials?|notebooks
     over=ModuleTree,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "nothing in the package imports it, or the workspace is built with `--symlink-install`",
-        Severity.INFO: "nothing imports it, and the package starts programs, or the folder is called `old` or the like",
+        Severity.WARNING: "no entry point imports it as it starts, or the workspace is built with `--symlink-install`",
+        Severity.INFO: "nothing imports it, and no package depends on this one, or the folder is called `old` or so",
     },
     examples=(
         Example(
@@ -46,29 +49,33 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
 
     ## Why is this bad?
     `find_packages()` leaves them out: the build is green, and at run time there is "No module named 'my_pkg.speech'".
-    In the source folder, and with `--symlink-install`, it works, so the error is found late: where a README, a build.sh
-    or the like above the package builds that way, it is a warning. It is an info for a folder that nothing imports and
-    that is called `deprecated`, `legacy`, `old` or `backup`, or that is in a package with entry points of its own which
-    no other one needs: there is nobody else to import it.
+    In the source folder, and with `--symlink-install`, it works, so the error is found late: where a README, a
+    Dockerfile or another file of the repository builds that way, it is a warning. It is one, too, where no entry point
+    imports the folder as it starts: a module that nothing starts does, or a function. It is an info for a folder that
+    nothing imports, where no package of the workspace depends on this one, or the folder is called `deprecated`,
+    `legacy`, `old` or `backup`.
 
     ## When it is quiet
-    With `find_namespace_packages()`, in folders of tests and below them, where setup.py generates the folder's modules,
-    and where git ignores the `__init__.py`. What only tests import is a warning: pytest runs them in the source.
+    With `find_namespace_packages()`, in folders of launch files that nothing imports, in folders of tests and below
+    them, where setup.py generates the folder's modules, and where git ignores the `__init__.py`. What only tests import
+    is an info: pytest runs them in the source.
 
     ## Fix safety
     It is unsafe for a folder of examples, scripts or tools that nothing imports: it would be installed with the rest.
     """
     for folder in tree.missing_inits:
         inside = [path for path in tree.package.files.below(folder) if path.endswith(".py")]
-        if all(role_of(path) == "test" for path in inside):
+        if all(role_of(path) == "test" for path in inside) or tree.holds_launch_files(folder):
             continue
-        imported = tree.imports_from(folder)
         name = tree.dotted(folder)
-        if name in {said.text for said in tree.setup.packages}:
-            imported, what = False, "setuptools says so at each build, and find_packages() would pass it over"
+        link = tree.link_of(name)
+        is_listed = name in {said.text for said in tree.setup.packages}
+        imported = tree.imports_from(folder) and not is_listed
+        if is_listed:
+            what = "setuptools says so at each build, and find_packages() would pass it over"
         else:
             what = f"it is not installed, and importing `{name}` raises ModuleNotFoundError"
-            what += f", but for `--symlink-install` (`{tree.linking}`)" if tree.linking else ""
+            what += f", but for `--symlink-install` (`{link}`)" if link else ""
         safety = Safety.UNSAFE if not imported and SHOWN.fullmatch(folder) else Safety.SAFE
         start = f"`{folder}/` has no `__init__.py`: {what}"
         init, wrong = f"{folder}/__init__.py", next((path for path in inside if MISSPELT.search(path)), None)
@@ -78,9 +85,9 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
             listing, also = listed_too(tree, name)
             message = f"{start}; create an empty one{also}"
             fix = Fix(f"create {init}{also}", (Create(init, ""), *listing), safety)
-        is_fatal = imported and not tree.linking
-        mild = Severity.WARNING if imported or tree.may_be_for_others else Severity.INFO
-        mild = Severity.INFO if tree.is_set_aside(folder) and not imported else mild
+        may_matter = imported or (tree.may_be_for_others and not is_listed and not tree.is_set_aside(folder))
+        mild = Severity.WARNING if may_matter else Severity.INFO
+        is_fatal = imported and tree.started.reaches(name) and not link
         yield Hit(inside[0], Span(0, 0), message, None if is_fatal else mild, fix=fix)
 
 

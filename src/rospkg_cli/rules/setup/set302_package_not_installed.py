@@ -7,17 +7,18 @@ from collections.abc import Iterator, Sequence
 from ...checks.enumeration import in_ticks
 from ...checks.setup.module_tree import ModuleTree
 from ...edits.setup_py import add_packages
-from ...example import SETUP_PY, Example
+from ...example import SETUP_PY, Example, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
 from ...package.setup.setup_py import SetupPy
 from ...rule import rule
 
 FILES = {
-    "my_pkg/talker.py": "from my_pkg.speech.words import GREETING\n\nprint(GREETING)\n",
+    "my_pkg/talker.py": "from my_pkg.speech.words import GREETING\n\n\ndef main():\n    print(GREETING)\n",
     "my_pkg/speech/__init__.py": "",
     "my_pkg/speech/words.py": "GREETING = 'hello'\n",
 }
 FOUND = "find_packages(exclude=['test'])"
+STARTED = setup_py(scripts("talker = my_pkg.talker:main"))
 NONE = SETUP_PY.replace(f"    packages={FOUND},\n", "").replace("import find_packages, setup", "import setup")
 
 
@@ -27,13 +28,14 @@ NONE = SETUP_PY.replace(f"    packages={FOUND},\n", "").replace("import find_pac
     over=ModuleTree,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "nothing that is installed imports it, the workspace is built with `--symlink-install`, or a "
-        "newer setuptools finds it"
+        Severity.WARNING: "no entry point imports it as it starts, the workspace is built with `--symlink-install`, or "
+        "a newer setuptools finds it",
+        Severity.INFO: "nothing in the package imports it, and no package depends on this one",
     },
     examples=(
         Example(
-            bad={**FILES, "setup.py": SETUP_PY.replace(FOUND, "«[package_name]»")},
-            good={"setup.py": SETUP_PY.replace(FOUND, "[package_name, 'my_pkg.speech']")},
+            bad={**FILES, "setup.py": STARTED.replace(FOUND, "«[package_name]»")},
+            good={"setup.py": STARTED.replace(FOUND, "[package_name, 'my_pkg.speech']")},
             fix=Safety.SAFE,
         ),
         Example(
@@ -61,8 +63,10 @@ def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     ## When it is quiet
     Where `packages` can't be evaluated or is found by `find_packages()`, where setup.py may write files, in folders
     of tests, where git ignores the folder, and below a submodule that is not checked out. With `--symlink-install`
-    Python imports from the source folder: where a README, a build.sh or the like above the package builds that way, a
-    package that is left out is a warning.
+    Python imports from the source folder: where a README, a Dockerfile or another file of the repository builds that
+    way, a package that is left out is a warning. It is one, too, where no entry point imports it as it starts: a module
+    that nothing starts does, or a function. It is an info where nothing but tests imports it, and no package of the
+    workspace depends on this one.
     """
     setup = tree.setup
     if not tree.package.knows_installed_modules or setup.searches:
@@ -79,10 +83,20 @@ def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
         message = f"setup() has no `packages`: {ends} installs nothing of `{own}`; add `packages=find_packages()`"
         yield Hit(setup.path, setup.span, message, level=None if has_resource else Severity.WARNING)
     unlisted = tree.unlisted if setup.argument("packages") else ()
-    used = [name for name in unlisted if tree.imports_from(setup.folder_of(name))]
-    for names, level in ((used, None), ([name for name in unlisted if name not in used], Severity.WARNING)):
+    levels = {name: level_of(tree, name) for name in unlisted}
+    for level in (None, Severity.WARNING, Severity.INFO):
+        names = [name for name in unlisted if levels[name] is level]
+        link = tree.link_of(*names)
         if names:
-            yield left_out(setup, names, Severity.WARNING if tree.linking else level, tree.linking)
+            yield left_out(setup, names, level or (Severity.WARNING if link else None), link)
+
+
+def level_of(tree: ModuleTree, name: str) -> Severity | None:
+    """Return the level of a Python package that is left out: None where an entry point can't start without it."""
+    if tree.started.reaches(name):
+        return None
+    is_used = tree.imports_from(tree.setup.folder_of(name)) or tree.may_be_for_others
+    return Severity.WARNING if is_used else Severity.INFO
 
 
 def left_out(setup: SetupPy, names: Sequence[str], level: Severity | None, linking: str) -> Hit:

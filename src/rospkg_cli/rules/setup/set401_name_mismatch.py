@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator
 
 from ...checks.setup.python_package import PythonPackage
 from ...edits.setup_py import replace_text
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
+from ...package.setup.python_install_table import MARKERS
+from ...ros.share_layout import LAUNCH
 from ...rule import rule
 
 BAD = SETUP_PY.replace("name=package_name", "name='«your_pkg»'")
@@ -18,7 +21,9 @@ BAD = SETUP_PY.replace("name=package_name", "name='«your_pkg»'")
     "name-mismatch",
     over=PythonPackage,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "nothing but metadata goes to the other name, or launch files use that"},
+    levels={
+        Severity.WARNING: "no launch file goes to the other name, or launch files or marker and setup.cfg use that"
+    },
     examples=(
         Example(
             bad={"setup.py": BAD},
@@ -39,9 +44,9 @@ def name_mismatch(package: PythonPackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Where the names differ only in `-`, `_`, `.` or case, which setuptools takes for one, and where the name can't be
-    evaluated. A package without entry points that installs nothing but its marker and package.xml is a warning: colcon
-    adds these two itself. So is one whose nodes launch files start by the name in setup.py: then package.xml is to be
-    changed.
+    evaluated. It is a warning where no launch file is installed under the other name, since colcon adds marker and
+    package.xml itself, and where a marker of that name is there, by which `ros2 launch` finds it. Where launch files
+    start nodes by the name in setup.py, or marker and setup.cfg have that one alone, package.xml is to be changed.
 
     ## Fix safety
     Where the name is held by a variable that is used elsewhere, other things change with it.
@@ -54,31 +59,49 @@ def name_mismatch(package: PythonPackage) -> Iterator[Hit]:
     safety = Safety.UNSAFE if used else Safety.SAFE
     fix = Fix(f"write `{package.name}`", edits, safety) if edits else None
     related = (Related(package.manifest.path, package.manifest.name_span, "the name in package.xml"),)
-    end = "marker, launch files and parameters go to the other name" if used else "its metadata have the other name"
+    end, level = what_ends(package, said.text) if used else ("its metadata have the other name", Severity.WARNING)
     message = (
         f"setup.py calls the package `{said.text}`, package.xml `{package.name}`: ROS goes by package.xml, and {end}; "
         f"write `{package.name}`"
     )
-    is_felt = used and installs_more(package)
-    if is_used(package, said.text):
-        told = f"setup.py calls the package `{said.text}`, as launch files do, package.xml `{package.name}`"
-        message = f"{told}: colcon and rosdep go by package.xml; write `{said.text}` there"
+    if user := who_means(package, said.text):
+        message = (
+            f"setup.py calls the package `{said.text}`, as {user} do, package.xml `{package.name}`: colcon and rosdep "
+            f"go by package.xml; write `{said.text}` there"
+        )
         yield Hit(said.path, said.shown, message, Severity.WARNING, related=related)
         return
-    yield Hit(said.path, said.shown, message, None if is_felt else Severity.WARNING, related=related, fix=fix)
+    yield Hit(said.path, said.shown, message, level, related=related, fix=fix)
 
 
-def is_used(package: PythonPackage, name: str) -> bool:
+def who_means(package: PythonPackage, name: str) -> str:
+    """Return what has the name in setup.py, and not the other one: launch files, marker and setup.cfg; "" for none."""
+    if package.workspace.named(name) is not None:
+        return ""
+    if is_started(package, name):
+        return "launch files"
+    is_marked = package.files.exists(f"resource/{name}") and not package.files.exists(f"resource/{package.name}")
+    return "marker and setup.cfg" if is_marked and f"/lib/{name}" in package.files.readable_text("setup.cfg") else ""
+
+
+def is_started(package: PythonPackage, name: str) -> bool:
     """Return whether launch files of the workspace start nodes of the name in setup.py, and none of the other's."""
     started = {each for facts in package.workspace.packages for each, _ in facts.started_nodes}
-    return name in started and package.name not in started and package.workspace.named(name) is None
+    return name in started and package.name not in started
 
 
-def installs_more(package: PythonPackage) -> bool:
-    """Return whether the package starts or installs more than marker and package.xml, which colcon adds itself."""
-    sources = {file.source or "" for file in package.setup.data_files}
-    more = {path for path in sources if path != package.manifest.path and not path.startswith("resource/")}
-    return bool(more or package.setup.entry_points) or "data_files" in package.setup.unknown
+def what_ends(package: PythonPackage, name: str) -> tuple[str, Severity | None]:
+    """Return what the name in setup.py does where it is used for destinations too, and the level; None for an error.
+
+    By a marker of that name `ros2 launch` finds the launch files; one that is not there stops the build.
+    """
+    installed = {each.destination: each.source or "" for each in package.setup.data_files}
+    marker = installed.get(f"{MARKERS}/{name}")
+    if marker == f"resource/{name}" and package.setup.kind(marker) is None:
+        return f"the build stops, since there is no `{marker}`", None
+    starts = (posixpath.basename(file) for path, file in installed.items() if path.startswith(f"share/{name}/"))
+    is_felt = marker is None and any(map(LAUNCH.fullmatch, starts))
+    return "its files go to share/ of the other name", None if is_felt else Severity.WARNING
 
 
 def same(a: str, b: str) -> bool:

@@ -34,9 +34,10 @@ ament_package()
     over=UnreadableFile,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a robot that no file of the package opens, or that urdfdom reads all the same; plugins "
-        "without a root around them; a module of Python that no other file names; a launch file for ROS 1",
-        Severity.INFO: "bytes that are no text in comments of CMake, or a snippet of Python that no other file names",
+        Severity.WARNING: "a robot that no file names, or that urdfdom reads all the same; a module of Python that "
+        "nothing imports that is started; a launch file for ROS 1",
+        Severity.INFO: "bytes that are no text in comments of CMake, a snippet of Python that no other file names, an "
+        "empty robot that none names, or plugins without a root around them",
     },
     examples=(
         Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}),
@@ -58,11 +59,14 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     ## When it is quiet
     Files that neither the build, nor an installed file, nor a test by its name reads may be broken. A file of
     interfaces is reported by its own rules, a file that is too large by RPK007. Of worlds and SDF only tags that don't
-    match are told, as Gazebo reads past the rest. A robot or a world is a warning where no file of the workspace opens
-    it, and where urdfdom reads past the fault: an undeclared prefix, or something behind the root element, in a plain
-    `.urdf`; so are several `<library>` of a plugin description without a root, and a Python module that is no program
-    and that no other file names, and a launch file for ROS 1. It is an info where only comments of a CMake file are not
-    UTF-8, and where such a module is a snippet, whose first line is indented, or is laid aside (`old/`, `a_backup.py`).
+    match are told, as Gazebo reads past the rest.
+
+    A robot or a world is a warning where no file of the workspace names it, an info where it is empty as well. It is a
+    warning, too, where urdfdom reads past the fault: an undeclared prefix, or something behind the root element, in a
+    plain `.urdf`. A Python module is a warning where no entry point, launch file or CMake file names it, nor a module
+    that one of these names; it is an info where no file names it at all and it is a snippet, whose first line is
+    indented, or laid aside (`old/`, `a_backup.py`). A launch file for ROS 1 is a warning. Several `<library>` of a
+    plugin description without a root are an info, and so are bytes that are not UTF-8 in comments of a CMake file.
     A `<` in the value of an attribute of a plugin description is no fault, since pluginlib takes it.
     """
     file = scope.file

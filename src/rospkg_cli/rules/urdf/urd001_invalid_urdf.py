@@ -45,10 +45,18 @@ MACRO = """\
   <xacro:wheel side="left" parent="base"/>
 </robot>
 """
+SHOW = """\
+<launch>
+  <let name="model" value="$(find-pkg-share my_pkg)/config/{}"/>
+</launch>
+"""
 
 
 def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> Example:
-    return Example(on="config", bad={f"config/{name}": text.replace(good, bad)}, good={f"config/{name}": text})
+    launch = {"config/show.launch.xml": SHOW.format(name)}
+    return Example(
+        on="config", bad={f"config/{name}": text.replace(good, bad), **launch}, good={f"config/{name}": text}
+    )
 
 
 @rule(
@@ -58,9 +66,9 @@ def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> 
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a part of a link is lost, a condition or unused macro is around it, it may be elsewhere, or "
-        "nothing opens the robot",
-        Severity.INFO: "nothing reads the property that can't be evaluated, Gazebo leaves out what is unknown, or a "
-        "prefix may be given",
+        "no launch file is known to open the robot",
+        Severity.INFO: "nothing opens the robot, nothing reads the property that can't be evaluated, Gazebo leaves out "
+        "what is unknown, or a prefix may be given",
     },
     examples=(
         example('<parent link="«bse»"/>', '<parent link="base"/>'),
@@ -93,8 +101,10 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     transmission or an SRDF. A macro is expanded only where it is called, a property evaluated only where `${…}` reads
     it, what is in `<xacro:if>` only for some: there the level is lower. Where a file may be a part of a robot, or
     something that it includes is not here, names that it lacks are reported only where a near one is there, or one with
-    a prefix (`${prefix}hand` for `hand`) that is no joint's child. Of a robot that no launch file, code or command of a
-    page names, a fault is a warning, if its package opens others, does not install it, or others name the package.
+    a prefix (`${prefix}hand` for `hand`) that is no joint's child. A fault is an error only where a launch file of the
+    workspace names the robot, or one that includes it. Of a robot that no launch file, code or command of a page names,
+    it is an info, if its package opens others, does not install it, or others name the package; so it is in a folder
+    such as `old/`.
 
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.fault import Fault, softer
-from ...checks.urdf.missing_files import MissingResource, RobotInWorkspace
+from ...checks.urdf.missing_files import RobotInWorkspace
+from ...checks.urdf.missing_resource import MissingResource, advice, also, wrong
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
 from ...light_dataclasses import replace
@@ -23,13 +24,18 @@ GOOD = """\
   </link>
 </robot>
 """
+SHOW = """\
+<launch>
+  <let name="model" value="$(find-pkg-share my_pkg)/urdf/robot.urdf.xacro"/>
+</launch>
+"""
 FILES = {
     "CMakeLists.txt": CMAKE.replace(
-        "ament_package", "install(DIRECTORY meshes urdf\n  DESTINATION share/${PROJECT_NAME}\n)\nament_package"
+        "ament_package", "install(DIRECTORY launch meshes urdf\n  DESTINATION share/${PROJECT_NAME}\n)\nament_package"
     ),
     "urdf/wheel.xacro": '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"/>\n',
     "meshes/base_link.stl": "solid base\n",
-    "README.md": "Show it: `ros2 launch urdf_launch display.launch.py urdf_package_path:=urdf/robot.urdf.xacro`\n",
+    "launch/show.launch.xml": SHOW,
 }
 
 
@@ -42,9 +48,10 @@ LEVELS = (None, "warning", "info")
     over=RobotInWorkspace,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a condition is around it, it is for Gazebo alone, or nothing opens the robot",
-        Severity.INFO: "nothing calls the macro or reads the property or default that it is in, or each launch file "
-        "replaces the default",
+        Severity.WARNING: "a mesh is missing, a condition is around it, it is for Gazebo alone, or no launch file is "
+        "known to open the robot",
+        Severity.INFO: "nothing opens the robot, calls the macro or reads the property or default that it is in, or "
+        "each launch file replaces the default",
     },
     examples=(
         Example(
@@ -80,7 +87,7 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
 
     ## Why is this bad?
     xacro stops at an include that isn't there. A missing mesh is not shown: RViz prints an error, Gazebo leaves the
-    shape out.
+    shape out, and the launch goes on, so that is a warning.
 
     ## When it is quiet
     Nothing is said of packages that are not in the workspace, of paths that a property or an argument fills in, of
@@ -88,11 +95,11 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     and where install rules are not all known (a CMake macro of another package may install files). Where another rule
     reports that the folder is not installed, it says so alone. In a condition of xacro, in a file that is only included
     under one which the defaults of the arguments switch off, and in a `<gazebo>` or `<plugin>`, which Gazebo alone
-    reads, it is a warning; so it is in a robot that no file of the workspace opens: none of the package names it, in
-    code or in a command of a page, and no other that names the package; and of an include of a `.urdf` that only
-    another package may open, perhaps without xacro. In a macro that nothing here calls it is an info. The default of an
-    argument is an info where nothing reads the argument, or where each launch file that opens the robot gives another
-    value.
+    reads, it is a warning; so it is in a robot that no launch file of the workspace is known to open, and of an include
+    of a `.urdf` that only another package may open, perhaps without xacro. It is an info in a robot that no file of the
+    workspace opens (none of the package names it, in code or in a command of a page, and no other that names the
+    package) or that lies in a folder such as `old/`, and in a macro that nothing here calls. The default of an argument
+    is an info where nothing reads the argument, or where each launch file that opens the robot gives another value.
     """
     for each in scope.missing():
         again = tuple(Related(scope.robot.path, other.span, also(each, other)) for other in each.others)
@@ -106,32 +113,12 @@ def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity 
     fault = Fault(missing.span, f"{wrong(missing, scope.package.name)}: {harm}")
     each = [scope.weighed(replace(fault, span=span)) for span in missing.spans]
     best = min(each, key=lambda one: LEVELS.index(one.level))
-    if best.level is None and not scope.is_installed:
+    if best.level != "info" and scope.is_idle:
+        best = softer(best, "info", "as soon as something opens this robot")
+    elif best.level is None and not scope.is_installed:
         best = softer(best, "warning", "where the robot is read from the source: it is not installed")
-    elif best.level is None and not scope.opened.has(scope.robot.path):
-        best = softer(best, "warning", "and no file of the package opens this robot")
     elif best.level is None and missing.is_include and scope.may_be_read_as_it_is:
         best = softer(best, "warning", "where xacro reads it")
-    return Severity(best.level) if best.level else None, best.message + advice(missing)
-
-
-def wrong(missing: MissingResource, own: str) -> str:
-    several = f" and {len(missing.other_paths)} more" if missing.other_paths else ""
-    if missing.state == "not installed":
-        verb, them = ("are", "them") if several else ("is", "it")
-        return f"`{missing.path}`{several} {verb} there, but `{missing.package}` does not install {them}"
-    verb = "has" if missing.package == own else "installs"
-    if missing.folder:
-        return f"`{missing.package}` {verb} no folder `{missing.folder}` for `{missing.path}`{several}"
-    return f"`{missing.package}` {verb} no file `{missing.path}`{several}"
-
-
-def advice(missing: MissingResource) -> str:
-    if missing.state == "not installed":
-        folder = missing.path.rpartition("/")[0] or missing.path
-        return f"; install `{folder}` (`data_files` in setup.py, `install(…)` in CMakeLists.txt)"
-    return f"; did you mean `{missing.suggestion}`?" if missing.suggestion else "; add it, or correct the path"
-
-
-def also(missing: MissingResource, other: MissingResource) -> str:
-    return "here too" if other.path == missing.path else f"`{other.path}` too"
+    stops = missing.is_include and scope.launched.has(scope.robot.path)
+    level = best.level or (None if stops else "warning")
+    return Severity(level) if level else None, best.message + advice(missing)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator, Set
 
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...lazy_regex import regex
+from ...package.file_role import is_set_aside
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...rule import rule
@@ -22,18 +24,21 @@ MARKED = manifest(build_type="ament_cmake").replace("<name>my_pkg", "<name>«my_
     "duplicate-package-name",
     over=Workspace,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "one of them is for ROS 1, and people may build it apart"},
+    levels={
+        Severity.WARNING: "no `src` and no folder called `…_ws` is above both, or one is laid aside",
+        Severity.INFO: "one of them is for ROS 1",
+    },
     examples=(
         Example(
             on="",
             bad={
-                "arm/my_pkg/package.xml": MARKED,
-                "arm/my_pkg/CMakeLists.txt": CMAKE,
-                "copy/my_pkg/package.xml": manifest(build_type="ament_cmake"),
-                "copy/my_pkg/CMakeLists.txt": CMAKE,
+                "src/arm/my_pkg/package.xml": MARKED,
+                "src/arm/my_pkg/CMakeLists.txt": CMAKE,
+                "src/copy/my_pkg/package.xml": manifest(build_type="ament_cmake"),
+                "src/copy/my_pkg/CMakeLists.txt": CMAKE,
                 "LICENSE": "Apache License\n",
             },
-            good={"copy/my_pkg/package.xml": manifest(build_type="ament_cmake", name="my_copy")},
+            good={"src/copy/my_pkg/package.xml": manifest(build_type="ament_cmake", name="my_copy")},
         ),
     ),
 )
@@ -57,14 +62,30 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
             continue
         if others:
             first = others[0].at("package.xml").lstrip("/")
-            is_for_both = any(each.is_for_ros1 != facts.is_for_ros1 for each in others)
+            level = max((level_of(facts, each) for each in others), key=lambda each: each.rank)
+            end = "colcon builds nothing" if level is Severity.ERROR else "a colcon that finds both builds nothing"
             message = (
-                f"`{first}` is called `{facts.name}` too: colcon builds nothing (`Duplicate package names not "
+                f"`{first}` is called `{facts.name}` too: {end} (`Duplicate package names not "
                 f"supported`); rename one, or put a COLCON_IGNORE into the copy"
             )
             related = tuple(Related(each.at("package.xml"), each.name_span, "the other one") for each in others)
-            level = Severity.WARNING if is_for_both else None
             yield Hit(facts.at("package.xml"), facts.name_span, message, level, related=related)
+
+
+def level_of(facts: PackageFacts, other: PackageFacts) -> Severity:
+    """Return the level: an error where a workspace is above both and none between, so that colcon finds both."""
+    if facts.is_for_ros1 != other.is_for_ros1:
+        return Severity.INFO
+    one, two = (each.folder.split("/")[:-1] for each in (facts, other))
+    shared = len(posixpath.commonprefix([one, two]))
+    is_one = any(map(is_root, one[:shared])) and not any(map(is_root, one[shared:] + two[shared:]))
+    is_aside = any(is_set_aside(f"{each.folder}/") for each in (facts, other))
+    return Severity.ERROR if is_one and not is_aside else Severity.WARNING
+
+
+def is_root(name: str) -> bool:
+    """Return whether a folder is a workspace or its sources, by its name."""
+    return name == "src" or WORKSPACE.fullmatch(name) is not None
 
 
 def are_built_together(facts: PackageFacts, other: PackageFacts, selected: Set[str]) -> bool:

@@ -18,6 +18,9 @@ INNER = manifest().replace("<name>my_pkg</name>", "<name>my_driver</name>")
     "nested-package",
     over=NestedPackages,
     severity=Severity.WARNING,
+    levels={
+        Severity.INFO: "all of them are for ROS 1, or in a hidden folder, so that nobody means colcon to build them"
+    },
     examples=(
         Example(
             bad={"driver/package.xml": "«»" + INNER},
@@ -36,7 +39,8 @@ def nested_package(nested: NestedPackages) -> Iterator[Hit]:
 
     ## When it is quiet
     Folders with an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE), those that git ignores, those of tests,
-    templates, examples and third parties, and a package.xml that is installed as data, are left alone.
+    templates, examples and third parties, and a package.xml that is installed as data, are left alone. Packages for
+    ROS 1, those in hidden folders, and those whose name a package has that colcon finds are an info.
 
     ## References
     colcon/colcon-recursive-crawl: package_discovery/recursive_crawl.py
@@ -52,4 +56,6 @@ def nested_package(nested: NestedPackages) -> Iterator[Hit]:
         f"`{folder}`{more} is a package inside of `{outer}`: colcon does not look there, and never builds it; "
         f"move it next to `{outer}`, or remove its package.xml"
     )
-    yield Hit(first, Span(0, 0), message, related=tuple(Related(path, Span(0, 0), "this one too") for path in others))
+    related = tuple(Related(path, Span(0, 0), "this one too") for path in others)
+    level = None if any(map(nested.may_be_meant, found)) else Severity.INFO
+    yield Hit(first, Span(0, 0), message, level, related=related)
