@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from bench.faults.cmake_stop import BROUGHT
+from bench.faults.cmake_stop import brought_by
 from bench.faults.fault import PutFault
 from bench.faults.kinds import kind
 from bench.faults.source_package import SourcePackage
@@ -18,7 +18,8 @@ LOADED = "PLUGINLIB_EXPORT_CLASS|RCLCPP_COMPONENTS_REGISTER_NODE"
 @kind("cmake export", is_seen_outside=True)
 def export_dependency_mistyped(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(CMAKE, r"ament_export_dependencies\(\s*([a-z]\w+)\b"):
-        yield spot.typo()
+        is_found = is_built_against(package) or spot.word in package.words(CMAKE, r"find_package\(\s*(\w+)")
+        yield spot.typo().known(is_found, "CMake finds it nowhere here, and nothing here is built against the package")
 
 
 @kind("cmake export", is_seen_outside=True)
@@ -57,7 +58,8 @@ def export_library_mistyped(package: SourcePackage) -> Iterator[PutFault]:
 def export_targets_lost(package: SourcePackage) -> Iterator[PutFault]:
     users = [folder for name, folder in package.siblings.items() if name != package.name]
     texts = [package.repository / folder / "CMakeLists.txt" for folder in users]
-    if any(f"{package.name}::" in path.read_text("utf-8", "replace") for path in texts if path.is_file()):
+    linked = re.compile(rf"(?<![\w\"]){package.name}::(?!{package.name}_node)")
+    if any(linked.search(path.read_text("utf-8", "replace")) for path in texts if path.is_file()):
         for spot in package.spots(CMAKE, r"^ament_export_targets\(\s*([^()]+?)\s*\)[ \t]*\n"):
             yield spot.drop("ament_export_targets", package.name)
 
@@ -78,10 +80,9 @@ def generation_of_interface_lost(package: SourcePackage) -> Iterator[PutFault]:
 def generation_dependency_lost(package: SourcePackage) -> Iterator[PutFault]:
     used = package.words(r"\.(msg|srv|action)$", r"^([a-z]\w+)/\w+")
     for name in sorted(used - {package.name, "builtin_interfaces"}):  # that one comes with most others
-        pattern = rf"rosidl_generate_interfaces\([^()]*DEPENDENCIES[^()]*?(\b{name}\b)"
+        pattern = rf"rosidl_generate_interfaces\([^()]*DEPENDENCIES[^()]*?(\b{name}\b)[^()]*\)"
         for spot in package.spots(CMAKE, pattern):
-            others = [BROUGHT.get(each, "").split() for each in set(re.findall(r"\w+", spot.match[0])) - {name}]
-            if not any(name in each for each in others):
+            if name not in brought_by(set(re.findall(r"\w+", spot.match[0])) - {name}):
                 yield spot.put("", name)
 
 

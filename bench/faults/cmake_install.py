@@ -41,7 +41,8 @@ def install_of_one_folder_lost(package: SourcePackage) -> Iterator[PutFault]:
     pattern = rf"^install\(\s*DIRECTORY\s+({USED_FOLDERS})/?\s+DESTINATION\s+share[^()]*\)[ \t]*\n"
     for spot in package.spots(CMAKE, pattern):
         if package.matching(rf"^{spot.word}/(?!.*\.launch$)"):  # a bare one is mostly ROS 1's
-            yield spot.drop()
+            again = package.holds(CMAKE, rf"INSTALL_TO_SHARE[^()]*\b{spot.word}\b")
+            yield spot.drop().known(not (package.is_python or again), "another call installs it, or nobody reads this")
 
 
 @kind("cmake install")
@@ -105,7 +106,8 @@ def install_of_mistyped_program(package: SourcePackage) -> Iterator[PutFault]:
 def install_of_program_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(CMAKE, r"^\s+([\w/]+\.py)[ \t]*\n(?=[^()]*DESTINATION\s+lib)"):
         is_ros1 = package.holds(rf"(^|/){re.escape(spot.word)}$", r"^import rospy")
-        if package.holds(CMAKE, rf"install\(\s*PROGRAMS[^()]*{spot.word}") and not is_ros1:
+        is_there = spot.word in package.files
+        if is_there and package.holds(CMAKE, rf"install\(\s*PROGRAMS[^()]*{spot.word}") and not is_ros1:
             yield spot.drop(spot.word.rpartition("/")[2])
 
 
@@ -160,5 +162,7 @@ def ament_package_too_early(package: SourcePackage) -> Iterator[PutFault]:
 @kind("cmake install", is_seen_outside=True)
 def headers_not_installed(package: SourcePackage) -> Iterator[PutFault]:
     pattern = r"^install\(\s*DIRECTORY\s+\"?(include)/?\"?\s[^()]*\)[ \t]*\n"
+    exports = package.holds(CMAKE, r"ament_export_(?:include_directories|libraries|targets|interfaces)|ament_auto_")
     if package.matching(r"^include/.*\.hp?p?$"):
-        yield from (spot.drop() for spot in package.spots(CMAKE, pattern))
+        for spot in package.spots(CMAKE, pattern):
+            yield spot.drop().known(exports, "nothing exports the headers")

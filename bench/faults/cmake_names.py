@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from bench.faults.cmake_stop import BROUGHT, CMAKE
+from bench.faults.cmake_stop import CMAKE, brought_by
 from bench.faults.fault import PutFault
 from bench.faults.kinds import kind
 from bench.faults.known import INTERFACES
@@ -34,7 +34,7 @@ def cmake_find_package_lost(package: SourcePackage) -> Iterator[PutFault]:
     linked = package.words(CMAKE, r"ament_target_dependencies\(\s*\$?\{?\w+\}?\s+(?:PUBLIC\s+)?(\w+)")
     linked |= package.words(CMAKE, r"\b(\w+)::\w+")
     found = package.words(CMAKE, r"^find_package\(\s*(\w+)")
-    brought = {name for each in found for name in BROUGHT.get(each, "").split()}
+    brought = brought_by(found)
     brought |= {name for each in found & package.siblings.keys() for name in handed_on(package, each)}
     for spot in package.spots(CMAKE, r"^find_package\(\s*(\w+)[^)]*\)[ \t]*\n"):
         if spot.word in linked - brought:
@@ -45,7 +45,9 @@ def handed_on(package: SourcePackage, sibling: str) -> list[str]:
     """Return what another package of the repository has CMake find for those that find it."""
     file = package.repository / package.siblings[sibling] / "CMakeLists.txt"
     text = file.read_text("utf-8", "replace") if file.is_file() else ""
-    calls = re.findall(r"ament_export_dependencies\(([^()]*)\)", text)
+    calls = re.findall(
+        r"(?:ament_export_dependencies\(|rosidl_generate_interfaces\([^()]*DEPENDENCIES)([^()]*)\)", text
+    )
     whole = re.findall(r"set\(([^()]*)\)", text) if any("$" in each for each in calls) else []
     return [word for each in (*calls, *whole) for word in each.split()]
 
@@ -102,7 +104,7 @@ def cmake_mistyped_own_variable(package: SourcePackage) -> Iterator[PutFault]:
 @kind("cmake")
 def cmake_variable_in_wrong_case(package: SourcePackage) -> Iterator[PutFault]:
     found = package.words(CMAKE, r"^find_package\(\s*([a-z]\w+)")
-    for spot in package.spots(CMAKE, r"\$\{([a-z]\w+)_(?:INCLUDE_DIRS|LIBRARIES)\}"):
+    for spot in package.spots(CMAKE, r"^(?!\s*message\().*?\$\{([a-z]\w+)_(?:INCLUDE_DIRS|LIBRARIES)\}"):
         if spot.word in found - {"catkin"}:
             fault = spot.put(spot.word.upper(), f"{spot.word}_INCLUDE_DIRS", f"{spot.word}_LIBRARIES")
             is_known = spot.word in {*package.siblings, *INTERFACES} or spot.word.startswith(FAMILIES)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from bench.faults.fault import PutFault
 from bench.faults.kinds import kind
 from bench.faults.source_package import SourcePackage
+from rospkg_cli.ros.read_table import rows
 
 CMAKE = r"^CMakeLists\.txt$"
 BROUGHT = {
@@ -24,6 +25,17 @@ BROUGHT = {
     "hardware_interface": "pluginlib rclcpp rclcpp_lifecycle control_msgs lifecycle_msgs rcpputils",
 }
 """What CMake finds along with a package: leaving out their own find_package is no fault."""
+
+
+def brought_by(names: Iterable[str]) -> set[str]:
+    """Return what CMake finds along with some packages, and with those that they export."""
+    exported, found, waiting = rows("exported_dependencies.txt"), set[str](), list(names)
+    while waiting:
+        name = waiting.pop()
+        more = {*BROUGHT.get(name, "").split(), *exported.get(name, ())} - found
+        found |= more
+        waiting += more
+    return found
 
 
 @kind("cmake")
@@ -89,7 +101,7 @@ def cmake_without_project(package: SourcePackage) -> Iterator[PutFault]:
 
 @kind("cmake")
 def cmake_mistyped_subdirectory(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.typo() for spot in package.spots(CMAKE, r"add_subdirectory\(\s*([\w/]+)\s*\)"))
+    yield from (spot.typo() for spot in package.spots(CMAKE, r"(?<!\w)add_subdirectory\(\s*([\w/]+)\s*\)"))
 
 
 @kind("cmake")

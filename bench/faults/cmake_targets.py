@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from bench.faults.cmake_names import FAMILIES
+from bench.faults.cmake_names import FAMILIES, handed_on
+from bench.faults.cmake_stop import brought_by
 from bench.faults.fault import PutFault, Spot
 from bench.faults.kinds import kind
 from bench.faults.known import INTERFACES
@@ -41,19 +42,33 @@ def target_links_lost(package: SourcePackage) -> Iterator[PutFault]:
     for spot in calls(package, "ament_target_dependencies"):
         if not package.holds(CMAKE, rf"target_link_libraries\(\s*{re.escape(spot.word)}\b|ament_auto"):
             found = re.findall(r"[a-z]\w+", spot.match[0])[1:]
-            yield spot.drop(own_name(package, spot), *found)
+            fault = spot.drop(own_name(package, spot), *found)
+            yield fault.known(includes(package, spot, found), "no source of the target includes any of them")
+
+
+def includes(package: SourcePackage, spot: Spot, names: list[str]) -> bool:
+    """Return whether the sources of a target, and the headers that they may include, include any package."""
+    made = re.search(rf"add_(?:executable|library)\(\s*{re.escape(spot.word)}\b([^()]*)\)", spot.text)
+    sources = "|".join(re.escape(each) for each in made[1].split() if "." in each) if made else ""
+    start = rf"^#include\s*[<\"](?:{'|'.join(names)})[/_]"
+    headers = rf"^#include\s*[<\"](?:\.\./|include/|{package.name}/)"
+    files = rf"^(?:{sources})$" if sources and made and "$" not in made[1] else r"\.(cpp|cc)$"
+    return package.holds(files, start) or (package.holds(files, headers) and package.holds(r"\.hp?p?$", start))
 
 
 @kind("cmake targets")
 def target_dependency_lost(package: SourcePackage) -> Iterator[PutFault]:
     """One package that the sources of the only target include is not linked."""
     targets = list(package.spots(CMAKE, r"^\s*add_(?:executable|library)\(\s*([\w${}]+)"))
-    pattern = r"^ament_target_dependencies\([^()]*?(?<=\s)(\"?(sensor_msgs|nav_msgs|std_srvs|cv_bridge)\"?)(?=[\s)])"
+    package_name = r"(\"?(sensor_msgs|nav_msgs|std_srvs|cv_bridge)\"?)"
+    pattern = rf"^ament_target_dependencies\([^()]*?(?<=\s){package_name}(?=[\s)])[^()]*\)"
     for spot in package.spots(CMAKE, pattern) if len(targets) == 1 else ():
         others = set(re.findall(r"\b[a-z]\w+", spot.match[0])[2:]) - {spot[2]}
         is_known = all(each in {*package.siblings, *INTERFACES} or each.startswith(FAMILIES) for each in others)
         if package.holds(r"^(src|include)/.*\.(cpp|hpp)$", rf"#include\s*[<\"]{spot[2]}/"):
-            yield spot.put("", spot[2]).known(is_known, "a package that is not here may bring it")
+            brought = brought_by(others).union(*(handed_on(package, each) for each in others & package.siblings.keys()))
+            if spot[2] not in brought:
+                yield spot.put("", spot[2]).known(is_known, "a package that is not here may bring it")
 
 
 @kind("cmake targets")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from bench.faults.aside import used_kind
 from bench.faults.fault import PutFault
 from bench.faults.kinds import kind
 from bench.faults.known import UNKNOWN, has_known_interfaces
@@ -85,7 +86,7 @@ def cpp_undeclared_parameter(package: SourcePackage) -> Iterator[PutFault]:
             yield spot.typo()
 
 
-@kind("c++")
+@used_kind("c++")
 def cpp_mistyped_share(package: SourcePackage) -> Iterator[PutFault]:
     yield from (spot.typo() for spot in package.spots(CPP, r"get_package_share_directory\(\s*\"(\w+)\""))
 

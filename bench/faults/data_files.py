@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from bench.faults.fault import PutFault
@@ -60,7 +61,8 @@ def data_pattern_with_wrong_folder(package: SourcePackage) -> Iterator[PutFault]
 @kind("setup.py")
 def data_file_mistyped(package: SourcePackage) -> Iterator[PutFault]:
     for spot in in_setup(package, r"\[\s*['\"](?!package)((?:\w+/)*[\w.]+\.\w+)['\"]"):
-        yield spot.typo(spot.word.rpartition("/")[2])
+        if not re.search(r"py_modules\s*=\s*\[[^\]]*$", spot.text[: spot.match.start(1)]):
+            yield spot.typo(spot.word.rpartition("/")[2])
 
 
 @kind("setup.py")

@@ -74,7 +74,12 @@ def depend_lost_that_interfaces_use(package: SourcePackage) -> Iterator[PutFault
 
 @kind("manifest")
 def depend_lost_that_urdf_uses(package: SourcePackage) -> Iterator[PutFault]:
-    yield from lost(package, package.words(r"\.(xacro|urdf)$", r"(?:package://|\$\(find )([\w-]+)"))
+    used = package.words(r"\.(xacro|urdf)$", r"(?:package://|\$\(find )([\w-]+)")
+    built = "".join(package.text(file) for file in ("CMakeLists.txt", "setup.py"))
+    folders = {file.partition("/")[0] for file in package.matching(r"\.(xacro|urdf)$")}
+    is_installed = any(re.search(rf"\b{re.escape(each)}\b", built) for each in folders)
+    for fault in lost(package, used):
+        yield fault.known(is_installed, "nothing installs the description")
 
 
 @kind("manifest")
@@ -132,7 +137,7 @@ def depend_with_dash_sibling(package: SourcePackage) -> Iterator[PutFault]:
 @kind("manifest")
 def depend_with_dash_package(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(XML, DEPEND):
-        if spot.word not in package.siblings and "_" in spot.word and "-" not in spot.word:
+        if spot.word not in {*package.siblings, "ament_python"} and "_" in spot.word and "-" not in spot.word:
             yield spot.put(spot.word.replace("_", "-"))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from bench.faults.cmake_stop import brought_by
 from bench.faults.dependencies import CMAKE, DEPEND, LAUNCH, OWN_PYTHON, SOURCES, XML
 from bench.faults.fault import PutFault, Spot
 from bench.faults.kinds import kind
@@ -18,7 +19,10 @@ def depends_in_one_tag(package: SourcePackage) -> Iterator[PutFault]:
 
 @kind("manifest")
 def depend_empty(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.put("", "empty", spot.match[0].partition(">")[0][1:]) for spot in package.spots(XML, DEPEND))
+    """One that names nothing, beside one that stays."""
+    for spot in package.spots(XML, DEPEND):
+        tag = tag_of(spot)
+        yield spot.put(f"{spot.word}</{tag}>\n  <{tag}>", "empty", tag, "names nothing")
 
 
 @kind("manifest")
@@ -36,11 +40,24 @@ def depend_and_build_depend(package: SourcePackage) -> Iterator[PutFault]:
 @kind("manifest")
 def depend_on_itself(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(XML, r"<(?:exec_)?depend>([\w-]+)</\w+>"):
-        yield spot.put(package.name, "itself")
+        tag = tag_of(spot)
+        yield spot.put(f"{spot.word}</{tag}>\n  <{tag}>{package.name}", "itself", package.name)
+
+
+def tag_of(spot: Spot) -> str:
+    return spot.match[0].partition(">")[0][1:].split()[0]
 
 
 def changed_tag(spot: Spot, new: str) -> PutFault:
     return spot.put(spot.word.replace(spot["tag"], new), spot["name"])
+
+
+def only(package: SourcePackage, pattern: str) -> Iterator[Spot]:
+    """Yield the tag of a dependency, where it stands once and not in <export>, where nothing reads it."""
+    found = list(package.spots(XML, pattern))
+    for spot in found if len(found) == 1 else ():
+        if "<export>" not in spot.text[: spot.match.start()]:
+            yield spot
 
 
 TAGGED = r"(<(?P<tag>{tag})>(?P<name>{name})</(?P=tag)>)"
@@ -50,21 +67,22 @@ TAGGED = r"(<(?P<tag>{tag})>(?P<name>{name})</(?P=tag)>)"
 def exec_depend_of_what_is_compiled(package: SourcePackage) -> Iterator[PutFault]:
     found = package.words(CMAKE, r"^find_package\(\s*(\w+)") & package.words(SOURCES, r"^#include\s*[<\"](\w+)/")
     for name in sorted(found):
-        for spot in package.spots(XML, TAGGED.format(tag="depend", name=name)):
-            yield changed_tag(spot, "exec_depend")
+        for spot in only(package, TAGGED.format(tag="depend", name=name)):
+            brought = brought_by(package.words(XML, r"<depend>([\w-]+)</depend>") - {name})
+            yield changed_tag(spot, "exec_depend").known(name not in brought, "it comes with another dependency")
 
 
 @kind("manifest")
 def build_depend_of_what_is_imported(package: SourcePackage) -> Iterator[PutFault]:
     for name in sorted(package.words(OWN_PYTHON, r"^(?:from|import)\s+(\w+)")):
-        for spot in package.spots(XML, TAGGED.format(tag="(?:exec_)?depend", name=name)):
+        for spot in only(package, TAGGED.format(tag="(?:exec_)?depend", name=name)):
             yield spot.put(f"<build_depend>{name}</build_depend>", name)
 
 
 @kind("manifest")
 def test_depend_of_what_is_imported(package: SourcePackage) -> Iterator[PutFault]:
     for name in sorted(package.words(OWN_PYTHON, r"^(?:from|import)\s+(\w+)")):
-        for spot in package.spots(XML, TAGGED.format(tag="(?:exec_)?depend", name=name)):
+        for spot in only(package, TAGGED.format(tag="(?:exec_)?depend", name=name)):
             yield spot.put(f"<test_depend>{name}</test_depend>", name)
 
 

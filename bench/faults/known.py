@@ -9,7 +9,7 @@ WELL_KNOWN = set(
     "ros_gz_sim ros_gz_bridge gazebo_ros image_proc depth_image_proc image_view teleop_twist_joy twist_mux "
     "slam_toolbox nav2_map_server nav2_amcl nav2_planner nav2_controller nav2_bt_navigator nav2_lifecycle_manager "
     "nav2_behaviors nav2_velocity_smoother moveit_ros_move_group robot_localization rqt_gui demo_nodes_cpp "
-    "demo_nodes_py rclcpp_components rosbridge_server usb_cam v4l2_camera composition pointcloud_to_laserscan".split()
+    "demo_nodes_py rclcpp_components rosbridge_server usb_cam composition pointcloud_to_laserscan".split()
 )
 """Packages outside a repository whose executables and components every user knows."""
 INTERFACES = set(

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 
 from bench.faults.fault import PutFault, Spot
 from bench.faults.kinds import kind
@@ -16,8 +18,26 @@ NODE = r"\b(?:Node|LifecycleNode|ComposableNodeContainer)\("
 
 def launch_spots(package: SourcePackage, pattern: str, group: int = 1) -> Iterator[Spot]:
     for spot in package.spots(FILES, pattern, group):
-        if "generate_launch_description" in spot.text:
+        is_test = spot.path.rpartition("/")[2].startswith("test_")
+        if "generate_launch_description" in spot.text and not is_test and is_python(spot.text):
             yield spot
+
+
+@lru_cache(maxsize=200)
+def is_python(text: str) -> bool:
+    """Return whether a file is right without a fault: one that is broken already hides all others."""
+    try:
+        ast.parse(text)
+    except (SyntaxError, ValueError):
+        return False
+    return True
+
+
+def is_read(spot: Spot) -> bool:
+    """Return whether the statement of a place sets no variable, or one that is read behind it."""
+    line = spot.text[spot.text.rfind("\n", 0, spot.match.start()) + 1 : spot.match.start()]
+    name = re.match(r"\s*(\w+)\s*=", line)
+    return name is None or re.search(rf"\b{name[1]}\b", spot.text[spot.match.end() :]) is not None
 
 
 @kind("launch python")
@@ -54,9 +74,8 @@ def launch_without_package(package: SourcePackage) -> Iterator[PutFault]:
         package, rf"{NODE}\s*package\s*=\s*['\"]([\w-]+)['\"],\s*(?=executable\s*=\s*['\"]([\w.-]+))"
     ):
         start = spot.match.group().index("package")
-        yield spot.rewritten(
-            spot.text[: spot.match.start() + start] + spot.text[spot.match.end() :], "package", spot.word, spot[2]
-        )
+        text = spot.text[: spot.match.start() + start] + spot.text[spot.match.end() :]
+        yield spot.rewritten(text, "package", spot.word, spot[2]).known(spot[2] != "rviz2", "rviz2 is on the PATH, too")
 
 
 @kind("launch python")
@@ -121,7 +140,7 @@ def launch_mistyped_folder(package: SourcePackage) -> Iterator[PutFault]:
     pattern = r"['\"](launch|config|params|urdf|rviz|maps|worlds)['\"],\s*['\"]([\w.-]+\.\w+)['\"]"
     for spot in launch_spots(package, pattern):
         if f"{spot.word}/{spot[2]}" in package.files:
-            yield spot.typo(spot[2])
+            yield spot.typo(spot[2]).known(is_read(spot), "nothing reads the variable that holds the path")
 
 
 @kind("launch python")

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import lru_cache
+from xml.etree import ElementTree
 
 from bench.faults.fault import PutFault, Spot
 from bench.faults.kinds import kind
@@ -17,8 +19,18 @@ YAML = r"((^|/)launch/.*\.ya?ml|\.launch\.ya?ml)$"
 def frontend(package: SourcePackage, pattern: str, group: int = 1) -> Iterator[Spot]:
     """Yield the places in launch files of ROS 2 in XML."""
     for spot in package.spots(XML, pattern, group):
-        if "<launch" in spot.text and " type=" not in spot.text:
+        if "<launch" in spot.text and " type=" not in spot.text and is_well_formed(spot.text):
             yield spot
+
+
+@lru_cache(maxsize=200)
+def is_well_formed(text: str) -> bool:
+    """Return whether a file is right without a fault: one that is broken already hides all others."""
+    try:
+        ElementTree.fromstring(text)
+    except ElementTree.ParseError:
+        return False
+    return True
 
 
 @kind("launch xml")

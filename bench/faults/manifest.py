@@ -115,7 +115,8 @@ def manifest_exec_dependency(package: SourcePackage) -> Iterator[PutFault]:
 @kind("manifest")
 def manifest_format_one(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(XML, r"<package format=\"([23])\""):
-        if package.holds(XML, r"<(exec_|test_)?depend>"):
+        newer = r"<(?:(?:exec_|build_export_|buildtool_export_|doc_)?depend|group_depend|member_of_group)\b|condition="
+        if package.holds(XML, newer):  # else each tag is one of format 1, too
             yield spot.put("1", "format")
 
 
