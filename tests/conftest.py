@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -47,6 +48,12 @@ def no_surroundings(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ("ROS_DISTRO", "AMENT_PREFIX_PATH", "NO_COLOR", "FORCE_COLOR", "CI", "GITHUB_ACTIONS"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("XDG_CACHE_HOME", os.devnull)
+
+
+def pytest_configure() -> None:
+    """Let Ctrl-C reach the processes of the tests, also where pytest itself runs in the background."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

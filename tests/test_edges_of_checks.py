@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 from cmaking import read
 
-from rospkg_cli.checks.cmake.misplaced_executables import MAX_DEPTH, MisplacedExecutables
 from rospkg_cli.checks.cmake.missing_export_dependencies import UNKNOWN, ExportedDependencies
+from rospkg_cli.checks.cmake.node_programs import MAX_DEPTH, NodePrograms
 from rospkg_cli.checks.depends import declared_dependencies
 from rospkg_cli.checks.depends.compiled_sources import compiled_sources
 from rospkg_cli.checks.depends.undeclared_find_package import FindPackageDependencies
@@ -91,7 +91,7 @@ def test_ros_behind_other_targets(between: int, is_node: bool) -> None:
     model: Any = SimpleNamespace(
         cmake=read("\n".join([*lines, f"target_link_libraries(l{between} rclcpp::rclcpp)", ""]))
     )
-    assert MisplacedExecutables(model).uses_ros("l0") is is_node
+    assert NodePrograms(model).uses_ros("l0") is is_node
 
 
 @pytest.mark.parametrize("depth", [1, declared_dependencies.MAX_DEPTH])

@@ -248,6 +248,17 @@ def test_the_files_say_which_build_type_is_missing_and_what_fails(
     assert finding.severity.value == level
 
 
+@pytest.mark.parametrize(("option", "level"), [("--merge-install", "warning"), ("--symlink-install", "error")])
+def test_a_build_type_is_missed_less_where_all_is_installed_into_one_folder(option: str, level: str) -> None:
+    text = manifest().replace("<build_type>ament_python</build_type>", "")
+    lines = "add_executable(a a.cpp)\ninstall(TARGETS a DESTINATION lib/${PROJECT_NAME})\nament_package"
+    files = {"package.xml": text, "CMakeLists.txt": CMAKE.replace("ament_package", lines), "a.cpp": ""}
+    files["README.md"] = f"colcon build {option}\n"
+    (finding,) = lint_files(files, ["XML301"]).findings
+    assert finding.severity.value == level
+    assert ("but for `--merge-install` (`README.md`); add" in finding.message) is (level == "warning")
+
+
 def test_packages_of_ros_1_are_left_alone() -> None:
     text = manifest("  <buildtool_depend>catkin</buildtool_depend>\n").replace(
         "<build_type>ament_python</build_type>", ""

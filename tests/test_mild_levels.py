@@ -90,19 +90,21 @@ def test_an_order_that_ament_xmllint_has_no_schema_for(model: str, level: str) -
     ("setup", "level"),
     [
         (SETUP_PY, "warning"),
-        ("from setuptools import setup\nsetup(name='my_pkg', py_modules=['a'])\n", "warning"),
-        ("from catkin_pkg.python_setup import generate_distutils_setup as g\nsetup(**g(scripts=['a']))\n", "warning"),
+        ("from setuptools import setup\nsetup(name='my_pkg', packages=['my_pkg'])\n", "warning"),
+        ("from catkin_pkg.python_setup import generate_distutils_setup as g\nsetup(**g(scripts=['a']))\n", "info"),
         ("from catkin_pkg.python_setup import generate_distutils_setup as g\nsetup(**g())\n", "info"),
     ],
 )
 def test_an_ignored_setup_py_that_installs_nothing(setup: str, level: str) -> None:
-    (finding,) = found("XML307", NATIVE, {"setup.py": setup})
+    files = {"setup.py": setup, "my_pkg/__init__.py": "", "my_pkg/arm.py": ""}
+    (finding,) = found("XML307", NATIVE, files)
     assert finding.severity.value == level
     assert ("which installs nothing" in finding.message) is (level == "info")
 
 
-def test_an_ignored_setup_py_whose_setup_cfg_installs() -> None:
-    files = {"setup.py": "import setuptools\nsetuptools.setup()\n", "setup.cfg": "[options]\npackages = find:\n"}
+def test_an_ignored_setup_py_whose_setup_cfg_starts_modules() -> None:
+    cfg = "[options.entry_points]\nconsole_scripts =\n  arm = my_pkg.arm:main\n"
+    files = {"setup.py": "import setuptools\nsetuptools.setup()\n", "setup.cfg": cfg, "my_pkg/arm.py": ""}
     assert levels("XML307", NATIVE, files) == ["warning"]
     assert levels("XML307", NATIVE, {**files, "setup.cfg": "[metadata]\nname = my_pkg\n"}) == ["info"]
 
@@ -233,11 +235,19 @@ def test_an_example_of_parameters_that_no_launch_file_loads(name: str, launch: s
 @pytest.mark.parametrize(("is_metapackage", "level"), [(False, "warning"), (True, "info")])
 def test_a_metapackage_opens_no_folder(is_metapackage: bool, level: str) -> None:
     user = manifest("", "ament_cmake", "b").replace("  <export>", "  <exec_depend>my_pkg</exec_depend>\n  <export>")
-    files = {"a/package.xml": manifest("", "ament_cmake"), "a/CMakeLists.txt": CMAKE, "a/config/a.yaml": "a: 1\n"}
+    files = {"a/package.xml": manifest("", "ament_cmake"), "a/CMakeLists.txt": CMAKE, "a/config/a.txt": "a: 1\n"}
     files |= {"b/package.xml": user, "b/CMakeLists.txt": CMAKE.replace("my_pkg", "b")}
     files |= {} if is_metapackage else {"b/src/b.cpp": "int main() {}\n"}
     (finding,) = [each for each in lint_files(files, ["CMK101"]).findings if "config" in each.message]
     assert finding.severity.value == level
+
+
+@pytest.mark.parametrize(("start", "level"), [("", "error"), ("# ", "info")])
+def test_what_is_commented_out_opens_no_folder(start: str, level: str) -> None:
+    line = f"{start}path = get_package_share_directory('my_pkg') + '/config/a.yaml'\n"
+    files = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE, "config/a.yaml": "a: 1\n"}
+    found = found_all("CMK101", {**files, "my_pkg/a.py": line, "src/a.cpp": "# x\n"})
+    assert [each.severity.value for each in found] == [level]
 
 
 QT = "macro(qt_wrap_ui)\n  {}(${{ARGN}})\nendmacro()\n"
@@ -325,7 +335,7 @@ def test_what_runs_ament_xmllint_in_cmake(depend: str, call: str, level: str) ->
 @pytest.mark.parametrize(
     ("text", "level"),
     [
-        ('<?xml version="1.0"?>\n<!-- all -->\n<library path="a"/>\n<library path="b"/>\n', "warning"),
+        ('<?xml version="1.0"?>\n<!-- all -->\n<library path="a"/>\n<library path="b"/>\n', "info"),
         ("<class_libraries/>\n<library path='b'/>\n", "error"),
         ('<library path="a">\n', "error"),
     ],
@@ -352,7 +362,7 @@ def test_a_package_may_be_listed_as_a_path(listed: str, count: int) -> None:
     assert len(lint_files(files, ["SET302"]).findings) == count
 
 
-@pytest.mark.parametrize(("launched", "level"), [("base.yaml", "warning"), ("arm.yaml", "error")])
+@pytest.mark.parametrize(("launched", "level"), [("base.yaml", "info"), ("arm.yaml", "error")])
 def test_blocks_without_their_key_in_a_file_that_nothing_names(launched: str, level: str) -> None:
     launch = (
         f"<launch><node pkg='a' exec='b'><param from='$(find-pkg-share my_pkg)/config/{launched}'/></node></launch>\n"
@@ -366,7 +376,7 @@ def test_blocks_without_their_key_in_a_file_that_nothing_names(launched: str, le
 
 
 @pytest.mark.parametrize(
-    ("launched", "level"), [("other/arm.yaml", "warning"), ("config/arm.yaml", "error"), ("arm.yaml", "error")]
+    ("launched", "level"), [("other/arm.yaml", "info"), ("config/arm.yaml", "error"), ("arm.yaml", "warning")]
 )
 def test_a_launch_file_that_names_another_file_of_the_same_name(launched: str, level: str) -> None:
     start = "<launch><node pkg='a' exec='b'><param from='$(find-pkg-share my_pkg)/"

@@ -238,6 +238,8 @@ def test_whatever_fails_all_is_as_it_was(
 
 STOPPED = """
 import os, signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)
+signal.signal(signal.SIGHUP, signal.SIG_DFL)  # the tests may run below nohup, or in the background
 from rospkg_cli.scaffold import {module} as module
 real, done = module.{name}, []
 def stopped(*args):

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import pytest
+
 from rospkg_cli.example import CMAKE, manifest, scripts, setup_py
+from rospkg_cli.rules.launch import lch011_unknown_component as lch011
 from rospkg_cli.testing import lint_files
 
 ENTRY = "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
@@ -139,3 +142,44 @@ def test_an_executable_that_is_installed_and_not_made_is_told_once() -> None:
     assert [f.code for f in lint_files({**files, "CMakeLists.txt": made}, ["CMK202"]).findings] == ["CMK202"]
     into_bin = {**files, "CMakeLists.txt": files["CMakeLists.txt"].replace("lib/${PROJECT_NAME}", "bin")}
     assert "LCH002" in [f.code for f in lint_files(into_bin, ["LCH002"]).findings]
+
+
+def test_an_executable_that_is_missing_in_several_nodes_is_one_finding(clean) -> None:
+    """The node that certainly stops the launch is the finding; a fix renames all."""
+    off = '  <arg name="b" default="false"/>\n  <node pkg="my_pkg" exec="taker" if="$(var b)"/>\n'
+    nodes = off + '  <node pkg="my_pkg" exec="taker"/>\n  <node pkg="my_pkg" exec="talker"/>\n'
+    files = {**with_launch(clean), "launch/a.launch.xml": f"<launch>\n{nodes}</launch>\n"}
+    (finding,) = lint_files(files, ["LCH002"]).findings
+    assert (finding.severity.value, finding.location.line) == ("error", 4)
+    assert [(where.line, text) for where, text in finding.related] == [(3, "and here")]
+    assert finding.fix is not None
+    assert len(finding.fix.operations) == 2
+
+
+def test_what_lies_beside_programs_is_not_offered(clean) -> None:
+    setup = clean["setup.py"].replace("    data_files=[", "    data_files=[('lib/my_pkg', ['notes.txt']),")
+    launch = '<launch>\n  <node pkg="my_pkg" exec="camera"/>\n</launch>\n'
+    files = {**with_launch(clean), "notes.txt": "a", "launch/a.launch.xml": launch}
+    files["setup.py"] = setup.replace("    license=", ENTRY)
+    (finding,) = lint_files(files, ["LCH002"]).findings
+    assert "; it installs `talker`; " in finding.message
+
+
+def test_a_component_that_is_missing_in_several_nodes_is_one_finding() -> None:
+    node = '    <composable_node pkg="my_pkg" plugin="my_pkg::Taker" name="{}"/>\n'
+    container = '  <node_container pkg="rclcpp_components" exec="component_container" name="c" namespace=""{}>\n'
+    off = container.format(' if="$(var b)"') + node.format("z") + "  </node_container>\n"
+    on = container.format("") + node.format("a") + node.format("b") + "  </node_container>\n"
+    text = f'<launch>\n  <arg name="b" default="false"/>\n{off}{on}</launch>\n'
+    (finding,) = lint_files({**lch011.FILES, "launch/a.launch.xml": text}, ["LCH011"]).findings
+    assert (finding.severity.value, finding.location.line) == ("error", 7)
+    assert [(where.line, text) for where, text in finding.related] == [(8, "and here"), (4, "and here")]
+    assert finding.fix is not None
+    assert len(finding.fix.operations) == 3
+
+
+@pytest.mark.parametrize(("name", "hint"), [("Taker", "did you mean `my_pkg::Talker`?"), ("Map", "it registers")])
+def test_a_namespace_makes_no_class_alike(name: str, hint: str) -> None:
+    text = str(lch011.FILES["launch/a.launch.xml"]).replace("«my_pkg::Taker»", f"my_pkg::{name}")
+    (finding,) = lint_files({**lch011.FILES, "launch/a.launch.xml": text}, ["LCH011"]).findings
+    assert hint in finding.message

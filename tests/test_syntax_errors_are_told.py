@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, SETUP_PY
+from rospkg_cli.example import BACKDROPS, SETUP_PY, scripts, setup_py
 from rospkg_cli.testing import lint_files
 
 LAUNCH = "from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    {}\n"
@@ -18,7 +18,8 @@ BROKEN = {
 
 @pytest.mark.parametrize("path", BROKEN)
 def test_a_syntax_error_is_told(path: str) -> None:
-    files = {**BACKDROPS["ament_python"], path: BROKEN[path]}
+    setup = setup_py(scripts("talker = my_pkg.talker:main", "listener = my_pkg.listener:main"))
+    files = {**BACKDROPS["ament_python"], "setup.py": setup, path: BROKEN[path]}
     found = [each for each in lint_files(files, None).findings if each.code == "RPK001"]
     assert [each.location.path for each in found] == [path]
     assert found[0].severity.value == "error"

@@ -11,6 +11,7 @@ from .setups import OTHER_NAME, python
 
 INSTALL = CMAKE.replace("ament_package", "install(DIRECTORY config DESTINATION share/${PROJECT_NAME})\nament_package")
 WRONG = prm001.GOOD.replace("ros__parameters", "ros_parameters", 1)
+EMPTY_LIST = "limits:\n  ros__parameters:\n    limits: []\n"
 LIST = "limits:\n  ros__parameters:\n    limits: [1, 2.5]\n"
 UNSET = "talker:\n  ros__parameters:\n    rate:\n    depth: 5\n"
 MAIN = "def main():\n    print('hello')\n"
@@ -53,6 +54,64 @@ FILES = (
     ({"launch/a.launch.xml": EMPTY.format(NAMED.format("$(var b)"))}, NEEDS),
     ({"launch/a.launch.xml": EMPTY.format(NAMED.format("$(var b)"))}, ""),
     ({"launch/a.launch.xml": EMPTY.format(""), "test/a.py": "A = 'config/robot.yaml'\n"}, ""),
+)
+GIVES = '<launch><node pkg="a" exec="b"{}><param from="$(find-pkg-share my_pkg)/{}"/></node></launch>\n'
+GIVEN = {"launch/a.launch.xml": GIVES.format("", "config/robot.yaml")}
+ARGUED = (
+    '<launch><arg name="p" default="{}"/><node pkg="a" exec="b"><param from="$(find-pkg-share my_pkg)/$(var p)"/>'
+    "</node></launch>\n"
+)
+LOADED = """\
+<launch>
+  <node_container pkg="rclcpp_components" exec="component_container" name="c" namespace="">
+    <composable_node pkg="a" plugin="a::B"><param from="$(find-pkg-share my_pkg)/config/robot.yaml"/></composable_node>
+  </node_container>
+</launch>
+"""
+MOVES = """\
+install(FILES config/robot.yaml DESTINATION share/${{PROJECT_NAME}}/{})
+install(DIRECTORY launch DESTINATION share/${{PROJECT_NAME}})
+ament_package"""
+
+
+def moved(to: str) -> Example:
+    """A package that installs its parameters in some folder, and gives a node those of `config`."""
+    files = {"CMakeLists.txt": CMAKE.replace("ament_package", MOVES.format(to)), "config/robot.yaml": WRONG}
+    return Example(on="config", bad={**files, "launch/a.launch.xml": GIVES.format("", "config/robot.yaml")}, good={})
+
+
+HANDED = (
+    *(configured(WRONG, {"launch/a.launch.xml": text}, NEEDS) for text in (
+        GIVES.format("", "config/robot.yaml"),
+        GIVES.format(' if="$(var c)"', "config//robot.yaml"),
+        GIVES.format("", "/config/robot.yaml"),
+        GIVES.format("", "config/robot.yml"),
+        GIVES.format("", "param/robot.yaml"),
+        GIVES.format("", "config/robot.yaml").replace("my_pkg", "other"),
+        GIVES.format("", "config/robot.yaml").replace("find-pkg-share", "find-pkg-prefix"),
+        GIVES.format("", "$(var c)/robot.yaml"),
+        GIVES.format("", "config/robot.yaml").replace("from=", "name='a' value="),
+        ARGUED.format("config/robot.yaml"),
+        ARGUED.format("$(var p)"),
+        LOADED,
+        EMPTY.format('<include file="b"><arg name="p" value="$(find-pkg-share my_pkg)/config/robot.yaml"/></include>'),
+    )),
+    *(moved(to) for to in ("config", "params")),
+    python({"config/robot.yaml": WRONG, "my_pkg/a.py": "A = yaml.safe_load(open('config/robot.yaml'))\n"}),
+)  # fmt: skip
+DEMO = "from {} import generate_demo_launch\n"
+
+
+def controllers(name: str, module: str) -> Example:
+    """A package with the launch file that MoveIt makes, and parameters."""
+    files = {f"config/{name}.yaml": WRONG, "launch/demo.launch.py": DEMO.format(module)}
+    return Example(on="config", bad={"CMakeLists.txt": INSTALL.replace("config", "config launch"), **files}, good={})
+
+
+FOR_MOVEIT = (
+    controllers("ros2_controllers", "moveit_configs_utils.launches"),
+    controllers("controllers", "moveit_configs_utils.launches"),
+    controllers("ros2_controllers", "somewhere"),
 )
 LEFT_OUT = {**set302.FILES, "setup.py": setup_py().replace(set302.FOUND, "[package_name]")}
 STARTS = {
@@ -192,6 +251,8 @@ CASES = {
     ),
     "PRM001": (
         *(configured(WRONG, *each) for each in FILES),
+        *HANDED,
+        *FOR_MOVEIT,
         *(
             twin(f"'{path}'")
             for path in ("config', 'robot.yaml", "param', 'robot.yaml", "config/robot.yaml", "robot.yaml")
@@ -199,6 +260,8 @@ CASES = {
     ),
     "PRM004": (
         *(configured(LIST, *each) for each in FILES[:2]),
+        *(configured(text, GIVEN) for text in (LIST, EMPTY_LIST)),
+        configured(EMPTY_LIST, {}),
         *(
             twin(f"'config/robot.yaml'), {text}", UNSET)
             for text in ("RewrittenYaml({'rate': '1'}", "Node({'rate': '1'}", "RewrittenYaml({'rates': '1'}")

@@ -129,6 +129,7 @@ CASES = {
         interfaces("geometry_msgs/Pose2D pose\n", cmake=dep108.CMAKE_MSG.replace(" DEPENDENCIES geometry_msgs", "")),
         interfaces("std_msgs/Header header\n", cmake=dep108.CMAKE_MSG),
         interfaces("geometry_msgs/Pose2D pose\n", "  <depend>sensor_msgs</depend>\n"),
+        interfaces("geometry_mgs/Pose2D pose\n", "  <depend>geometry_msgs</depend>\n", cmake=dep108.CMAKE_MSG),
         interfaces("builtin_interfaces/Time at\nbuiltin_interfaces/Time to\n"),
         interfaces("".join(f"geometry_msgs/Pose2D p{number}\n" for number in range(6))),
     ),

@@ -89,6 +89,7 @@ def named(python: str) -> Example:
 def robot(body: str) -> Example:
     install = "install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\nament_package"
     files = {"CMakeLists.txt": CMAKE.replace("ament_package", install), "urdf/robot.urdf.xacro": XACRO.format(body)}
+    files["launch/show.xml"] = "<launch><let name='model' value='urdf/robot.urdf.xacro'/></launch>\n"
     return Example(bad=files, good={}, on="ament_cmake")
 
 

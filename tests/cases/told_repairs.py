@@ -1,0 +1,168 @@
+"""Faults that people repaired in their repositories, told again in small: levels, sentences and silences."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
+
+CORE = {"src/core.cpp": "int core() {return 1;}\n", "src/talker.cpp": "int main() {return 0;}\n"}
+LINKED = """\
+add_library(core {}src/core.cpp)
+add_executable(talker src/talker.cpp)
+target_link_libraries(talker PRIVATE core)
+install(TARGETS talker DESTINATION lib/${{PROJECT_NAME}})
+install(TARGETS core DESTINATION {})
+{}"""
+SCRIPTS = {"scripts/tools/plot": "#!/usr/bin/env python3\n", "modes.yaml": "a: 1\n"}
+SWITCH = "set(with_camera {})\nif({})\nendif()\n"
+SCRIPT = "add_custom_command(OUTPUT sdk.so COMMAND {}get.py)\n"
+GET = {"get.py": "pass\n"}
+
+
+def package(lines: str, files: dict[str, str] | None = None) -> Example:
+    """A CMake package with lines before ament_package()."""
+    text = CMAKE.replace("ament_package", lines + "ament_package")
+    files = {"CMakeLists.txt": text, **(CORE if files is None else files)}
+    return Example(bad=files, good={}, on="ament_cmake")
+
+
+def linked(place: str, more: str = "", kind: str = "SHARED ") -> Example:
+    return package(LINKED.format(kind, place, more))
+
+
+def headers(more: str) -> Example:
+    return package(f"install(DIRECTORY include DESTINATION include)\n{more}", {"include/my_pkg/core.hpp": "int i();\n"})
+
+
+def scripts(lines: str) -> Example:
+    return package(lines, SCRIPTS)
+
+
+def messages(files: dict[str, str], listed: str = "") -> Example:
+    text = INTERFACES_CMAKE.replace('  "msg/Status.msg"\n', f'{listed}  "msg/Status.msg"\n')
+    return Example(bad={"CMakeLists.txt": text, **files}, good={}, on="interfaces")
+
+
+def depending(names: str, more: str = "", depends: str = "  <depend>std_msgs</depend>\n") -> Example:
+    """Interfaces that depend on packages, and the lines before them."""
+    text = INTERFACES_CMAKE.replace('  "srv/SetMode.srv"\n', f'  "srv/SetMode.srv"\n  DEPENDENCIES {names}\n')
+    text = text.replace("rosidl_generate", f"{more}rosidl_generate", 1)
+    body = manifest(depends + INTERFACES_BODY, "ament_cmake")
+    return Example(bad={"CMakeLists.txt": text, "package.xml": body}, good={}, on="interfaces")
+
+
+def finds(name: str, use: str = "", files: dict[str, str] | None = None) -> Example:
+    return package(f"find_package({name} REQUIRED)\n{use}", files or {})
+
+
+HANDED = """\
+add_library(core SHARED src/core.cpp)
+ament_target_dependencies(core {0})
+install(TARGETS core DESTINATION lib)
+"""
+
+CASES = {
+    "DEP104": (
+        finds("acme_tools", HANDED.format("acme_tools"), CORE),
+        finds("acme", HANDED.format("acme"), CORE),
+        finds("AcmeTools", HANDED.format("AcmeTools"), CORE),
+        finds("acme_tools", HANDED.format("acme_tools"), {**CORE, "cmake/Findacme_tools.cmake": ""}),
+        finds("tf_ros", HANDED.format("tf_ros"), {"src/core.cpp": "#include <tf2_ros/buffer.h>\n"}),
+        finds("GDAL"),
+        finds("GDAL", "add_library(GDAL SHARED IMPORTED)\n"),
+        finds("GDAL", "", {"cmake/FindGDAL.cmake": ""}),
+        finds("GDAL", 'fetchcontent_declare(gdal GIT_REPOSITORY "https://example.org/gdal")\n'),
+        package("find_package(GDAL)\n", {}),
+        finds("Sophus"),
+        finds("Unheard"),
+        finds("Qt5Quick"),
+    ),
+    "DEP105": (
+        package(HANDED.format("rclcpp"), {"src/core.cpp": "#include <acme_tools/srv/set_mode.hpp>\n"}),
+        package(HANDED.format("rclcpp"), {"src/core.cpp": "#include <acme_tools/srv_mode.hpp>\n"}),
+    ),
+    "DEP107": (
+        depending("std_msgs"),
+        depending("std_msgs", "find_package(std_msgs REQUIRED)\n"),
+        depending("std_msgs", "find_package(geometry_msgs REQUIRED)\n"),
+        depending("std_msgs", "find_package(acme_msgs REQUIRED)\n"),
+        depending("std_msgs", depends=""),
+        depending("builtin_interfaces", depends="  <depend>builtin_interfaces</depend>\n"),
+        depending("acme_msgs", depends=""),
+    ),
+    "DEP115": (package("pkg_check_modules(ODE REQUIRED ode)\n", {}),),
+    "CMK103": (
+        linked("lib/${PROJECT_NAME}"),
+        linked("share/my_pkg/"),
+        linked("lib/python3.12/site-packages"),
+        linked("lib64"),
+        linked("lib/my_pkg", "install(TARGETS core DESTINATION lib)\n"),
+        linked("lib/my_pkg", "if(UNKNOWN)\n  install(TARGETS core DESTINATION lib)\nendif()\n"),
+        linked("lib/my_pkg", 'set_target_properties(talker PROPERTIES INSTALL_RPATH "$ORIGIN")\n'),
+        linked("lib/my_pkg", "include(${elsewhere}/more.cmake)\n"),
+        linked("lib/my_pkg", kind=""),
+        package("add_library(core SHARED src/core.cpp)\ninstall(TARGETS core DESTINATION lib/my_pkg)\n"),
+    ),
+    "CMK104": (
+        scripts("install(DIRECTORY scripts/tools DESTINATION lib)\n"),
+        scripts("install(DIRECTORY scripts/ DESTINATION lib/my_pkg)\n"),
+        scripts("install(FILES modes.yaml DESTINATION share)\n"),
+        scripts("install(FILES modes.yaml DESTINATION share/)\ninstall(FILES modes.yaml DESTINATION share/my_pkg)\n"),
+        scripts("install(FILES modes.yaml DESTINATION lib)\n"),
+        scripts("if(UNKNOWN)\n  install(FILES modes.yaml DESTINATION share)\nendif()\n"),
+        package("install(DIRECTORY man DESTINATION share)\n", {"man/man1/talker.1": "talker\n"}),
+        package(
+            "install(DIRECTORY config DESTINATION share)\n", {"config/a.yaml": "a: 1\n", "config/b.yaml": "a: 1\n"}
+        ),
+        package("install(DIRECTORY tools DESTINATION lib)\n", {"tools/plot.py": "x = 1\n"}),
+    ),
+    "CMK106": (headers(""), headers("add_library(core INTERFACE)\nament_export_libraries(core)\n")),
+    "CMK123": (
+        package(SWITCH.format("flase", "NOT with_camera")),
+        package(SWITCH.format("flase", "${with_camera}")),
+        package(SWITCH.format("floor", "with_camera")),
+        package(SWITCH.format("Flase", "A AND with_camera")),
+        package(SWITCH.format("flase other", "with_camera")),
+        package(SWITCH.format("flase CACHE BOOL camera", "with_camera")),
+        package('option(with_camera "camera" fasle)\nif(with_camera)\nendif()\n'),
+        package(SCRIPT.format("${CMAKE_CURRENT_SOURCE_DIR}"), GET),
+        package(SCRIPT.format("${PROJECT_SOURCE_DIR}/"), GET),
+        package(SCRIPT.format("${CMAKE_CURRENT_LIST_DIR}"), GET),
+        package(SCRIPT.format("${CMAKE_CURRENT_SOURCE_DIR}"), {}),
+        package("add_subdirectory(sdk)\n", {"sdk/CMakeLists.txt": SCRIPT.format("${CMAKE_CURRENT_SOURCE_DIR}"), **GET}),
+        package(
+            "add_subdirectory(sdk)\n",
+            {"sdk/CMakeLists.txt": SCRIPT.format("${CMAKE_CURRENT_SOURCE_DIR}"), "sdk/get.py": ""},
+        ),
+        package(
+            "add_subdirectory(sdk)\n",
+            {"sdk/CMakeLists.txt": SCRIPT.format("${CMAKE_CURRENT_SOURCE_DIR}"), "sdk/get.py": "", "sdkget.py": ""},
+        ),
+        package(
+            "add_subdirectory(sdk)\n",
+            {"sdk/CMakeLists.txt": SCRIPT.format("${CMAKE_CURRENT_LIST_DIR}"), "sdk/get.py": ""},
+        ),
+        package("add_library(core SHARED ${CMAKE_CURRENT_SOURCE_DIR}src/core.cpp)\n"),
+    ),
+    "IDL005": (
+        messages({"msg/Speed.msg": "Float32 speed\n"}),
+        messages({"msg/Speed.msg": "stds_msgs/Float32 speed\n"}),
+        messages({"msg/Speed.msg": "acme_msgs/Float32 speed\n"}),
+        messages({"msg/Speed.msg": "int speed\n"}),
+        messages({"msg/speed.msg": "float32 speed\n"}),
+    ),
+    "IDL014": (
+        messages({"msg/Status.msg": "my_pkg/Status[] parts\n"}),
+        messages({"msg/Status.msg": "other_msgs/Status[] parts\n"}),
+        messages({"msg/Status.msg": "Part[] parts\n", "msg/Part.msg": "Status whole\n"}),
+        messages({"msg/Status.msg": "Part[] parts\n", "msg/Part.msg": "Part part\nStatus a\n"}, '  "msg/Part.msg"\n'),
+        Example(
+            bad={
+                "CMakeLists.txt": INTERFACES_CMAKE.replace('"msg/Status.msg"', "${files}"),
+                "msg/Status.msg": "Status a\n",
+            },
+            good={},
+            on="interfaces",
+        ),
+        messages({"srv/Status.srv": "Status a\n---\nStatus b\n"}, '  "srv/Status.srv"\n'),
+    ),
+}
