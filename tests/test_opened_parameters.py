@@ -26,7 +26,7 @@ def levels(files: dict[str, str], *others: str, body: str = "") -> list[str]:
     tree = {f"my_pkg/{path}": text for path, text in {**NATIVE, "CMakeLists.txt": INSTALLED, **files}.items()}
     for name, other in zip("xyz", others, strict=False):
         path = "urdf/r.xacro" if other.startswith("<") else "launch/a.launch.py"
-        tree[f"{name}/package.xml"] = manifest(body, "ament_cmake", name)
+        tree[f"{name}/package.xml"] = manifest("%", "ament_cmake", name).replace("%", body)
         tree[f"{name}/CMakeLists.txt"] = CMAKE.replace("my_pkg", name)
         tree[f"{name}/{path}"] = other
     return [each.severity.value for each in lint_files(tree, ["DEP106"]).findings if each.package == "my_pkg"]
@@ -92,3 +92,29 @@ def test_a_plugin_that_the_node_of_its_own_package_alone_loads(plugin: str, leve
     files = {"config/walk.yaml": PLUGIN.format(plugin), "launch/a.launch.py": "A = 'walk.yaml'\n" + LAUNCH}
     files["package.xml"] = manifest("  <exec_depend>controller_manager</exec_depend>\n", "ament_cmake")
     assert levels(files) == [level]
+
+
+MANAGED = """\
+/**:
+  controller_manager:
+    ros__parameters:
+      wheels:
+        type: diff_drive_controller/DiffDriveController
+      claw:
+        type: joint_state_broadcaster/JointStateBroadcaster
+"""
+
+
+@pytest.mark.parametrize(
+    ("launch", "found"),
+    [
+        ("SPAWNED = ['wheels', 'claw']\n", ["warning", "warning"]),
+        ("SPAWNED = ['wheels']\n", ["warning", "info"]),
+        ("SPAWNED = spawned()\n", ["warning", "warning"]),
+    ],
+)
+def test_a_controller_that_is_not_spawned_beside_others_that_are(launch: str, found: list[str]) -> None:
+    files = {"config/walk.yaml": MANAGED, "launch/a.launch.py": f"PATH = 'walk.yaml'\n{launch}{LAUNCH}"}
+    files["package.xml"] = manifest("  <exec_depend>controller_manager</exec_depend>\n", "ament_cmake")
+    assert levels(files) == found
+    assert levels(files, "A = 'claw'\n", body="  <depend>my_pkg</depend>\n") == ["warning", "warning"]

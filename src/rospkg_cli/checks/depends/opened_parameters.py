@@ -36,6 +36,11 @@ class OpenedParameters:
             return True
         return not EXAMPLE.search(path) and (ANY in self.package.named_yaml or self.is_named_elsewhere(stem))
 
+    def is_spawned(self, controller: str) -> bool:
+        """Return whether a launch file of the package names a controller."""
+        word = re.compile(rf"\b{re.escape(controller)}\b")
+        return any(map(word.search, self.launches))
+
     def is_named_elsewhere(self, stem: str) -> bool:
         """Return whether a text of another package, or one of its robots, names a file."""
         others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
