@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import CMAKE, Example, manifest
+from rospkg_cli.example import CMAKE, SETUP_PY, Example, manifest
 
 NEEDED = manifest("  <exec_depend>launch</exec_depend>\n  <exec_depend>xacro</exec_depend>\n")
 TESTED = """\
@@ -74,6 +74,8 @@ def launches(files: dict[str, str]) -> Example:
 
 
 START = "def generate_launch_description():\n    return None\n"
+YAML = "launch:\n  - arg: {name: rate, default: '2'}\n"
+XML = '<launch>\n  <include file="$(find-pkg-share my_pkg)/launch/robot.launch.xml"/>\n</launch>\n'
 
 NAV = """\
 controller_server:
@@ -108,6 +110,21 @@ CASES = {
         launches({"launch/start.py": "x = 1\n"}),
         launches({"config/start.py": START}),
         launches({"launch/start.txt": START}),
+        launches({"launch/start.yaml": YAML}),
+        launches({"launch/start.yml": "# a\n" + YAML}),
+        launches({"launch/rates.yaml": "relaunch: 1\n"}),
+        launches({"launch/start.xml": XML}),
+        launches({"launch/tree.xml": XML.replace("launch>", "root>")}),
+    ),
+    "SET206": tuple(
+        Example(bad={"setup.py": SETUP_PY, **files}, good={})
+        for files in (
+            {"launch/start.py": START},
+            {"launch/start.yaml": YAML},
+            {"launch/start.launch": XML},
+            {"launch/rates.yaml": "relaunch: 1\n"},
+            {"launch/start.py": "x = 1\n"},
+        )
     ),
     "LCH014": tuple(
         tested(line)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterator
 from functools import cached_property
 
@@ -18,6 +17,7 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.workspace import Workspace
 from ...ros.share_layout import FOLDERS
 from ..share_uses import ShareUses
+from ..started_files import is_started
 
 LAUNCH = "launch"
 FEW = 2
@@ -25,8 +25,6 @@ FEW = 2
 NOBODYS = f"share/{LAUNCH}/"
 """Where nobody wants launch files, whatever else is installed."""
 INSTALLERS = ("install", "ament_auto_package", "autoware_ament_auto_package")
-OF_ROS2 = regex(r"\sexec\s*=|\$\((?:find-pkg-share|var)\s")
-STARTS = regex(r"^def generate_launch_description\b", re.MULTILINE)
 USED_AT_BUILD = regex(r"generate_parameter_|rosidl_|protobuf_|qt\d?_|ament_add_|add_launch_test|add_test|add_ros_test")
 
 
@@ -101,9 +99,13 @@ class RuntimeFolders:
 
     def useful(self, folder: str) -> tuple[str, ...]:
         """Return the files of a folder that are used at run time, without those that the build uses."""
-        paths = self.package.cmake.package_files.below(folder)
-        useful = [path for path in paths if FOLDERS[folder].fullmatch(path.rpartition("/")[2]) or self.is_ros2(path)]
-        ignores = self.package.cmake.package_files.absent.is_ignored
+        files = self.package.cmake.package_files
+        useful = [
+            path
+            for path in files.below(folder)
+            if FOLDERS[folder].fullmatch(path.rpartition("/")[2]) or is_started(files, path)
+        ]
+        ignores = files.absent.is_ignored
         ros1 = {file.path for file in self.launch_files if file.is_ros1}
         useful = [path for path in useful if path not in self.built_from | ros1 and "/test/" not in path]
         return tuple(path for path in useful if not ignores(path) and not (folder == LAUNCH and self.is_blank(path)))
@@ -111,12 +113,6 @@ class RuntimeFolders:
     def is_blank(self, path: str) -> bool:
         """Return whether a launch file is an empty placeholder."""
         return not self.package.cmake.package_files.readable_text(path).strip()
-
-    def is_ros2(self, path: str) -> bool:
-        """Return whether a bare `.launch` is written for ROS 2, or launch can start a `.py` of any name in launch/."""
-        sign = STARTS if path.startswith(f"{LAUNCH}/") and path.endswith(".py") else OF_ROS2
-        is_asked = sign is STARTS or path.endswith(".launch")
-        return is_asked and sign.search(self.package.cmake.package_files.readable_text(path)) is not None
 
     @cached_property
     def built_from(self) -> frozenset[str]:

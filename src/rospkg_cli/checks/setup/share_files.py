@@ -17,6 +17,7 @@ from ...package.setup.python_install_table import MARKERS
 from ...ros.share_layout import FOLDERS, LAUNCH
 from ...suggest import nearest
 from ..share_uses import ShareUses
+from ..started_files import is_started
 from .python_package import PythonPackage
 
 OLD_MODEL = regex(r"model-\d+_\d+\.sdf")
@@ -84,8 +85,13 @@ class ShareFiles:
     def useful(self, folder: str) -> tuple[str, ...]:
         """Return the files of a folder that are used at run time, at any depth."""
         pattern = FOLDERS.get(folder.rpartition("/")[2], re.compile(r"[^.].*"))
-        found = [path for path in self.package.files.below(folder) if pattern.fullmatch(path.rpartition("/")[2])]
-        ignores = self.package.files.absent.is_ignored
+        files = self.package.files
+        found = [
+            path
+            for path in files.below(folder)
+            if pattern.fullmatch(path.rpartition("/")[2]) or is_started(files, path)
+        ]
+        ignores = files.absent.is_ignored
         found = [path for path in found if not path.endswith("/__init__.py") and "/test/" not in path]
         return tuple(path for path in found if not ignores(path))
 
