@@ -60,7 +60,33 @@ ament_target_dependencies(core {0})
 install(TARGETS core DESTINATION lib)
 """
 
+TARGETS = """\
+find_package(rclcpp REQUIRED)
+set(needs {0})
+add_library(core SHARED src/core.cpp)
+{1}
+install(TARGETS core EXPORT core_targets DESTINATION lib)
+ament_export_targets(core_targets NAMESPACE my_pkg::)
+ament_export_dependencies({2})
+"""
+LINKS = "target_link_libraries(core PUBLIC ${needs})"
+HANDS = "ament_target_dependencies(core PUBLIC {})"
+
+
+def targets(needs: str, use: str, exported: str) -> Example:
+    return package(TARGETS.format(needs, use, exported))
+
+
 CASES = {
+    "CMK117": (
+        targets("rclcpp::rclcpp std_msgs::std_msgs", LINKS, "${needs}"),
+        targets("rclcpp::rclcpp", LINKS, "rclcpp::rclcpp"),
+        targets("rclcpp::rclcpp", LINKS, "my_pkg::core"),
+        targets("rclcpp::rclcpp", LINKS, "${std_msgs_TARGETS}"),
+        targets("rclcpp", HANDS.format("rclcpp::rclcpp"), "rclcpp"),
+        targets("rclcpp", HANDS.format("${needs}"), "rclcpp"),
+        targets("rclcpp", "if(WITH)\n" + HANDS.format("rclcpp::rclcpp") + "\nendif()", "rclcpp"),
+    ),
     "DEP104": (
         finds("acme_tools", HANDED.format("acme_tools"), CORE),
         finds("acme", HANDED.format("acme"), CORE),

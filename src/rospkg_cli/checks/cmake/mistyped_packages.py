@@ -17,13 +17,12 @@ from ...ros.aliases import keys_for_cmake
 from ...ros.link_targets import ROS_NAME
 from ...ros.names import NameKind
 from ...suggest import slips
+from .foreign_targets import TAKING, ForeignTargets, foreign_targets
 from .mistyped_links import nearest
 
 EXPORTED, HANDED = "ament_export_dependencies", "ament_target_dependencies"
 AMENT = "ament_"
 OF_PACKAGE = regex(r"\$\{(\w+?)_(LIBRARIES|LIBRARY|LIBS|TARGETS|INCLUDE_DIRS?)\}")
-TAKING = {HANDED: 1, EXPORTED: 0}
-"""Commands that are given packages, and their first argument that is one."""
 KEYWORDS = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
 
 
@@ -54,6 +53,10 @@ class MistypedPackages:
                     yield found
         yield from self.libraries()
         yield from self.keywords()
+
+    def foreign(self) -> Iterator[ForeignTargets]:
+        """Yield the calls that are given targets of packages."""
+        return foreign_targets(self.package)
 
     def keywords(self) -> Iterator[MistypedPackage]:
         """Yield what `ament_target_dependencies` takes for a package: PRIVATE, and a keyword behind a package."""

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.foreign_targets import ForeignTargets
 from ...checks.cmake.mistyped_packages import MistypedPackage, MistypedPackages
+from ...checks.enumeration import in_ticks
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -68,7 +70,8 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     It reads `find_package(… REQUIRED)`, `ament_target_dependencies()` and `ament_export_dependencies()`. In the last
     two it also finds targets of the package itself, which are no packages, in the last one libraries
     (`${OpenCV_LIBRARIES}`) and packages that nobody knows and that the package neither finds nor declares, and in the
-    first one the package itself; in the second one keywords that it does not take (PRIVATE).
+    first one the package itself; in the second one keywords that it does not take (PRIVATE); in the last two targets
+    of packages (`rclcpp::rclcpp`), which are no packages.
 
     ## Why is this bad?
     CMake stops: "Could not find a package configuration file", or "the passed package name … was not found before".
@@ -90,6 +93,7 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
         is_unused = each.call.name == EXPORT and not packages.workspace.is_built_against(packages.package.facts.name)
         level = Severity.WARNING if is_unused or each.kind in ("own", "nowhere") else None
         yield Hit(each.word.path, each.word.span, message(each), level, fix=fix)
+    yield from (given_targets(packages, each) for each in packages.foreign())
 
 
 EXPORT = "ament_export_dependencies"
@@ -98,6 +102,20 @@ STOPS = {
     'found before"',
     EXPORT: "packages that build against this one stop, since they look for it in vain",
 }
+
+
+def given_targets(packages: MistypedPackages, each: ForeignTargets) -> Hit:
+    word, own, facts = each.words[0], each.only_own, packages.package.facts
+    others = [name for name in each.packages if name != facts.name]
+    are, them = ("are targets", "packages") if each.words[1:] else ("is a target", "package")
+    advice = f"name the {them} {in_ticks(others)} here" if others else "remove it"
+    text = f"{each.names} {are}, and no {them}: {STOPS[each.call.name]}; {advice}"
+    is_unused = each.call.name == EXPORT and not packages.workspace.is_built_against(facts.name)
+    fix = None
+    if own is not None and each.packages[0] in packages.found and packages.package.cmake.source_text(own) == own.text:
+        name = each.packages[0]
+        fix = Fix(f"write `{name}`", (Edit(own.path, own.span, name),), Safety.UNSAFE)
+    return Hit(word.path, word.span, text, Severity.WARNING if is_unused else None, fix=fix)
 
 
 def message(each: MistypedPackage) -> str:
