@@ -73,6 +73,9 @@ def test_a_key_of_python_2_without_a_rule_has_another_error() -> None:
     assert found is None
     (found,) = lint(need("python-cairo"))
     assert '"No definition of [python-cairo] for OS version [jammy]"; write `python3-cairo`' in found.message
+    (found,) = lint(need("python-opencv"))
+    assert '"E: Unable to locate package python-opencv"; write `python3-opencv`' in found.message
+    assert not lint(need("python-is-python3"))
     (found,) = lint(need("python-serial"))
     assert "Cannot locate rosdep definition for [python-serial]" in found.message
 

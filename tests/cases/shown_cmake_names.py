@@ -157,6 +157,8 @@ CASES = {
         package("set(MORE_LIBRARIES tf2)\nament_export_dependencies(${MORE_LIBRARIES})\n"),
         package("if(WITH_MORE)\n  ament_export_dependencies(${OpenCV_LIBRARIES})\nendif()\n"),
         package("find_package(my_pkg REQUIRED)\n"),
+        package("find_package(Eigen3::Eigen REQUIRED)\nfind_package(MANIF::manif QUIET)\n"),
+        package("if(WITH_MORE)\n  find_package(Eigen3::Eigen REQUIRED)\nendif()\n"),
         *(
             package(lines + "ament_export_dependencies(acme_arm)\n", files)
             for lines, files in (

@@ -192,6 +192,7 @@ PARAMETERS = python(
         "parameters=unknown",
         "parameters=['a.yaml', source, a, unknown, {'rate': 1}]",
         "parameters=[{'rate', 1}]",
+        "parameters=[{'name': 'rate', 'value': 1}, {'name': 'a', 'rate': 1}, {'name': a, 'value': 1}]",
         "parameters=[{'rate', a}, 5, None, True]",
         "parameters=[[{'rate': 1}]]",
         "parameters=[['a', 'b']]",

@@ -38,6 +38,9 @@ CASES = {
         python({"setup.py": SETUP_PY.replace("license='Apache-2.0'", "licence='Apache-2.0', licens='x'")}),
         python({"setup.py": setup_py("scripts=['my_pkg/' 'talker'],"), "my_pkg/talker": ""}),
         python({"setup.py": setup_py("scripts=['my_pkg/' '+'],")}),
+        python(
+            {"setup.py": SETUP_PY + "\nnames = [NAME + '.a'.\n         NAME + '.b', 'x'.upper(), ('c')\n         .d]\n"}
+        ),
     ),
     "SET311": (
         python(

@@ -30,7 +30,7 @@ KEYWORDS = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
 class MistypedPackage:
     word: Word
     call: EvaluatedCommand
-    kind: Literal["misspelt", "target", "variable", "own", "nowhere", "keyword"]
+    kind: Literal["misspelt", "target", "variable", "own", "nowhere", "keyword", "imported"]
     near: str = ""
     """The package that is certainly intended, of one that is misspelt."""
     variable: str = ""
@@ -53,6 +53,10 @@ class MistypedPackages:
                     yield found
         yield from self.libraries()
         yield from self.keywords()
+        for each in self.package.cmake.packages:
+            package, colons, _ = each.name.partition("::")
+            if colons and each.word.is_known and not each.word.maybe and not each.call.maybe:
+                yield MistypedPackage(each.word, each.call, "imported", package)
 
     def foreign(self) -> Iterator[ForeignTargets]:
         """Yield the calls that are given targets of packages."""

@@ -13,7 +13,7 @@ from ...ros.aliases import last_ros1_distro, successors
 from ...ros.distros import Targets
 from .declared_dependencies import DeclaredDependencies
 from .unavailable_on_target import UnavailableName, lacking_distros
-from .wrong_names import WrongDependencyName, is_installable, wrong_name
+from .wrong_names import WrongDependencyName, is_installable, is_of_python_2, wrong_name
 
 BUILD_TYPES_ALONE = frozenset({"ament_python"})
 NO_NEEDS = frozenset({"doc_depend", "conflict", "replace"})
@@ -109,7 +109,7 @@ class DependencyNames:
         """Return whether a package or a key has the name; a key of Python 2 that no Ubuntu has any more has none."""
         index = self.declared.workspace.index
         if name.startswith("python-"):
-            return is_installable(name, index)
+            return is_installable(name, index) and not is_of_python_2(name, index)
         return index.is_package(name) or index.is_key(name)
 
     def is_of_ros1(self, name: str) -> bool:

@@ -75,6 +75,7 @@ def of_python_2(declared: DeclaredDependencies, dependency: Dependency) -> Wrong
     if key is None:
         return None
     lacking = f"No definition of [{{}}] for OS version [{next(iter(CODENAMES.values()))}]"
+    lacking = "E: Unable to locate package {}" if is_installable(name, index) else lacking
     return WrongDependencyName("is a key of Python 2", key, rosdep_error=lacking if index.is_key(name) else UNKNOWN_KEY)
 
 
@@ -127,6 +128,12 @@ def is_for_python(declared: DeclaredDependencies, dependency: Dependency) -> boo
     """Return whether a name may be one of PyPI: in a C++ package it may be a private dependency."""
     python = declared.facts.build_type == "ament_python"
     return python or "-" in dependency.name or dependency.tag in PYTHON_TAGS
+
+
+def is_of_python_2(key: str, index: Names) -> bool:
+    """Return whether rosdep has a key for all of Ubuntu whose package went with Python 2; another is for 3."""
+    has_other = is_installable(PYTHON_3 + key.removeprefix(PYTHON_2), index)
+    return key.startswith(PYTHON_2) and has_other and "apt" in index.keys.get(key, ())
 
 
 def is_installable(key: str, index: Names) -> bool:

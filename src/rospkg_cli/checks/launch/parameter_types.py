@@ -29,6 +29,9 @@ def parameters_faults(argument: Argument, what: str) -> Iterator[Fault]:
             yield Fault(at, f"{holds}, and this is a list inside the list: {RAISES}; put a `*` before it")
         elif isinstance(item, Constant):
             yield Fault(at, f"{holds}, not {type_name(item)}: {RAISES}")
+        elif isinstance(item, Dict) and (named := named_in_pair(item)):
+            message = f"this sets two parameters, `name` and `value`, and not `{named}`: write `{{'{named}': …}}`"
+            yield Fault(at, message, "warning")
         elif isinstance(item, Dict):
             yield from parameter_value_faults(item, at)
 
@@ -36,6 +39,13 @@ def parameters_faults(argument: Argument, what: str) -> Iterator[Fault]:
 def is_path_alone(items: Sequence) -> bool:
     """Return whether a set holds one text or substitution: launch_ros joins what it holds to the path of a file."""
     return len(items.items) == 1 and (isinstance(items.items[0], Text | PartialText) or is_substitution(items.items[0]))
+
+
+def named_in_pair(values: Dict) -> str:
+    """Return the parameter that a pair of `name` and `value` is meant for, as `<param>` has them; "" for others."""
+    found = {key.text: value for key, value in values.items.values() if isinstance(key, Text)}
+    named = found.get("name")
+    return named.text if found.keys() == {"name", "value"} and isinstance(named, Text) else ""
 
 
 def single_parameters(value: Value) -> str:

@@ -1,4 +1,4 @@
-"""Calls and subscripts of literals, which raise TypeError: two items of a list without a comma between them.
+"""Calls, subscripts and attributes of literals, which raise: two items of a list without a comma between them.
 
 They are what CPython's compiler warns of with "perhaps you missed a comma?".
 """
@@ -25,27 +25,33 @@ SEQUENCES = ("tuple", "list", "str")
 
 @dataclass(frozen=True, slots=True)
 class LostComma:
-    """Where a comma belongs, and what the TypeError says without it."""
+    """Where a comma belongs, and what Python raises without it."""
 
     span: Span
     """From the start of the first item to the end of the second."""
     position: int
     """Behind the first item."""
     error: str
+    instead: int = 0
+    """The length of what stands there in its place."""
 
 
 def lost_commas(file: PythonFile) -> Iterator[LostComma]:
-    """Yield the places where a literal is called, or subscripted by a literal that is no index of it."""
+    """Yield the places where a literal is called, subscripted by no index, or has an attribute that no string has."""
     for node in nodes_of(file.tree):
         match node:
             case ast.Call(func=first) if kind := kind_of(first):
-                yield LostComma(file.span(node), file.span(first).end, f"'{kind}' object is not callable")
+                yield LostComma(file.span(node), file.span(first).end, f"TypeError: '{kind}' object is not callable")
             case ast.Subscript(value=first, slice=index) if (kind := kind_of(first)) in SEQUENCES and (
                 other := kind_of(index)
             ):
                 what = "string" if kind == "str" else kind
-                error = f"{what} indices must be integers or slices, not {other}"
+                error = f"TypeError: {what} indices must be integers or slices, not {other}"
                 yield LostComma(file.span(node), file.span(first).end, error)
+            case ast.Attribute(value=ast.Constant(value=str()) as first, attr=name) if not hasattr("", name):
+                error = f"AttributeError: 'str' object has no attribute '{name}'"
+                if file.source.text.startswith(".", file.span(first).end):
+                    yield LostComma(file.span(node), file.span(first).end, error, len("."))
 
 
 def kind_of(node: ast.expr) -> str:

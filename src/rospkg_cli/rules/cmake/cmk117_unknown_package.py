@@ -39,7 +39,8 @@ def cmake_handed(keyword: str) -> str:
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is exported, and no package of the workspace is built with this one, or only nobody "
-        "here knows it; or it is the package itself, which may be installed from an earlier build"
+        "here knows it; or it is the package itself, which may be installed from an earlier build; or a target is "
+        "looked for and not required"
     },
     examples=(
         Example(
@@ -70,8 +71,8 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     It reads `find_package(… REQUIRED)`, `ament_target_dependencies()` and `ament_export_dependencies()`. In the last
     two it also finds targets of the package itself, which are no packages, in the last one libraries
     (`${OpenCV_LIBRARIES}`) and packages that nobody knows and that the package neither finds nor declares, and in the
-    first one the package itself; in the second one keywords that it does not take (PRIVATE); in the last two targets
-    of packages (`rclcpp::rclcpp`), which are no packages.
+    first one the package itself and names of targets (`Eigen3::Eigen`), required or not; in the second one keywords
+    that it does not take (PRIVATE); in the last two targets of packages (`rclcpp::rclcpp`), which are no packages.
 
     ## Why is this bad?
     CMake stops: "Could not find a package configuration file", or "the passed package name … was not found before".
@@ -91,7 +92,8 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
             edit = Edit(each.word.path, each.word.span, each.near)
             fix = Fix(f"write `{each.near}`", (edit,), Safety.UNSAFE)
         is_unused = each.call.name == EXPORT and not packages.workspace.is_built_against(packages.package.facts.name)
-        level = Severity.WARNING if is_unused or each.kind in ("own", "nowhere") else None
+        is_asked = each.kind == "imported" and "REQUIRED" not in each.call.texts
+        level = Severity.WARNING if is_unused or is_asked or each.kind in ("own", "nowhere") else None
         yield Hit(each.word.path, each.word.span, message(each), level, fix=fix)
     yield from (given_targets(packages, each) for each in packages.foreign())
 
@@ -126,6 +128,8 @@ def message(each: MistypedPackage) -> str:
     if each.kind == "keyword":
         start = f"`{each.call.name}` takes no `{name}` here, only PUBLIC or INTERFACE before the packages"
         return f"{start}: CMake stops; link the targets of the packages with `target_link_libraries` instead"
+    if each.kind == "imported":
+        return f"`{name}` is the name of a target: no package is called so, and none is found; write `{each.near}`"
     if each.kind == "own":
         return f"`{name}` looks for itself: on a clean machine CMake stops, as it is not installed yet; remove the line"
     if each.kind == "variable":

@@ -46,7 +46,7 @@ LISTS: dict[str, tuple[Severity, str]] = {
 def lost_comma(setup: SetupPy) -> Iterator[Hit]:
     """
     ## What it does
-    Finds two items in setup.py without a comma between them.
+    Finds two items in setup.py without a comma between them, or with a dot in its place.
     Of two tuples Python calls the first one, of two strings it makes one. Those of entry points are SET103's, those of
     `data_files` SET205's.
 
@@ -63,8 +63,8 @@ def lost_comma(setup: SetupPy) -> Iterator[Hit]:
     for lost in lost_commas(setup.file):
         level = Severity.WARNING if is_in_function(setup.file, lost.span) else None
         start = setup.source.position(lost.position)[0]
-        message = f'a comma is missing behind line {start}: setup.py stops with "TypeError: {lost.error}"'
-        edit = Edit(setup.path, Span(lost.position, lost.position), ",")
+        message = f'a comma is missing behind line {start}: setup.py stops with "{lost.error}"'
+        edit = Edit(setup.path, Span(lost.position, lost.position + lost.instead), ",")
         yield Hit(setup.path, lost.span, message, level, fix=Fix("add the comma", (edit,), Safety.UNSAFE))
     yield from joined_items(setup)
 
