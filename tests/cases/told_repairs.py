@@ -77,7 +77,38 @@ def targets(needs: str, use: str, exported: str) -> Example:
     return package(TARGETS.format(needs, use, exported))
 
 
+NODE = """\
+#include <rclcpp/rclcpp.hpp>
+#include <rclcpp_components/register_node_macro.hpp>
+RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::Talker)
+"""
+REGISTERS = """\
+find_package(rclcpp REQUIRED)
+find_package(rclcpp_components REQUIRED)
+{}
+target_link_libraries(talker rclcpp::rclcpp rclcpp_components::component)
+install(TARGETS talker DESTINATION lib)
+rclcpp_components_register_node{}
+"""
+ONE = '(talker PLUGIN "my_pkg::Talker" EXECUTABLE talker_node)'
+
+
+def components(target: str, call: str = ONE) -> Example:
+    return package(REGISTERS.format(target.format("src/talker.cpp"), call), {"src/talker.cpp": NODE})
+
+
 CASES = {
+    "CMK108": (
+        components("add_executable(talker {})"),
+        components("add_executable(talker {})", 's(talker "my_pkg::Talker")'),
+        components("add_library(talker STATIC {})"),
+        components("add_library(talker OBJECT {})"),
+        components("add_library(talker {})"),
+        components("add_library(talker MODULE {})"),
+        components("add_executable(talker {})", ONE.replace("Talker", "Speaker")),
+        components("if(WITH)\n  add_executable(talker {0})\nelse()\n  add_library(talker SHARED {0})\nendif()"),
+        components("if(WITH)\n  add_executable(talker {})\nendif()"),
+    ),
     "CMK117": (
         targets("rclcpp::rclcpp std_msgs::std_msgs", LINKS, "${needs}"),
         targets("rclcpp::rclcpp", LINKS, "rclcpp::rclcpp"),

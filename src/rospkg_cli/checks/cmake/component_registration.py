@@ -30,6 +30,11 @@ class RegisteredClass:
     path: str
     span: Span
 
+    @property
+    def unregistered(self) -> str:
+        start = f"`{self.name}` is registered here and by no `rclcpp_components_register_node(…)`"
+        return f"{start}: it can't be loaded by its name; register it in CMakeLists.txt too"
+
 
 @dataclass(frozen=True)
 class ComponentRegistration:
@@ -150,3 +155,9 @@ def sources_of(targets: Iterable[Target]) -> frozenset[str]:
 
 def name_of(argument: CppArgument) -> str:
     return "".join(argument.text.split())
+
+
+def misread_keyword(word: Word) -> str:
+    """Return the sentence of a keyword that is taken for a class."""
+    why = f"`{word.text}` is no class: `rclcpp_components_register_nodes` takes classes alone"
+    return f"{why}, and makes no executable; write `rclcpp_components_register_node`"

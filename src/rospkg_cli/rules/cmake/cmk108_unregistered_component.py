@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.component_registration import MACRO, ComponentRegistration
+from ...checks.cmake.component_registration import MACRO, ComponentRegistration, misread_keyword
+from ...checks.cmake.unloadable_components import unloadable_components
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.cmake.components import Component
@@ -52,7 +53,7 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a source registers a class, no call of CMake does, and no launch file here loads it; or "
-        "the keywords of one node are taken for classes",
+        "the keywords of one node are taken for classes; or it is registered of a program that nothing here loads",
         Severity.INFO: "a source registers a class, and the package links its library itself",
     },
     examples=(
@@ -94,7 +95,7 @@ def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
     ## What it does
     Finds components that CMake and the C++ sources register differently.
     It compares `rclcpp_components_register_node(s)` with the classes in `RCLCPP_COMPONENTS_REGISTER_NODE`, and with the
-    targets that exist.
+    targets that exist: a component has to be in a shared library.
 
     ## Why is this bad?
     Both have to say the same, to the letter. The build is green, and loading the component ends with "Failed to find
@@ -113,15 +114,13 @@ def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
         message = f"nothing makes the target {cmake.quoted(word)}{did_you_mean(word.text, made)}: CMake stops"
         yield Hit(word.path, word.span, f"{message}; name the library that holds `{each.plugin.text}`")
     for word in components.misread_keywords():
-        why = f"`{word.text}` is no class: `rclcpp_components_register_nodes` takes classes alone"
-        message = f"{why}, and makes no executable; write `rclcpp_components_register_node`"
-        yield Hit(word.path, word.span, message, Severity.WARNING)
+        yield Hit(word.path, word.span, misread_keyword(word), Severity.WARNING)
+    for found in unloadable_components(components):
+        yield Hit(found.word.path, found.word.span, found.sentence, Severity(found.level))
     for each in components.without_source():
         yield Hit(each.plugin.path, each.plugin.span, unknown(components, each), related=meant(components, each))
     for source in components.without_cmake():
-        start = f"`{source.name}` is registered here and by no `rclcpp_components_register_node(…)`"
-        message = f"{start}: it can't be loaded by its name; register it in CMakeLists.txt too"
-        yield Hit(source.path, source.span, message, Severity(components.harm(source)))
+        yield Hit(source.path, source.span, source.unregistered, Severity(components.harm(source)))
 
 
 def unknown(components: ComponentRegistration, component: Component) -> str:
