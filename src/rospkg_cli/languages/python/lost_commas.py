@@ -32,6 +32,8 @@ class LostComma:
     position: int
     """Behind the first item."""
     error: str
+    """What the exception says."""
+    exception: str = "TypeError"
     instead: int = 0
     """The length of what stands there in its place."""
 
@@ -41,17 +43,17 @@ def lost_commas(file: PythonFile) -> Iterator[LostComma]:
     for node in nodes_of(file.tree):
         match node:
             case ast.Call(func=first) if kind := kind_of(first):
-                yield LostComma(file.span(node), file.span(first).end, f"TypeError: '{kind}' object is not callable")
+                yield LostComma(file.span(node), file.span(first).end, f"'{kind}' object is not callable")
             case ast.Subscript(value=first, slice=index) if (kind := kind_of(first)) in SEQUENCES and (
                 other := kind_of(index)
             ):
                 what = "string" if kind == "str" else kind
-                error = f"TypeError: {what} indices must be integers or slices, not {other}"
+                error = f"{what} indices must be integers or slices, not {other}"
                 yield LostComma(file.span(node), file.span(first).end, error)
             case ast.Attribute(value=ast.Constant(value=str()) as first, attr=name) if not hasattr("", name):
-                error = f"AttributeError: 'str' object has no attribute '{name}'"
+                error = f"'str' object has no attribute '{name}'"
                 if file.source.text.startswith(".", file.span(first).end):
-                    yield LostComma(file.span(node), file.span(first).end, error, len("."))
+                    yield LostComma(file.span(node), file.span(first).end, error, "AttributeError", len("."))
 
 
 def kind_of(node: ast.expr) -> str:

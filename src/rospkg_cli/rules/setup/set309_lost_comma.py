@@ -63,7 +63,7 @@ def lost_comma(setup: SetupPy) -> Iterator[Hit]:
     for lost in lost_commas(setup.file):
         level = Severity.WARNING if is_in_function(setup.file, lost.span) else None
         start = setup.source.position(lost.position)[0]
-        message = f'a comma is missing behind line {start}: setup.py stops with "{lost.error}"'
+        message = f'a comma is missing behind line {start}: setup.py stops with "{lost.exception}: {lost.error}"'
         edit = Edit(setup.path, Span(lost.position, lost.position + lost.instead), ",")
         yield Hit(setup.path, lost.span, message, level, fix=Fix("add the comma", (edit,), Safety.UNSAFE))
     yield from joined_items(setup)
