@@ -15,6 +15,7 @@ from ..ros1_import import ROS1, ros1_import
 from .brought_dependencies import COLCON, ROSDEP, Bringer
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers, undeclared_provider
+from .pip_installs import PipInstalls
 
 RUNNERS = frozenset({"python3-pytest", "launch_ros", "launch_testing", "ament_index_python"})
 """What runs the tests, and finds files for them: it is fine if it comes with a declared dependency."""
@@ -50,6 +51,11 @@ class ImportDependencies:
     python: PackageImports
     files: PackageFiles
     reached: ReachedModules | None = None
+
+    def is_for_pip(self, missing: UndeclaredImport) -> bool:
+        """Return whether the requirements or a Dockerfile of the repository have pip install it."""
+        index = self.declared.workspace.index
+        return index.is_key(missing.name) and PipInstalls(self.files).has(missing.places[0].module, missing.name, index)
 
     def is_left(self, places: Iterable[ImportUse]) -> bool:
         """Return whether all places are in modules that nothing starts or imports, beside programs."""

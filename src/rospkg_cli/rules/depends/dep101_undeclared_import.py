@@ -17,6 +17,7 @@ BUILD = "`colcon build` stops with ModuleNotFoundError"
 BAD = "import rclpy\nfrom «trajectory_msgs.msg» import JointTrajectory\n"
 ONLY_LAUNCH = "only launch files need it, and `ros2 launch` brings it"
 LEFT = "; nothing starts or imports this module"
+PIP = "; this repository has pip install it"
 OPTIONAL = "; this module is imported only where that may fail"
 
 
@@ -27,7 +28,8 @@ OPTIONAL = "; this module is imported only where that may fail"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment, "
-        "where only PyPI has it, and where nothing but launch files, only `try`, or nothing at all imports the module"
+        "where only PyPI has it or the repository has pip install it, and where nothing but launch files, only `try`, "
+        "or nothing at all imports the module"
     },
     examples=(
         Example(
@@ -67,8 +69,9 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     declared one is another: with a package that is neither here nor in the table of what is installed with what,
     anything may come. A module that no entry point and no other file of the package names or imports, beside others
     that start, is an info, and one that others import under `try` … `except ImportError` alone; so is what
-    `ros2 launch` brings, where only launch files import the module. Left out are optional imports: under `try` …
-    `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
+    `ros2 launch` brings, where only launch files import the module, and a library that a requirements.txt or a
+    Dockerfile of the repository has pip install. Left out are optional imports: under `try` … `except ImportError`,
+    `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
     get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, and the package's
     own modules.
 
@@ -117,6 +120,8 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
     lacks = "" if declared.workspace.named(missing.name) else "rosdep does not install it, and "
     what = ONLY_LAUNCH if is_launch else f"{where_absent(declared, missing.name)} {lacks}{ends}"
     todo = advice(declared, kind, missing.name)
+    if not end and imports.is_for_pip(missing):
+        end = PIP
     message = f"`{missing.name}` is imported{shown} and not declared: {what}; {todo}{end}"
     places = related((place.path, place.span) for place in missing.places)
     mild = bool(end) or is_launch or is_left_out(declared, missing.name)
