@@ -26,6 +26,7 @@ State = Literal["undeclared", "late", "not added"]
 OWN = frozenset("ros_namespace ros_params ros_remaps launch-prefix sigterm_timeout sigkill_timeout log_dir".split())
 """Those that launch and launch_ros use and set themselves."""
 
+SETS = ("declare", "define")
 SHORTEST = 5
 DIGITS = regex(r"\d")
 MENTION = regex(r"(?<!<param name=)['\"]([\w.-]+)['\"](?!\s*:)|\$\(var\s+([\w.-]+)\s*\)")
@@ -125,7 +126,12 @@ class LaunchConfigurations:
         return Counter(one or other for one, other in MENTION.findall(self.file.source.text))
 
     def state(self, name: str, index: int) -> State | None:
-        """Return why a name is not set at an event; None where it may be set in some scope."""
+        """Return why a name is not set at an event; None where it may be set in some scope.
+
+        An argument without a default has to be given wherever it is declared: then it is set from the start.
+        """
+        if self.is_required(name):
+            return None
         if self.may_set_any:
             return "late" if self.last_set["declare"].get(name, -1) >= index else None
         last = max(self.last_set[kind].get(name, -1) for kind in ("declare", "define"))
@@ -134,6 +140,13 @@ class LaunchConfigurations:
         if last >= 0:
             return None
         return "not added" if name in self.file.set_configurations else "undeclared"
+
+    def is_required(self, name: str) -> bool:
+        """Return whether all that sets a name are declarations of an argument that the user has to give."""
+        kinds = {
+            (each.kind, each.is_optional) for each in self.file.events or () if each.name == name and each.kind in SETS
+        }
+        return kinds == {("declare", True)}
 
     @cached_property
     def may_set_any(self) -> bool:

@@ -49,7 +49,8 @@ def late_argument(configurations: LaunchConfigurations) -> Iterator[Hit]:
 
     ## When it is quiet
     Nothing is said where the argument has been set by a file that includes this one, or where something of an unknown
-    name may have set it.
+    name may have set it. An argument without a default has to be given wherever it is declared: without it the launch
+    stops before it begins, and given it is set from the start.
     """
     for each in configurations.unset():
         if each.state == "late":
