@@ -8,7 +8,7 @@ from rospkg_cli.checks.fault import Fault
 from rospkg_cli.checks.params.ambiguous_numbers import canonical, number_faults
 from rospkg_cli.checks.params.rcl_validation import rcl_faults
 from rospkg_cli.checks.params.ros_parameters_key import key_faults
-from rospkg_cli.example import BACKDROPS, manifest
+from rospkg_cli.example import BACKDROPS, existing_files, manifest
 from rospkg_cli.languages.yaml.nodes import ScalarNode, documents
 from rospkg_cli.package.params.parameter_file import ParameterFile
 from rospkg_cli.package.params.scalar_types import type_of, yaml_type
@@ -190,3 +190,32 @@ def test_one_value_that_is_written_twice(first: str, second: str, level: str) ->
     text = f"talker:\n  ros__parameters:\n    a: {first}\n    a: {second}\n"
     (found,) = lint_files({"package.xml": manifest(), "config/a.yaml": text}, ["PRM002"]).findings
     assert found.severity.value == level
+
+
+@pytest.mark.parametrize(
+    ("nodes", "count"),
+    [
+        (("joy_teleop/joy_teleop",), 0),
+        (("listener/listen",), 0),
+        (("native/listen.py", "demo_nodes_py/listener"), 0),
+        (("native/listen",), 1),
+        (("joy_teleop/joy_teleop", "native/listen"), 1),
+        (("unknown/listen",), 1),
+        (("$(var name)/listen",), 1),
+        ((), 1),
+    ],
+)
+def test_an_empty_list_for_nodes_in_python(nodes: tuple[str, ...], count: int) -> None:
+    path = '<param from="$(find-pkg-share my_pkg)/config/a.yaml"/>'
+    lines = [f'<node pkg="{p}" exec="{e}">{path}</node>' for p, _, e in (each.partition("/") for each in nodes)]
+    files = {
+        **{f"my_pkg/{name}": text for name, text in existing_files(BACKDROPS["config"]).items()},
+        "my_pkg/config/a.yaml": "a:\n  ros__parameters:\n    buttons: []\n",
+        "my_pkg/launch/a.launch.xml": f"<launch>{''.join(lines)}</launch>\n",
+        "listener/package.xml": manifest("", "ament_python", "listener"),
+        "listener/setup.py": "",
+        "native/package.xml": manifest("", "ament_cmake", "native"),
+    }
+    assert len(lint_files(files, ["PRM004"]).findings) == count
+    files["my_pkg/config/a.yaml"] = files["my_pkg/config/a.yaml"].replace("a:", "joy_teleop:", 1)
+    assert len(lint_files(files, ["PRM004"]).findings) == (count if nodes else 0)

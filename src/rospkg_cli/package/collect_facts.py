@@ -24,7 +24,7 @@ from .package_facts import PackageFacts, UnknownField
 from .params.collect_declared import declared_parameters, given_parameters
 from .params.named_yaml import named_yaml
 from .params.node_sources import node_code
-from .params.passed_files import handed_yaml
+from .params.passed_files import handed_yaml, yaml_readers
 from .plugins.plugin_facts import described_plugins, loaded_bases
 from .plugins.plugin_uses import plugin_uses
 from .python.run_time_files import run_time_files
@@ -108,6 +108,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("parsed_keys",): one("parsed_keys", parsed_keys),
     ("named_yaml",): one("named_yaml", named_yaml),
     ("handed_yaml",): one("handed_yaml", handed_yaml),
+    ("yaml_readers",): one("yaml_readers", yaml_readers),
     ("robot_words",): one("robot_words", robot_words),
     ("robot_includes",): one("robot_includes", robot_includes),
     ("launch_files",): one("launch_files", launch_signatures),

@@ -91,6 +91,8 @@ class PackageFacts:
     """The YAML files that its texts name, without their suffix; `*` where a name is put together when it runs."""
     handed_yaml: frozenset[tuple[str, str]] = frozenset()
     """The parameter files that its launch files give to nodes by a literal name: package and path in its share."""
+    yaml_readers: frozenset[tuple[str, str, str, str]] = frozenset()
+    """The same files, with package and executable of each node; "" for what is not literal."""
     robot_words: tuple[frozenset[str], ...] = ()
     """The words by which each of its texts may name robots; `*` where a name is put together when it runs, `>` in a
     launch file."""

@@ -14,6 +14,7 @@ from ...package.launch.text import uncommented
 from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import ParameterFile
 from ...package.workspace import Workspace
+from ...ros.python_nodes import PYTHON_PACKAGES, is_python_package
 from ...ros.share_layout import LAUNCH
 from ...source import Span
 from ..fault import Level
@@ -50,10 +51,33 @@ class ParameterFileUse:
     @cached_property
     def is_handed(self) -> bool:
         """Whether a launch file of the workspace gives a node the file by its path."""
-        own = self.package.name
-        rows = self.table.below(f"share/{own}") if self.table is not None else ()
-        paths = [path for path, row in rows if row.source == self.file.path] or [self.file.path]
-        return any(self.workspace.having("handed_yaml", own, path) for path in paths)
+        return any(self.workspace.having("handed_yaml", self.package.name, path) for path in self.share_paths)
+
+    @property
+    def share_paths(self) -> list[str]:
+        """Where the file is installed in the share directory."""
+        rows = self.table.below(f"share/{self.package.name}") if self.table is not None else ()
+        return [path for path, row in rows if row.source == self.file.path] or [self.file.path]
+
+    @cached_property
+    def is_for_python(self) -> bool:
+        """Whether every node that a launch file gives the file is Python, as far as package or name tell.
+
+        Of a file that none gives by its path, every block is for a node that is called like such a package.
+        """
+        files = {(self.package.name, path) for path in self.share_paths}
+        givers = [facts for file in files for facts in self.workspace.having("handed_yaml", *file)]
+        readers = {each[2:] for facts in givers for each in facts.yaml_readers if each[:2] in files}
+        if not readers:
+            blocks = self.file.blocks
+            return bool(blocks) and all(each.name.rpartition("/")[2] in PYTHON_PACKAGES for each in blocks)
+        return all(self.is_python(*each) for each in readers)
+
+    def is_python(self, package: str, executable: str) -> bool:
+        facts = self.workspace.named(package)
+        if executable.endswith(".py") or (facts is not None and facts.build_type == "ament_python"):
+            return True
+        return facts is None and is_python_package(package)
 
     @property
     def is_parsed_by_launch(self) -> bool:

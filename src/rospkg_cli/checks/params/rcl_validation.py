@@ -21,6 +21,8 @@ from ...package.params.scalar_types import type_of
 from ..fault import Fault
 
 REFUSES = "rcl refuses the file, and the node does not start"
+EMPTY_LIST = "rcl can't determine the type of the empty list"
+"""What rcl accepts, and only a node in C++ stops at."""
 NAME = regex(r"[A-Za-z_][A-Za-z0-9_]*")
 WILDCARDS = ("*", "**")
 PLACEHOLDER = regex(r"<\w+>")
@@ -137,7 +139,7 @@ def value_faults(mapping: MappingNode) -> Iterator[Fault]:
 def list_faults(name: str, value: SequenceNode) -> Iterator[Fault]:
     """Yield what is wrong with a list: the first item that rcl can't read, or items of several types."""
     if not value.items:
-        message = f"rcl can't determine the type of the empty list `{name}`: a C++ node stops"
+        message = f"{EMPTY_LIST} `{name}`: a C++ node stops"
         yield Fault(value.span, f'{message} with "No parameter value set"; leave `{name}` out', "warning")
         return
     if only := mapping_in_list(value):

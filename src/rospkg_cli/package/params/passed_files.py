@@ -42,6 +42,26 @@ def handed_yaml(reading: ReaderInput) -> frozenset[tuple[str, str]]:
     )
 
 
+def yaml_readers(reading: ReaderInput) -> frozenset[tuple[str, str, str, str]]:
+    """Return the same files with package and executable of each node, "" for what is not literal.
+
+    A component counts as well, without an executable.
+    """
+    return frozenset(
+        (*found, literal_of(node.package), literal_of(node.executable))
+        for launch in reading.parts(LaunchFile).good
+        for node in launch.nodes
+        if not launch.is_ros1
+        for entry in node.parameters
+        if entry.file is not None
+        for found in path_in_share(entry.file, launch)
+    )
+
+
+def literal_of(text: LaunchText | None) -> str:
+    return (text.literal or "") if text is not None else ""
+
+
 def path_in_share(text: LaunchText, launch: LaunchFile) -> Iterator[tuple[str, str]]:
     """Yield a package and the path below its share directory, where every part of it is known."""
     whole = known_text(text, launch, 0)

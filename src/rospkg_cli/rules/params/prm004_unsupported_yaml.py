@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.parameter_file_use import ParameterFileUse
-from ...checks.params.rcl_validation import rcl_faults
+from ...checks.params.rcl_validation import EMPTY_LIST, rcl_faults
 from ...edits.fault_hits import hits
 from ...example import Example, manifest
 from ...finding import Hit, Severity
@@ -73,9 +73,10 @@ def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
     Files without `ros__parameters` that no launch file passes to a node may hold any YAML, and so may those that a
     launch file parses itself, to hand on values (and what a `RewrittenYaml` fills in), or that only code names and
     parses. rcl takes a list of mappings with one key each (`- a: 1`), and makes parameters of it. An empty list is a
-    warning: a Python node takes it. So is all of a file that no launch file of the workspace gives a node by its path.
-    Of a file that no launch file, program or README of the workspace names, it is an info, where nodes are launched, or
-    the file is not installed, or called an example.
+    warning: a Python node takes it; nothing is said of it where launch files give the file to such nodes alone (of a
+    Python package, or an executable `*.py`). All of a file is a warning that no launch file of the workspace gives a
+    node by its path. Of a file that no launch file, program or README of the workspace names, it is an info, where
+    nodes are launched, or the file is not installed, or called an example.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
@@ -85,7 +86,7 @@ def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
         return
     seen: set[tuple[int, str]] = set()  # `{0.0, 0.0}` lacks two values for one reason
     for fault in rcl_faults(file):
-        if use.is_rewritten(fault.span):
+        if use.is_rewritten(fault.span) or (fault.message.startswith(EMPTY_LIST) and use.is_for_python):
             continue
         place = file.source.position(fault.span.start)[0], fault.message
         if place not in seen:
