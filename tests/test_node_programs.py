@@ -12,6 +12,7 @@ MAIN = "int main(int argc, char ** argv) {return core(argc, argv);}\n"
 BARE = "// no rclcpp::init here\nint main() {return 0;}\n"
 NODE = "#include <rclcpp/rclcpp.hpp>\nint main() {return 0;}\n"
 NAMED = "int main(int c, char ** v) {rclcpp::init(c, v);}\n"
+DERIVED = "struct A : rclcpp::Node {};\n" + NODE
 INIT = "int core(int c, char ** v) {rclcpp::init(c, v);}\n"
 OWN = "add_library(core STATIC src/core.cpp)\ntarget_link_libraries(a core)\n"
 BASE = "add_library(base STATIC src/base.cpp)\ntarget_link_libraries(core base)\n"
@@ -51,7 +52,9 @@ def test_a_program_that_leaves_ros_alone_need_not_be_installed(lines: str, files
     ("place", "source", "level"),
     [
         ("bin", BARE, "info"),
-        ("bin", NODE, "warning"),
+        ("bin", NODE, "info"),
+        ("bin", NAMED, "warning"),
+        ("bin", DERIVED, "warning"),
         ("lib", BARE, "info"),
         ("lib", NODE, "error"),
     ],
@@ -59,3 +62,10 @@ def test_a_program_that_leaves_ros_alone_need_not_be_installed(lines: str, files
 def test_a_program_that_leaves_ros_alone_may_lie_anywhere(place: str, source: str, level: str) -> None:
     lines = "add_executable(a src/a.cpp)\ntarget_link_libraries(a rclcpp::rclcpp)\n"
     assert levels("CMK104", f"{lines}install(TARGETS a DESTINATION {place})\n", a=source) == [level]
+
+
+@pytest.mark.parametrize(("other", "level"), [("lib/${PROJECT_NAME}", "info"), ("bin", "warning")])
+def test_a_node_in_bin_beside_others_that_launch_files_find(other: str, level: str) -> None:
+    lines = "add_executable(a src/a.cpp)\nadd_executable(b src/b.cpp)\ntarget_link_libraries(a rclcpp::rclcpp)\n"
+    lines += f"install(TARGETS a DESTINATION bin)\ninstall(TARGETS b RUNTIME DESTINATION {other})\n"
+    assert levels("CMK104", lines, a=NAMED, b=NAMED)[0] == level

@@ -32,6 +32,8 @@ class MisplacedExecutable:
     """Whether a launch file or the README starts it."""
     is_node: bool
     """Whether it is a node, as far as that is known."""
+    is_tool: bool = False
+    """Whether it lies in bin/ on purpose: it runs no node, or others of its kind go to lib/<package>."""
 
 
 @dataclass(frozen=True)
@@ -63,11 +65,21 @@ class MisplacedExecutables:
                     is_meant = place == "bin" and (rule.call.testing or f"/bin/{name}" in self.pages)
                     if self.is_wrong(place) and not is_meant:
                         ros = self.programs.uses_ros(target.name) and self.programs.may_be_node(target)
-                        yield MisplacedExecutable(word, name, place or "", rule, self.starts(name), ros)
+                        tool = place == "bin" and (self.has_others or not self.programs.runs_node(target))
+                        yield MisplacedExecutable(word, name, place or "", rule, self.starts(name), ros, tool)
             if rule.kind == "PROGRAMS" and rule.destination is not None and self.is_wrong(rule.destination):
                 yield from self.scripts(rule, rule.destination)
             elif rule.kind in ("DIRECTORY", "FILES") and self.is_for_others(rule.destination):
                 yield from self.nodes(rule)
+
+    @cached_property
+    def has_others(self) -> bool:
+        """Whether other programs that CMake builds go to lib/<package>."""
+        right = f"lib/{self.package.facts.name}"
+        built = ((rule, word) for rule in self.package.cmake.installs if rule.kind == "TARGETS" for word in rule.items)
+        targets = ((rule, self.package.cmake.target(word.text)) for rule, word in built)
+        programs = ((rule, target) for rule, target in targets if target is not None and target.is_executable)
+        return any(self.table.artifacts.destination(rule, target) == right for rule, target in programs)
 
     def is_for_others(self, place: str | None) -> bool:
         """Return whether a folder is bin/, or in share/, where nothing is started."""

@@ -19,6 +19,10 @@ ROS = regex(r"(rclcpp|rclcpp_\w+|\w+_(msgs|interfaces))(_TARGETS|_LIBRARIES)?")
 NAMES_ROS = regex(r"\brcl(?:c|cpp)?(?:_\w+)?\b|\brcl(?:c|cpp)?/")
 """What a program has in its own files where it starts a node itself: a name of a client library, or its header."""
 STARTS_ROS = regex(r"\b(?:rclcpp::(?:init|spin)|rclc?_init)\b")
+RUNS_NODE = regex(
+    r"\brclcpp::(?:init|spin|executors)|\brclcpp_lifecycle::|\brclc?_\w*init|\b(?:Lifecycle)?Node\b|\binit\s*\(\s*arg"
+)
+"""What a program has that runs a node, beside those that only read or write bags with the same library."""
 EXECUTABLE = regex(r"""\b(?:node_executable|executable|exec)\s*[=:]\s*["']?([\w.-]+)""")
 MAX_DEPTH = 4
 
@@ -42,6 +46,11 @@ class NodePrograms:
         """
         own = self.texts(target)
         return own is None or any(map(NAMES_ROS.search, own)) or self.is_started_by_library(target.name)
+
+    def runs_node(self, target: Target) -> bool:
+        """Return whether a program runs a node, or its code is not known: one may use messages without a node."""
+        own = self.texts(target)
+        return own is None or any(map(RUNS_NODE.search, own)) or self.is_started_by_library(target.name)
 
     def is_started_by_library(self, name: str, depth: int = 0) -> bool:
         for link in self.links.of(name):

@@ -49,8 +49,8 @@ OF_FILES = ("DIRECTORY", "FILES")
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "neither a launch file nor the README starts the node, and it goes to bin/, or is a script",
-        Severity.INFO: "nothing shows that it is a node, a script is installed as another file, or any file beside the "
-        "packages' folders in lib/ or share/",
+        Severity.INFO: "nothing shows that it is a node, or it lies in bin/ on purpose, a script is installed as "
+        "another file, or any file beside the packages' folders in lib/ or share/",
     },
     examples=(
         Example(
@@ -87,7 +87,9 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
     Where another rule installs it into `lib/<package>` too, under a condition that can't be evaluated, and for what
     tests put into bin/, or a page or script of the package starts by its path (`…/bin/talker`). For scripts that
     neither use rclpy nor are started by name, and for those that a launch file runs by their path. In a folder whose
-    CMakeLists.txt names a project of its own, where `lib/${PROJECT_NAME}` is meant.
+    CMakeLists.txt names a project of its own, where `lib/${PROJECT_NAME}` is meant. In bin/, which is on the PATH, an
+    info is what runs no node (no `rclcpp::init`, no `Node`), as a tool for bags, or lies beside others that go to
+    `lib/<package>`.
 
     ## Fix safety
     What is in bin/, and is started by no launch file and by no README, may be called by its name alone: moving it is
@@ -131,7 +133,7 @@ def level(misplaced: MisplacedExecutable) -> Severity | None:
         return None if misplaced.is_started else Severity.INFO
     if misplaced.is_started:
         return None
-    if not misplaced.is_node:
+    if not misplaced.is_node or misplaced.is_tool:
         return Severity.INFO
     is_quiet = misplaced.destination == "bin" or misplaced.rule.kind == "PROGRAMS"
     return Severity.WARNING if is_quiet else None
