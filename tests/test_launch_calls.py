@@ -218,6 +218,25 @@ def test_keywords_of_ros1_are_renamed(action: str, codes: list[str]) -> None:
     assert [f"{each.code} {each.message.split('; ')[-1].split(': ')[-1]}" for each in found] == codes
 
 
+@pytest.mark.parametrize(
+    ("path", "other", "count"),
+    [
+        ("launch/start_eloquent.py", "launch/start.py", 0),
+        ("launch/elequent_start.py", "launch/start.py", 0),
+        ("launch/foxy/a.launch.py", "launch/humble/a.launch.py", 0),
+        ("launch/a_foxy.launch.py", "launch/a_dashing.launch.py", 1),
+        ("launch/a_foxy_humble.launch.py", "launch/a.launch.py", 1),
+        ("launch/a_galactic.launch.py", "launch/a.launch.py", 1),
+        ("launch/a.launch.py", "launch/b.launch.py", 1),
+    ],
+)
+def test_launch_files_that_are_kept_for_older_distributions(path: str, other: str, count: int) -> None:
+    start = f"{HEAD}def generate_launch_description():\n    return LaunchDescription([Node(package='p', "
+    old, new = (f"{start}{key}='e')])\n" for key in ("node_executable", "executable"))
+    found = lint_files({"package.xml": manifest(), path: old, other: new}, ["LCH005"]).findings
+    assert len(found) == count
+
+
 def test_a_description_that_is_not_returned() -> None:
     file = read("from launch import LaunchDescription\ndef generate_launch_description():\n    LaunchDescription([])\n")
     assert [file.source.slice(each.span) for each in call_faults(file)] == ["generate_launch_description"]

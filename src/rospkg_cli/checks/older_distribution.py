@@ -7,12 +7,16 @@ from functools import cached_property
 from ..files import PackageFiles
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
+from ..package.file_role import role_of
 from ..ros.distros import DISTROS
 from .setup.linked_build import build_files
 
+STARTABLE = (".py", ".xml", ".yaml", ".yml")
 OLDER = ("dashing", "eloquent", "foxy")
 UNSUPPORTED = (*OLDER, "galactic")
 NAMES = regex(rf"(?<![a-z])({'|'.join((*UNSUPPORTED, 'iron', *(each.name for each in DISTROS)))})(?![a-z])")
+SLIPS = {"elequent": "eloquent", "eloquant": "eloquent"}
+IN_PATHS = regex(rf"(?<![a-z])({'|'.join((*SLIPS, *UNSUPPORTED, 'iron', *(each.name for each in DISTROS)))})(?![a-z])")
 
 
 @dataclass(frozen=True)
@@ -33,9 +37,20 @@ class OlderDistribution:
         """
         return bool(self.named) and self.named.issubset(OLDER)
 
+    def is_kept_for_older(self, path: str) -> bool:
+        """Return whether a launch file is called as being for one before Galactic, and another one is for the rest."""
+        others = (each for each in self.files.paths if role_of(each) == "launch" and each.endswith(STARTABLE))
+        return names_older(path) and not all(map(names_older, others))
+
     def is_for_unsupported(self, path: str) -> bool:
         """Return whether none that is supported is named, or a file is called as being for an older one."""
         return (bool(self.named) and self.named.issubset(UNSUPPORTED)) or is_called_older(path)
+
+
+def names_older(path: str) -> bool:
+    """Return whether a file or its folder is called as being for a distribution before Galactic alone."""
+    found = {SLIPS.get(name, name) for name in IN_PATHS.findall(path.lower())}
+    return bool(found) and found.issubset(OLDER)
 
 
 def is_called_older(path: str) -> bool:

@@ -67,8 +67,12 @@ def removed_launch_argument(calls: LaunchCalls) -> Iterator[Hit]:
 
     ## When it is quiet
     Files that check which distribution they run on are left alone, and so are launch files for ROS 1. Where pages and
-    scripts of the repository name Foxy and no later distribution, it is a warning.
+    scripts of the repository name Foxy and no later distribution, it is a warning. A Python file whose name or folder
+    says that it is for Foxy or an older one (`launch/foxy/`, `eloquent_start.py`), beside launch files for others, is
+    left alone.
     """
+    if calls.file.frontend == "python" and calls.distribution.is_kept_for_older(calls.file.path):
+        return
     is_taken = calls.file.frontend == "python" and calls.distribution.is_named_alone
     for fault in removed_arguments(calls.file):
         yield from hits(calls.file.path, [replace(fault, level="warning") if is_taken else fault])
