@@ -167,8 +167,18 @@ def test_libraries_that_are_exported(lines: str, said: str) -> None:
 
 def test_a_library_that_comes_as_a_file_is_exported() -> None:
     files = package(f"{CORE}ament_export_libraries(my_pkg)")
-    assert levels(files, "CMK118") == [WARNING]
+    assert levels(files, "CMK118") == [INFO]
+    assert levels({**files, "include/my_pkg/a.hpp": ""}, "CMK118") == [WARNING]
     assert levels({**files, "lib/libmy_pkg.so": ""}, "CMK118") == []
+
+
+def test_a_library_that_nobody_links() -> None:
+    base = package("add_executable(a a.cpp)\nament_export_libraries(${PROJECT_NAME})")
+    user = package("find_package(base REQUIRED)", "  <depend>base</depend>\n")
+    assert levels(workspace(base=base), "CMK118") == [INFO]
+    assert levels(workspace(base=base, user=user), "CMK118") == [WARNING]
+    python = {"package.xml": user["package.xml"].replace("ament_cmake", "ament_python")}
+    assert levels(workspace(base=base, user=python), "CMK118") == [INFO]
 
 
 def workspace(**packages: dict[str, str]) -> dict[str, str]:

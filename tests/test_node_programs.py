@@ -69,3 +69,22 @@ def test_a_node_in_bin_beside_others_that_launch_files_find(other: str, level: s
     lines = "add_executable(a src/a.cpp)\nadd_executable(b src/b.cpp)\ntarget_link_libraries(a rclcpp::rclcpp)\n"
     lines += f"install(TARGETS a DESTINATION bin)\ninstall(TARGETS b RUNTIME DESTINATION {other})\n"
     assert levels("CMK104", lines, a=NAMED, b=NAMED)[0] == level
+
+
+@pytest.mark.parametrize(
+    ("comment", "level"),
+    [
+        ("#install(TARGETS\n#  a\n#  DESTINATION lib/${PROJECT_NAME}\n#)\n", "info"),
+        ("# install(TARGETS b a DESTINATION lib/${PROJECT_NAME})\n", "info"),
+        ("#[[\ninstall(TARGETS a\n  DESTINATION lib/${PROJECT_NAME})\n]]\n", "info"),
+        ("# install(TARGETS b DESTINATION lib/a)\n", "warning"),
+        ("# install(TARGETS b DESTINATION a)\n", "warning"),
+        ("# install a\n", "warning"),
+    ],
+)
+def test_a_program_whose_install_is_a_comment_is_left_out_on_purpose(comment: str, level: str) -> None:
+    assert levels("CMK103", f"add_executable(a src/a.cpp)\n{comment}", a=NAMED) == [level]
+    readme = "Call `ros2 run my_pkg a` first.\n"
+    assert levels("CMK103", f"add_executable(a src/a.cpp)\n{comment}", a=NAMED, readme=readme) == ["warning"]
+    named = f"add_executable(${{PROJECT_NAME}} src/a.cpp)\n{comment.replace(' a', ' ${PROJECT_NAME}')}"
+    assert levels("CMK103", named, a=NAMED) == [level]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.commented_installs import CommentedInstalls
 from ...checks.cmake.misplaced_libraries import MisplacedLibraries
 from ...checks.cmake.node_programs import NodePrograms
 from ...checks.cmake.target_references import TargetReferences
@@ -11,6 +12,7 @@ from ...edits.cmake_install import install_executable, install_library
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...languages.cmake.targets import Target
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.uninstalled_targets import UninstalledTarget, UninstalledTargets
 from ...rule import rule
@@ -55,7 +57,8 @@ def cmake(lines: str) -> str:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "an exported target needs it: CMake stops",
-        Severity.INFO: "an executable is no node: its sources leave ROS alone, and nothing starts it by `ros2 run`",
+        Severity.INFO: "an executable is no node: its sources leave ROS alone, and nothing starts it by `ros2 run`; or "
+        "a comment has its `install()`",
     },
     examples=(
         Example(
@@ -98,8 +101,15 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
         if near_names(word.text, misspelt):
             continue  # the install rule that means it is CMK110's
         fix = only_plain_names(Fix(f"install `{word.text}`", (edit(package, forgotten),)), word.text)
-        yield Hit(word.path, word.span, message(package, forgotten), level(forgotten, programs), fix=fix)
+        severity = Severity.INFO if is_left_out(programs, forgotten.target) else level(forgotten, programs)
+        yield Hit(word.path, word.span, message(package, forgotten), severity, fix=fix)
     yield from (Hit(each.word.path, each.word.span, each.sentence) for each in MisplacedLibraries(package.cmake).all())
+
+
+def is_left_out(programs: NodePrograms, target: Target) -> bool:
+    """Return whether a comment installs an executable that nothing starts: that was taken back on purpose."""
+    is_idle = target.is_executable and target.name not in programs.started
+    return is_idle and CommentedInstalls(programs.package.cmake).has(target)
 
 
 def level(forgotten: UninstalledTarget, programs: NodePrograms) -> Severity | None:
