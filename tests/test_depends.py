@@ -851,3 +851,79 @@ def test_a_type_of_what_is_included_found_or_declared_is_told_once() -> None:
     assert of_cpp(text, cmake="find_package(nav_msgs REQUIRED)\n") == []
     assert of_cpp(text, line("nav_msgs", "depend")) == []
     assert len(of_cpp(text + text)) == 1
+
+
+STARTS_JOY = '<launch><node pkg="joy" exec="joy_node"/></launch>\n'
+LOOKS_UP = (
+    "from ament_index_python.packages import get_package_share_directory\nA = get_package_share_directory('joy')\n"
+)
+BESIDE = {"beside/package.xml": manifest("  <depend>{}</depend>\n", "ament_python", "beside"), "beside/setup.py": ""}
+
+
+@pytest.mark.parametrize(
+    ("code", "path", "text", "name", "harm"),
+    [
+        (
+            "DEP101",
+            "my_pkg/a.py",
+            "import std_srvs.srv\n",
+            "std_srvs",
+            "in a release it is not installed, and the import",
+        ),
+        ("DEP101", "setup.py", "import numpy\n", "python3-numpy", "on the build farm `colcon build` stops"),
+        ("DEP102", "test/test_a.py", "import cv2\n", "python3-opencv", "on the build farm `colcon test` fails"),
+        ("DEP103", "launch/a.launch.xml", STARTS_JOY, "joy", "in a release the launch stops"),
+        ("DEP116", "my_pkg/a.py", LOOKS_UP, "joy", "in a release the node ends"),
+    ],
+)
+def test_what_a_package_beside_this_one_declares_is_missing_in_a_release(
+    code: str, path: str, text: str, name: str, harm: str
+) -> None:
+    """Who builds both has it, as rosdep reads all of the workspace."""
+    own = {f"own/{each}": body for each, body in PYTHON.items()}
+    before = text + PYTHON["setup.py"] if path == "setup.py" else text
+    beside = {each: body.format(name) for each, body in BESIDE.items()}
+    for others, where in (({}, "on a clean machine"), (beside, harm)):
+        (found,) = lint_files({**own, f"own/{path}": before, **others}, [code]).findings
+        assert where in found.message
+        assert found.severity.value == "warning"
+
+
+@pytest.mark.parametrize(
+    ("lines", "ends"),
+    [
+        ("find_package(Boost REQUIRED)", 'stops with "Could NOT find Boost"'),
+        ("find_package(Boost REQUIRED CONFIG)", 'stops with "Could not find a package configuration file"'),
+        ("find_package(Eigen3 REQUIRED)", 'stops with "Could not find a package configuration file"'),
+        ("find_package(Boost)\ntarget_link_libraries(a Boost::system)", "at the link with `Boost::system`: "),
+        ("find_package(Eigen3)\nament_target_dependencies(a Eigen3)", "at `ament_target_dependencies`: "),
+        ("find_package(Eigen3)\nament_export_dependencies(Eigen3)", "the build stops where it is used"),
+    ],
+)
+def test_with_what_cmake_stops(lines: str, ends: str) -> None:
+    cmake = CMAKE.replace("ament_package()", f"add_executable(a a.cpp)\n{lines}\nament_package()")
+    files = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": cmake, "a.cpp": "int main() {}\n"}
+    (found,) = lint_files(files, ["DEP104"]).findings
+    assert ends in found.message
+    only = manifest("  <test_depend>boost</test_depend>\n  <test_depend>eigen</test_depend>\n", "ament_cmake")
+    (found,) = lint_files({**files, "package.xml": only}, ["DEP201"]).findings
+    assert ends in found.message
+
+
+@pytest.mark.parametrize(
+    ("text", "ends"),
+    [
+        (
+            "import xacro\n\n\ndef generate_launch_description():\n    return xacro\n",
+            "the launch stops with ModuleNotFoundError",
+        ),
+        ("def generate_launch_description():\n    return get_package_share_directory('xacro')\n", "'xacro' not found"),
+    ],
+)
+def test_how_a_launch_ends_without_what_is_for_the_build_alone(text: str, ends: str) -> None:
+    start = "from ament_index_python.packages import get_package_share_directory\n"
+    body = manifest("  <build_depend>xacro</build_depend>\n")
+    files = {**PYTHON, "package.xml": body, "launch/a.launch.py": start + text}
+    found = [each.message for each in lint_files(files, ["DEP201"]).findings if "`xacro`" in each.message]
+    assert len(found) == 1
+    assert ends in found[0]

@@ -53,11 +53,16 @@ def related(places: Iterable[tuple[str, Span]]) -> tuple[Related, ...]:
     return tuple(Related(path, span, "and here") for path, span in [*places][1 : MAX_RELATED + 1])
 
 
-def where_absent(declared: DeclaredDependencies, name: str) -> str:
-    """Return where what is not declared is missing; colcon builds all of a workspace unless it is asked for a part."""
-    if declared.workspace.named(name) is None:
-        return "on a clean machine"
-    return f"after `colcon build --packages-up-to {declared.facts.name}`"
+def where_absent(declared: DeclaredDependencies, *names: str, built: bool = False) -> str:
+    """Return where what is not declared is missing when the package runs, or is `built`, by the names that provide it.
+
+    colcon builds all of a workspace unless it is asked for a part, and rosdep installs what any package of it declares.
+    """
+    if any(declared.workspace.named(name) for name in names):
+        return f"after `colcon build --packages-up-to {declared.facts.name}`"
+    if declared.is_declared_beside(names):
+        return "on the build farm" if built else "in a release"
+    return "on a clean machine"
 
 
 def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:

@@ -192,6 +192,18 @@ class DeclaredDependencies:
             found.update(needs)
         return frozenset(found), known
 
+    def is_declared_beside(self, names: Iterable[str]) -> bool:
+        """Return whether another package of the repository declares one of some names: whoever builds all has it."""
+        own = self.facts.folder
+        folders = next((each for each in self.workspace.repositories if own in each), None)
+        for name in names:
+            for facts in self.workspace.needing(name):
+                near = (folders is None or facts.folder in folders) and not facts.is_for_ros1
+                tags = (need.tag for need in facts.dependencies if need.name == name and need.certain)
+                if near and facts.folder != own and any(tag != "doc_depend" for tag in tags):
+                    return True
+        return False
+
     @cached_property
     def commented_out(self) -> frozenset[str]:
         """The dependencies in comments: they were left out on purpose."""

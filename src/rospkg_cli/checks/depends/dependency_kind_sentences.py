@@ -25,12 +25,9 @@ def ending(each: WrongKind) -> str:
     match each.use.need:
         case "import":
             return "where only a release is installed, ModuleNotFoundError is raised"
-        case "launch":
-            ends = f"\"package '{each.dependency.name}' not found\""
-            return f"where only a release is installed, the launch stops with {ends}"
+        case "launch" | "find":
+            return each.use.ends
         case "include":
             return 'on the build farm the build ends with "No such file or directory"'
-        case "find":
-            return 'on the build farm the build stops with "Could not find a package configuration file"'
         case "link":
             return 'where only what runs is installed, it ends with "cannot open shared object file"'

@@ -11,16 +11,18 @@ from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_SOURCES, implied_by
 from ...ros.manifest import BUILDS, EXPORTED, RUNS, is_buildtool
 from ...source import Span
 from ..cmake.unguarded_tests import TEST_PACKAGES
+from ..launch.absent_package import ends_with
 from .brought_dependencies import Bringer
 from .declared_dependencies import DeclaredDependencies
 from .linked_at_run_time import is_served_at_run_time, loaded_libraries
+from .required_by_cmake import stops_with
 from .undeclared_imports import ImportDependencies
 from .undeclared_includes import IncludeDependencies
 from .undeclared_launch_packages import STARTER, LaunchDependencies, there_to_launch
 
 Need = Literal["import", "launch", "include", "find", "link"]
 
-
+RELEASED = "where only a release is installed,"
 RUNTIME_OF_INTERFACES = "rosidl_default_runtime"
 """By ROS's own tutorials an exec_depend, also where CMake looks for it."""
 
@@ -35,6 +37,8 @@ class KindUse:
     span: Span
     what: str
     """The module, the header, the package that CMake finds, or the target that is linked; "" in a launch file."""
+    ends: str = ""
+    """What happens without it, where the need alone does not say."""
     is_optional: bool = False
     """Whether only files use it that are compiled on demand."""
     is_passed_on: bool = False
@@ -91,7 +95,7 @@ class DependencyKinds:
             yield KindUse(names, "import", place.path, place.span, place.module)
         for use in sorted(self.launch.uses(tests=False), key=lambda use: self.launch.is_example(use.path)):
             if use.name not in there:
-                yield KindUse((use.name,), "launch", use.path, use.span, "")
+                yield KindUse((use.name,), "launch", use.path, use.span, "", ends_with(use, use.name, RELEASED))
 
     def loaded_uses(self) -> Iterator[KindUse]:
         """Yield what installed programs and libraries load, but for what comes with other dependencies for running."""
@@ -114,9 +118,10 @@ class DependencyKinds:
             names = self.includes.find_packages.needed_providers(found)
             others = {*TEST_PACKAGES, RUNTIME_OF_INTERFACES}  # the first are CMK107's
             if names and not found.call.testing and found.name not in others:
-                yield KindUse(names, "find", found.word.path, found.word.span, found.name)
+                ends = f"on the build farm the build stops {stops_with(found, self.includes.cmake)}"
+                yield KindUse(names, "find", found.word.path, found.word.span, found.name, ends)
         for each in self.includes.packages():
             if each.role == "run" and not there.intersection(each.names):
                 first = each.uses[0]
                 optional, passed_on = self.includes.are_optional(each), self.includes.are_passed_on(each)
-                yield KindUse(each.names, "include", first.path, first.span, first.header, optional, passed_on)
+                yield KindUse(each.names, "include", first.path, first.span, first.header, "", optional, passed_on)

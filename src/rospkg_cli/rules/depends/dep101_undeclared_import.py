@@ -12,6 +12,8 @@ from ...finding import Hit, Related, Safety, Severity
 from ...rule import rule
 
 RUN = "the import raises ModuleNotFoundError"
+LACKS = {"on a clean machine": "rosdep does not install it, and ", "in a release": "it is not installed, and "}
+"""What happens first, by the place where a module is missing."""
 BUILD = "`colcon build` stops with ModuleNotFoundError"
 
 BAD = "import rclpy\nfrom «trajectory_msgs.msg» import JointTrajectory\n"
@@ -60,7 +62,8 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
 
     ## Why is this bad?
     It works where the module happens to be installed. On a clean machine `rosdep install` skips what package.xml does
-    not name, and the node ends with ModuleNotFoundError; a released package is broken for all users.
+    not name, and the node ends with ModuleNotFoundError; a released package is broken for all users, also where
+    another package beside it declares the same.
 
     ## When it is quiet
     Of a file that imports `rospy` only that is said, for nothing behind it runs, and of several such files once. What a
@@ -117,8 +120,8 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
     first, declared = missing.places[0], imports.declared
     end, is_launch = unneeded(imports, missing.places), imports.is_for_launch(missing)
     shown = "" if missing.name == first.module.partition(".")[0] else f" here as `{first.module}`"
-    lacks = "" if declared.workspace.named(missing.name) else "rosdep does not install it, and "
-    what = ONLY_LAUNCH if is_launch else f"{where_absent(declared, missing.name)} {lacks}{ends}"
+    where = where_absent(declared, missing.name, built=ends == BUILD)
+    what = ONLY_LAUNCH if is_launch else f"{where} {LACKS.get(where, '')}{ends}"
     todo = advice(declared, kind, missing.name)
     if not end and imports.is_for_pip(missing):
         end = PIP

@@ -120,7 +120,7 @@ def undeclared(launch: LaunchDependencies, tag: str, name: str, uses: list[Packa
         fix = Fix(f"write `{meant}`", (Edit(first.path, first.span, meant),), Safety.UNSAFE)
         fix_or_none = fix if launch.is_written(first) else None
     else:
-        ends = ends_with(first, name, where_absent(declared, name))
+        ends = ends_with(first, name, where_absent(declared, name, built=tag == "test_depend"))
         message = (
             f"`{name}` is not declared, and this launch file {first.does} it: {ends}; {advice(declared, tag, name)}"
         )

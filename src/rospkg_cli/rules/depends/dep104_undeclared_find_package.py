@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_left_out
+from ...checks.depends.required_by_cmake import stops_with
 from ...checks.depends.strange_packages import StrangePackages
 from ...checks.depends.undeclared_find_package import UndeclaredFindPackage
 from ...checks.depends.undeclared_includes import IncludeDependencies
 from ...checks.depends.undeclared_test_commands import CommandsForTests, UndeclaredTestCommand
-from ...edits.undeclared_hits import BroughtUse, advice, brought_includes, declaration, left_to_others
+from ...edits.undeclared_hits import BroughtUse, advice, brought_includes, declaration, left_to_others, where_absent
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...ros.manifest import is_buildtool
@@ -66,7 +67,8 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
 
     ## Why is this bad?
     It builds where the package happens to be installed, or to be built before. On a clean machine and on the build farm
-    CMake stops with "Could not find a package configuration file"; in a workspace colcon may build it too early.
+    CMake stops with "Could not find a package configuration file", or for a module of its own "Could NOT find Boost";
+    in a workspace colcon may build it too early.
 
     ## When it is quiet
     What a declared dependency certainly installs, or may, as anything may come with a package that is not here, is one
@@ -94,8 +96,8 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
             yield Hit(found.word.path, found.word.span, not_installable(missing), Severity.INFO)
             continue
         message = (
-            f"CMake requires `{found.name}`{known}, and package.xml does not declare it: {consequence(missing)}; "
-            f"{advice(declared, kind, name)}"
+            f"CMake requires `{found.name}`{known}, and package.xml does not declare it: "
+            f"{consequence(includes, missing)}; {advice(declared, kind, name)}"
         )
         level = Severity.INFO if is_left_out(declared, name) else Severity.WARNING
         yield Hit(found.word.path, found.word.span, message, level, fix=declaration(declared, kind, name))
@@ -127,6 +129,7 @@ def not_installable(missing: UndeclaredFindPackage) -> str:
     )
 
 
-def consequence(missing: UndeclaredFindPackage) -> str:
+def consequence(includes: IncludeDependencies, missing: UndeclaredFindPackage) -> str:
     what = "the build of the tests" if missing.found.call.testing else "the build"
-    return f'on a clean machine {what} stops with "Could not find a package configuration file"'
+    where = where_absent(includes.declared, *missing.names, built=True)
+    return f"{where} {what} stops {stops_with(missing.found, includes.find_packages.cmake)}"
