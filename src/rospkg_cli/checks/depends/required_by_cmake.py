@@ -30,12 +30,12 @@ def stops_with(found: FoundPackage, cmake: CMake) -> str:
         is_module = found.name in OF_CMAKE and not {"CONFIG", "NO_MODULE"}.intersection(found.call.texts)
         text = f"Could NOT find {found.name}" if is_module else "Could not find a package configuration file"
         return f'with "{text}"'
+    if any(found.name in call.texts for call in cmake.named("ament_target_dependencies")):
+        return 'at `ament_target_dependencies`: "the passed package name … was not found before"'
     for call in cmake.named("target_link_libraries"):
         for word in call.words[1:]:
             if word.text.startswith(f"{found.name}::") and not (word.maybe or call.maybe):
                 return f'at the link with `{word.text}`: "the target was not found"'
-    if any(found.name in call.texts for call in cmake.named("ament_target_dependencies")):
-        return 'at `ament_target_dependencies`: "the passed package name … was not found before"'
     return "where it is used"
 
 
