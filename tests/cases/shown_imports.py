@@ -65,7 +65,30 @@ def two_packages(text: str, other: str = "speech") -> Example:
     return Example(on="", bad=files, good={})
 
 
+TOOLS = MIXED_CMAKE.replace("package(my_pkg)", "package(my_pkg PACKAGE_DIR tools)")
+
+
+def tools(cmake: str) -> Example:
+    """A package with a folder of tools, which imports what is not declared."""
+    files = {"package.xml": MIXED["package.xml"], "CMakeLists.txt": cmake, "tools/plot.py": "import scipy\n"}
+    return Example(bad={**files, "tools/__init__.py": ""}, good={}, on="ament_cmake")
+
+
 CASES = {
+    "DEP101": (
+        tools(TOOLS),
+        tools(TOOLS.replace("ament_python_install_package(my_pkg PACKAGE_DIR tools)\n", "")),
+        tools(
+            MIXED_CMAKE.replace(
+                "ament_python_install_package(my_pkg)", "install(DIRECTORY tools DESTINATION share/my_pkg)"
+            )
+        ),
+        tools(
+            MIXED_CMAKE.replace(
+                "ament_python_install_package(my_pkg)", "install(PROGRAMS tools/plot.py DESTINATION lib/my_pkg)"
+            )
+        ),
+    ),
     "DEP109": (
         importing("import my_pkg.speach\n"),
         *(started(files) for files in REACHING),

@@ -106,6 +106,8 @@ def read_package_imports(reading: ReaderInput) -> Iterator[PackageImports]:
             if file is None:
                 complete = False
                 continue
+            if role == "aside" and path in installed.sources:
+                role = "run"  # whatever its folder is called: CMake or setup.py installs it
             used = installed.has(path) if role == "run" else role != "test" or installed.is_test(path)
             role = "aside" if not used else "test" if is_launch_test(file) else role
             if role == "run":
