@@ -97,6 +97,24 @@ def served(names: str, other: str = "a: 1\n") -> Example:
     return Example(bad={"package.xml": package, **files}, good={}, on="config")
 
 
+DOCKS = """\
+docking_server:
+  ros__parameters:
+    dock_plugins: [{}]
+    dock_x:
+      plugin: opennav_docking::SimpleChargingDock
+    dock_y:
+      plugin: opennav_docking::SimpleChargingDock
+    other:
+      plugin: opennav_docking::SimpleChargingDock
+"""
+
+
+def docked(names: str) -> Example:
+    package = manifest("  <exec_depend>opennav_docking</exec_depend>\n", "ament_cmake")
+    return Example(bad={"package.xml": package, "config/robot.yaml": DOCKS.format(names)}, good={}, on="config")
+
+
 CASES = {
     "PRM008": (
         served("Fast, Lost"),
@@ -104,6 +122,11 @@ CASES = {
         served("Fast, FollowPath"),
         served("Fast, Slow"),
         served("Lost, Gone"),
+        served("Fast, Slow, Slow", "a: 1\n"),
+        served("Fast, Slow, Fast"),
+        docked("dock_x, dock_x"),
+        docked("dock_x, dock_y"),
+        docked("dock_x, other, other"),
     ),
     "CMK101": (
         launches({"launch/start.py": START}),

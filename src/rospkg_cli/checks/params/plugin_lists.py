@@ -33,24 +33,43 @@ def unfound_plugins(block: NodeBlock) -> Iterator[tuple[ScalarNode, str]]:
 
     That is the only one, where one name has no group; else the only one with a similar name.
     """
-    groups = {name.removesuffix(f".{TYPE}") for each in block.parameters if (name := each.name).endswith(f".{TYPE}")}
     used = {each.name.partition(".")[0] for each in block.parameters if "." in each.name}
-    named = {
-        each.value.text for each in block.parameters if ONE.fullmatch(each.name) and isinstance(each.value, ScalarNode)
-    }
-    listed = [
-        item
+    unlisted = unlisted_groups(block)
+    unmatched = [item for _, item in listed_names(block) if item.text not in used]
+    for item in unmatched:
+        found = list(unlisted) if len(unlisted) == len(unmatched) == 1 else near_names(item.text, unlisted)
+        if len(found) == 1:
+            yield item, found[0]
+
+
+def listed_names(block: NodeBlock) -> list[tuple[str, ScalarNode]]:
+    """Return what lists of plugins name, each with the name of its list."""
+    return [
+        (each.name, item)
         for each in block.parameters
         if LISTS.fullmatch(each.name) and isinstance(each.value, SequenceNode)
         for item in each.value.items
         if isinstance(item, ScalarNode)
     ]
-    unlisted = {group for group in groups if "." not in group} - {item.text for item in listed} - named
-    unmatched = [item for item in listed if item.text not in used]
-    for item in unmatched:
-        found = list(unlisted) if len(unlisted) == len(unmatched) == 1 else near_names(item.text, unlisted)
+
+
+def unlisted_groups(block: NodeBlock) -> set[str]:
+    """Return the groups that have a type, and that nothing of the block names."""
+    groups = {name.removesuffix(f".{TYPE}") for each in block.parameters if (name := each.name).endswith(f".{TYPE}")}
+    named = {
+        each.value.text for each in block.parameters if ONE.fullmatch(each.name) and isinstance(each.value, ScalarNode)
+    }
+    return {group for group in groups if "." not in group} - {item.text for _, item in listed_names(block)} - named
+
+
+def doubled_plugins(block: NodeBlock) -> Iterator[tuple[ScalarNode, str, str]]:
+    """Yield each name that a list has twice, with its list and the one group of a similar name that no list has."""
+    unlisted, seen = unlisted_groups(block), set[tuple[str, str]]()
+    for name, item in listed_names(block):
+        found = near_names(item.text, unlisted) if (name, item.text) in seen else []
+        seen.add((name, item.text))
         if len(found) == 1:
-            yield item, found[0]
+            yield item, name, found[0]
 
 
 def lost_plugins(block: NodeBlock) -> Iterator[tuple[ScalarNode, str]]:

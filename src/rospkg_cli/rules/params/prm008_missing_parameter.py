@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from ...checks.older_distribution import is_called_older
 from ...checks.params.launch_parameters import MissingParameters
-from ...checks.params.plugin_lists import lost_plugins, unfound_plugins
+from ...checks.params.plugin_lists import doubled_plugins, lost_plugins, unfound_plugins
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -85,7 +85,8 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
     Finds parameters without a default that neither the launch file nor a parameter file sets.
     A node's code declares them (`declare_parameter<double>("rate")`), and a launch file starts the node. It also finds
     copies of a package's own parameter file that lack such a parameter, and names in a list of plugins that have no
-    group of their own, while another group has no name in the list, or the node is a server of nav2.
+    group of their own, or stand there twice, while another group has no name in the list, or the node is a server of
+    nav2.
 
     ## Why is this bad?
     The node stops when it starts: "Statically typed parameter 'rate' must be initialized".
@@ -110,6 +111,9 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
             for item, group in meant.items():
                 message = f"`{item.text}` has no `{item.text}.plugin` here: the plugin can't be loaded"
                 yield Hit(file.path, item.span, f"{message}; did you mean `{group}`, which no list names?")
+            for item, name, group in doubled_plugins(block):
+                message = f"`{name}` names `{item.text}` twice, and `{group}` never: that plugin is not loaded"
+                yield Hit(file.path, item.span, f"{message}; did you mean `{group}`?")
             for item, name in lost_plugins(block):
                 if item not in meant and not any(f"{item.text}:" in each.source.text for each in scope.code.files):
                     message = f"`{item.text}` of `{name}` has no `{item.text}.plugin`: the server stops when it starts"
