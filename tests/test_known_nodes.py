@@ -227,8 +227,7 @@ FORGOTTEN = ["nothing declares the parameter `mode`: the variable is never set; 
     "code, others, found",
     [
         ('node->get_parameter("mode", mode);', {}, FORGOTTEN),
-        ('node->get_parameter("mode");', {}, []),
-        ('node->get_parameter("mode", mode); node->get_parameter("size", size);', {}, []),
+        ('node->get_parameter("mode", mode); node->get_parameter("size", size); load("mode", "size");', {}, []),
         ('node->get_parameter("mode", mode); node->declare_parameter(name, 1);', {}, []),
         ('node->get_parameter("mode", mode); node->declare_parameters("", all);', {}, []),
         ('node->get_parameter("mode", mode); SyncParametersClient other;', {}, []),

@@ -12,17 +12,13 @@ from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.params.cpp_parameters import has_computed_cpp_names, read_in
 from ...package.params.declared_parameter import DeclaredParameter
-from ...package.params.parameter_file import ParameterFile
 from ...package.params.python_parameters import has_computed_names
 from ...package.params.python_parameters import read_in as read_in_python
 from ...package.python_modules import PythonModules
 from ...package.workspace import Workspace
 from ...source import Source, Span
 from ...suggest import near_names, nearest, slips
-from .declaring_packages import ParameterContext, is_its_own
-from .known_given import KnownNodes
-from .launched_names import LaunchedNames
-from .parameter_file_use import ParameterFileUses
+from .declaring_packages import is_its_own
 
 ALLOWED = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
 """Options of a node that has parameters which no code declares."""
@@ -46,6 +42,10 @@ class UnknownRead:
     throws: bool
     """Whether it certainly throws: it gets one parameter by its name, and nothing in the file may catch that."""
     is_python: bool = False
+    has_others: bool = False
+    """Whether the file declares all others that it gets."""
+    more: tuple[tuple[str, Span], ...] = ()
+    """Other names of the file of which the same is true, and where they stand."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ class ParameterReads:
             slipped = any(slips(read.name, unread_here) for read, _ in unmatched)
             if not unread and not slipped and self.is_stray(file, unmatched, found):
                 read, call = unmatched[0]
-                yield UnknownRead(file.path, (call.arguments or ())[0].span, read.name, "", False)
+                yield UnknownRead(file.path, (call.arguments or ())[0].span, read.name, "", False, has_others=True)
             for read, call in unmatched if unread_here else ():
                 only = len(unread) == 1 and len({read.name for read, _ in unmatched}) == 1
                 suggestion = next(iter(unread)) if only else nearest(read.name, unread)
@@ -133,30 +133,6 @@ class ParameterReads:
             return True
         packages = (facts for facts in self.workspace.packages if facts is not self.package)
         return any(same(each, read) for facts in packages for each in facts.parameters)
-
-
-@dataclass(frozen=True)
-class UnknownParameters:
-    """What files and launch files give and code gets, and what code declares (PRM007)."""
-
-    given: ParameterContext
-    reads: ParameterReads
-    launched: LaunchedNames
-    known: KnownNodes
-    uses: ParameterFileUses
-
-    def is_idle(self, file: ParameterFile | None) -> bool:
-        """Return whether nothing names a parameter file."""
-        return file is not None and self.uses.of(file).is_unnamed
-
-
-def undeclared(read: UnknownRead) -> str:
-    """Return what comes of a parameter that nothing declares, and what may be meant."""
-    lost = "the value that is set for it is never seen" if read.is_python else "the variable is never set"
-    ends = "the node stops with ParameterNotDeclaredException" if read.throws else lost
-    known = f"this file declares `{read.suggestion}` and never gets it"
-    hint = known if read.suggestion else "declare it, as the others here"
-    return f"nothing declares the parameter `{read.name}`: {ends}; {hint}"
 
 
 def allows_any(source: Source) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.params.declaring_packages import ParameterGroup, given_type
 from ...checks.params.launched_names import SIM_TIME, mistyped_sim_time, unknown_to_known
-from ...checks.params.unknown_reads import UnknownParameters, undeclared
+from ...checks.params.unknown_parameters import UnknownParameters, undeclared
 from ...edits.plain_names import only_plain_names
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -83,14 +83,16 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     The package that declares the other parameters of the block declares the similar one, and the block does not give
     it. Names in launch files are compared with what the node's package declares; `wheels` is for `number_of_wheels`
     there. Well-known packages are known without their sources, and `use_sim_time` is of every node. In code
-    `get_parameter` is checked likewise: the file declares a similar name without getting it.
+    `get_parameter` is checked likewise: the file declares a similar name without getting it, or it makes its node, and
+    the name stands nowhere else in the code of the package.
 
     ## Why is this bad?
     The value is dropped, and the node runs with its default; or it stops, or a variable is never set.
 
     ## When it is quiet
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
-    three names. Code is left alone where nodes allow undeclared parameters, or Python computes the name of one.
+    three names. Code is left alone where nodes allow undeclared parameters, or names of them are computed; where other
+    packages may choose the options of a node, or a function or library that it calls may declare them.
     One that is got into a variable, has an alternative, or whose exception may be caught is a warning.
 
     ## Fix safety
@@ -112,8 +114,9 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     for path, span, name in mistyped_sim_time(scope.known.launched):
         message = f"no node has a parameter `{name}`: the value is dropped, and the node runs on the wall clock"
         yield Hit(path, span, f"{message}; write `{SIM_TIME}`")
-    for read in (*scope.reads.in_cpp(), *scope.reads.in_python()):
-        yield Hit(read.path, read.span, undeclared(read), Severity.ERROR if read.throws else None)
+    for read in scope.unknown_reads():
+        others = tuple(Related(read.path, span, "and this one") for _, span in read.more)
+        yield Hit(read.path, read.span, undeclared(read), Severity.ERROR if read.throws else None, others)
 
 
 def renamed(group: ParameterGroup, parameter: Parameter, meant: str) -> Fix | None:

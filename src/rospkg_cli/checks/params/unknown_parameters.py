@@ -1,0 +1,50 @@
+"""What files and launch files give and code gets, against what code declares."""
+
+from __future__ import annotations
+
+from ...light_dataclasses import dataclass
+from ...package.params.parameter_file import ParameterFile
+from .declaring_packages import ParameterContext
+from .forgotten_declarations import ForgottenDeclarations
+from .known_given import KnownNodes
+from .launched_names import LaunchedNames
+from .parameter_file_use import ParameterFileUses
+from .unknown_reads import ParameterReads, UnknownRead
+
+SHOWN = 3
+
+
+@dataclass(frozen=True)
+class UnknownParameters:
+    """What files and launch files give and code gets, and what code declares (PRM007)."""
+
+    given: ParameterContext
+    reads: ParameterReads
+    forgotten: ForgottenDeclarations
+    launched: LaunchedNames
+    known: KnownNodes
+    uses: ParameterFileUses
+
+    def unknown_reads(self) -> list[UnknownRead]:
+        """Return what code gets and nothing declares, each place once."""
+        found = [*self.reads.in_cpp(), *self.reads.in_python()]
+        return [*found, *self.forgotten.all({(each.path, each.span.start) for each in found})]
+
+    def is_idle(self, file: ParameterFile | None) -> bool:
+        """Return whether nothing names a parameter file."""
+        return file is not None and self.uses.of(file).is_unnamed
+
+
+def undeclared(read: UnknownRead) -> str:
+    """Return what comes of a parameter that nothing declares, and what may be meant."""
+    are = "variables are" if read.more else "variable is"
+    lost = "the value that is set for it is never seen" if read.is_python else f"the {are} never set"
+    ends = "the node stops with ParameterNotDeclaredException" if read.throws else lost
+    known = f"this file declares `{read.suggestion}` and never gets it"
+    hint = known if read.suggestion else "declare it, as the others here" if read.has_others else "declare it"
+    names = [f"`{name}`" for name in (read.name, *(name for name, _ in read.more))]
+    last = f"{len(names) - SHOWN} more" if len(names) > SHOWN else names.pop()
+    named = f"{', '.join(names[:SHOWN])} and {last}" if names else last
+    if read.more:
+        ends, hint = ends.replace("for it is", "for them is"), "declare them"
+    return f"nothing declares the parameter{'s' if read.more else ''} {named}: {ends}; {hint}"
