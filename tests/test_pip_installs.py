@@ -8,9 +8,7 @@ from rospkg_cli.example import BACKDROPS, existing_files, manifest
 from rospkg_cli.testing import lint_files
 
 NODE = "import serial\nimport cv2\nimport rclpy\n"
-DOCKERFILE = (
-    "FROM ros:jazzy\nRUN apt install x && pip3 install --no-cache-dir 'pyserial>=3' \\\n    opencv-python\n"
-)
+DOCKERFILE = "FROM ros:jazzy\nRUN apt install x && pip3 install --no-cache-dir 'pyserial>=3' \\\n    opencv-python\n"
 
 
 @pytest.mark.parametrize(

@@ -219,6 +219,15 @@ def resources(*lines: str, **files: str) -> Example:
     return Example(bad={**FILES, **OPENED, **robots, **named}, good={}, on="ament_cmake")
 
 
+HOMES = (
+    "file:///home/ada/ws/install/ur_description/share/ur_description/meshes/a.stl",
+    "/root/ws/src/a.dae",
+    "C:\\Users\\ada\\a.obj",
+    "file://$(find my_pkg)/a.stl",
+    "/home/${user}/a.stl",
+    "/opt/ros/a.stl",
+    "/home/ada",
+)
 CASES = {
     "URD001": (
         xacro(*links(*visual(*SHAPES))),
@@ -270,5 +279,8 @@ CASES = {
                   '<xacro:include filename="nothing.xacro"/>', '<xacro:include filename="nothing.xacro"/>'),
         resources('<xacro:include filename="gone/a.xacro"/>', '<xacro:include filename="gone/b.xacro"/>',
                   '<gazebo><uri>package://my_pkg/gone/c.dae</uri></gazebo>'),
+        resources(*(f'<gazebo><uri> {each}</uri></gazebo>' for each in HOMES[1:]),
+                  f'<link name="l"><visual><geometry><mesh filename="{HOMES[0]}"/></geometry></visual></link>'),
+        resources(f"<gazebo><uri>{HOMES[0]}</uri></gazebo>"),
     ),
 }  # fmt: skip

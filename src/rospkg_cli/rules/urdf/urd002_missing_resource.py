@@ -7,10 +7,12 @@ from collections.abc import Iterator
 from ...checks.fault import Fault, softer
 from ...checks.urdf.missing_files import RobotInWorkspace
 from ...checks.urdf.missing_resource import MissingResource, advice, also, wrong
+from ...checks.urdf.personal_paths import personal_paths, portable
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
 from ...light_dataclasses import replace
 from ...rule import rule
+from ...source import Span
 
 GOOD = """\
 <robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">
@@ -81,7 +83,8 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     ## What it does
     Finds meshes, includes and other files that a robot or a world names and that do not exist.
     It follows `package://name/…`, `$(find name)/…` and relative includes of urdf, xacro, sdf and world files into this
-    package and the others of the workspace, and checks whether the file is among what they install.
+    package and the others of the workspace, and checks whether the file is among what they install. Files that are
+    named by a path in somebody's home folder (`file:///home/ada/…`) are told, too.
 
     Several files of one missing folder are one finding, and so are three or more of a folder of which none is there.
 
@@ -105,6 +108,8 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
         again = tuple(Related(scope.robot.path, other.span, also(each, other)) for other in each.others)
         level, message = judged(scope, each)
         yield Hit(scope.robot.path, each.span, message, level, again)
+    if found := list(personal_paths(scope.robot.document)):
+        yield in_home(scope, found)
 
 
 def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity | None, str]:
@@ -122,3 +127,17 @@ def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity 
     stops = missing.is_include and scope.launched.has(scope.robot.path)
     level = best.level or (None if stops else "warning")
     return Severity(level) if level else None, best.message + advice(missing)
+
+
+def in_home(scope: RobotInWorkspace, found: list[tuple[Span, str]]) -> Hit:
+    """Tell once of the files in a home folder that a robot names."""
+    (first, path), *others = found
+    more = f" and {len(others)} more" if others else ""
+    verb, them = ("are", "they are") if others else ("is", "it is")
+    message = f"`{path}`{more} {verb} on one machine: elsewhere {them} missing"
+    best = scope.weighed(Fault(first, message, "warning"))
+    if scope.is_idle:
+        best = softer(best, "info", "as soon as something opens this robot")
+    again = tuple(Related(scope.robot.path, span, f"`{other}` too") for span, other in others)
+    text = f"{best.message}; write `{portable(path)}`"
+    return Hit(scope.robot.path, first, text, Severity(best.level or "warning"), again)

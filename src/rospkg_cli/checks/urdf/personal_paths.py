@@ -1,0 +1,38 @@
+"""Files that a robot or a world names by a path in one person's home: nobody else has them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.xml.parser import Document
+from ...lazy_regex import regex
+from ...package.urdf.references import text_spans
+from ...source import Span
+
+HOME = regex(
+    r"\s*(?:file://)?(?:/home/[^/${}<>\s]+/|/root/|/Users/[^/${}<>\s]+/|[A-Za-z]:[\\/]Users[\\/])[^\s${}<>]+\s*"
+)
+"""The whole of a path; what a substitution fills in is left alone."""
+
+NAMING = frozenset({"filename", "uri", "url", "path"})
+INSTALLED = regex(r"/install/(?:[^/]+/)?share/(?P<package>[^/]+)/(?P<path>.+)")
+
+
+def personal_paths(document: Document) -> Iterator[tuple[Span, str]]:
+    """Yield the place and the text of each path below a home folder that an attribute or element for files holds."""
+    for element in document.root.walk():
+        for attribute in element.attributes.values():
+            if attribute.name in NAMING and HOME.fullmatch(attribute.value):
+                yield attribute.value_span, attribute.value.strip()
+        if element.tag in NAMING and not element.children and not element.is_self_closing:
+            for span in text_spans(element):
+                text = document.source.slice(span)
+                if HOME.fullmatch(text):
+                    start = span.start + len(text) - len(text.lstrip())
+                    yield Span(start, start + len(text.strip())), text.strip()
+
+
+def portable(path: str) -> str:
+    """Return how everybody can name a file: by its package, where the path goes through an install folder."""
+    found = INSTALLED.search(path)
+    return f"package://{found['package']}/{found['path']}" if found else "package://<package>/<path>"
