@@ -222,6 +222,14 @@ def test_targets_of_a_loop_are_installed_by_their_names() -> None:
     assert "$" not in text.replace("${PROJECT_NAME}", "").partition("endforeach()")[2]
 
 
+def test_an_example_that_a_test_starts_by_its_path_is_where_it_belongs() -> None:
+    lines = "add_executable(a src/a.cpp)\ninstall(TARGETS a DESTINATION share/${PROJECT_NAME}/examples)\n"
+    files = {**package(lines), **NODE}
+    assert len(said(files, "CMK104")) == 1
+    assert said({**files, "test/test_a.py": "PATH = prefix + '/share/my_pkg/examples/a'\n"}, "CMK104") == []
+    assert len(said({**files, "test/test_a.py": "PATH = prefix + '/share/my_pkg/a'\n"}, "CMK104")) == 1
+
+
 def test_all_dependencies_are_exported_in_one_call() -> None:
     text = repaired(exporting(cmk113.LINES.replace("ament_export_dependencies(rclcpp)\n", "")), "CMK113")
     assert "ament_export_targets(export_core HAS_LIBRARY_TARGET)\nament_export_dependencies(rclcpp std_msgs)\n" in text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator, Mapping
 from functools import cached_property
@@ -13,6 +14,7 @@ from ...package.cmake.cmake_install_table import CMakeTableBuilder
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import copied_files
 from ...package.cmake.install_rules import InstallRule
+from ...package.file_role import role_of
 from ...ros.share_layout import LAUNCH
 from .left_out_nodes import is_node
 from .node_programs import NodePrograms
@@ -63,6 +65,7 @@ class MisplacedExecutables:
                 if target is not None and target.is_executable:
                     place, name = artifacts.destination(rule, target), artifacts.file_name(target)
                     is_meant = place == "bin" and (rule.call.testing or f"/bin/{name}" in self.pages)
+                    is_meant = is_meant or self.is_named_with(posixpath.basename(place or ""), name)
                     if self.is_wrong(place) and not is_meant:
                         ros = self.programs.uses_ros(target.name) and self.programs.may_be_node(target)
                         tool = place == "bin" and (self.has_others or not self.programs.runs_node(target))
@@ -113,6 +116,11 @@ class MisplacedExecutables:
         right = f"lib/{self.package.facts.name}"
         return place is not None and not place.startswith("/") and not f"{place}/".startswith(f"{right}/")
 
+    def is_named_with(self, folder: str, name: str) -> bool:
+        """Return whether a launch file, or a test in Python, names a program together with its folder."""
+        wanted = re.compile(rf"\b{re.escape(folder)}/{re.escape(name)}\b")
+        return folder not in ("", "lib", self.package.facts.name) and any(map(wanted.search, self.launch_texts))
+
     def runs_by_path(self, name: str) -> bool:
         """Return whether a launch file has the name of a script in quotes, or at the end of a path."""
         wanted = re.compile(rf"""["'/]{re.escape(name)}["'\s<]""")
@@ -124,7 +132,7 @@ class MisplacedExecutables:
         return tuple(
             self.package.cmake.package_files.readable_text(path)
             for path in paths
-            if LAUNCH.fullmatch(path.rpartition("/")[2])
+            if LAUNCH.fullmatch(path.rpartition("/")[2]) or (path.endswith(".py") and role_of(path) == "test")
         )
 
     @cached_property
