@@ -542,3 +542,41 @@ def test_a_slip_in_an_argument_of_a_well_known_launch_file(given: str, found: li
     assert [(each.severity.value, each.message.partition(":")[0]) for each in said] == [
         ("warning", one) for one in found
     ]
+
+
+SETS = "def late(context):\n    context.launch_configurations{}\n    return []\n\n\n"
+
+
+@pytest.mark.parametrize(
+    ("before", "action", "level"),
+    [
+        ("", "LogInfo(msg='a')", "warning"),
+        ("", "SetLaunchConfiguration('params', 'b.yaml')", "info"),
+        ("", "SetLaunchConfiguration('other', 'b.yaml')", "warning"),
+        (SETS.format("['params'] = 'b.yaml'"), "OpaqueFunction(function=late)", "info"),
+        (SETS.format(".update({'params': 'b.yaml'})"), "OpaqueFunction(function=late)", "info"),
+        (SETS.format("['other'] = 'b.yaml'"), "OpaqueFunction(function=late)", "warning"),
+        (SETS.format(".get('params')"), "OpaqueFunction(function=late)", "warning"),
+    ],
+)
+def test_the_default_of_an_argument_that_the_file_itself_sets(before: str, action: str, level: str) -> None:
+    body = f"""\
+    path = os.path.join(get_package_share_directory('my_pkg'), 'config', 'absent.yaml')
+    params = LaunchConfiguration('params')
+    node = Node(package='a', executable='b', parameters=[params])
+    return LaunchDescription([DeclareLaunchArgument('params', default_value=path), {action}, node])
+"""
+    start, _, end = HEAD.rpartition("def generate")
+    imports = "from launch.actions import OpaqueFunction, SetLaunchConfiguration\n"
+    text = f"{imports}{start}{before}def generate{end}{body}"
+    assert said({**BASE, "launch/a.launch.py": text}, "LCH003") == [f"LCH003 {level}"]
+    both = text.replace("parameters=[params]", "parameters=[path]")
+    assert said({**BASE, "launch/a.launch.py": both}, "LCH003") == ["LCH003 warning"]
+    xml = """\
+<launch>
+  <arg name="params" default="$(find-pkg-share my_pkg)/config/absent.yaml"/>
+  {}<node pkg="a" exec="b"><param from="$(var params)"/></node>
+</launch>
+"""
+    for line, wanted in (("", "warning"), ('<let name="params" value="b.yaml"/>', "info")):
+        assert said({**BASE, "launch/a.launch.xml": xml.format(line)}, "LCH003") == [f"LCH003 {wanted}"]

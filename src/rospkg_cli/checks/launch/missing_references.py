@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 from typing import Literal
 
@@ -14,7 +14,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of
 from ...package.install_table import InstallTable
 from ...package.launch.file_references import FileReference, ReferenceKind
-from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launch_file import DeclaredArgument, LaunchFile
 from ...package.launch.ros1 import is_named_ros1
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
@@ -104,14 +104,21 @@ class LaunchContext:
     @cached_property
     def unread_defaults(self) -> tuple[Span, ...]:
         """The defaults of the arguments that nothing uses."""
-        unused = LaunchConfigurations(self.workspace, self.file).unused()
-        parts = [each.default.parts for each in unused if each.default is not None and each.default.parts]
-        return tuple(Span(each[0].span.start, each[-1].span.end) for each in parts)
+        return tuple(defaults_of(LaunchConfigurations(self.workspace, self.file).unused()))
 
     def is_unread(self, missing: MissingReference) -> bool:
         """Return whether every place that names a file is the default of an argument that nothing uses."""
-        spans = (missing.span, *missing.other_spans)
-        return all(any(d.start <= span.start and span.end <= d.end for d in self.unread_defaults) for span in spans)
+        return is_within(missing, self.unread_defaults)
+
+    @cached_property
+    def overwritten_defaults(self) -> tuple[Span, ...]:
+        """The defaults of the arguments that the file gives another value itself."""
+        names = {text.literal for text in self.file.assigned}
+        return tuple(defaults_of(each for each in self.file.arguments if each.name.literal in names))
+
+    def is_overwritten(self, missing: MissingReference) -> bool:
+        """Return whether every place that names a file is the default of an argument that gets another value."""
+        return is_within(missing, self.overwritten_defaults)
 
     def missing(self) -> Iterator[MissingReference]:
         """Yield each file that is named and missing, once."""
@@ -189,3 +196,18 @@ class LaunchContext:
                 return None
         better_path = closest_path(named.path, [each for each in self.files.paths if each != self.file.path])
         return MissingReference(named.span, self.package.name, named.path, "absent", named.use, better_path)
+
+
+def defaults_of(arguments: Iterable[DeclaredArgument]) -> Iterator[Span]:
+    """Yield where the defaults of arguments are written."""
+    for each in arguments:
+        if each.default is not None and each.default.parts:
+            spans = (each.default.span, *(part.span for part in each.default.parts))
+            yield Span(min(span.start for span in spans), max(span.end for span in spans))
+
+
+def is_within(missing: MissingReference, around: Iterable[Span]) -> bool:
+    """Return whether every place that names a file is one of some defaults, and none is given to a node as well."""
+    spans = (missing.span, *missing.other_spans)
+    inside = all(any(d.start <= span.start and span.end <= d.end for d in around) for span in spans)
+    return inside and missing.use == "default"

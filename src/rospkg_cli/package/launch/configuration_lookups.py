@@ -1,4 +1,4 @@
-"""What a function that launch calls reads of `context.launch_configurations`, a dict of the arguments by name."""
+"""What a function that launch calls reads or sets in `context.launch_configurations`, a dict by name."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from ...languages.python.syntax import PythonSyntax
 from ...light_dataclasses import dataclass
 from ...source import Span
 from .configuration_events import LaunchEvent
+from .text import LaunchText, Literal
 
 DICT = "launch_configurations"
 BRANCHES = (
@@ -47,6 +48,23 @@ def has_other_use(file: PythonSyntax) -> bool:
     nodes = list(nodes_of(file.tree))
     every = sum(isinstance(node, ast.Attribute) and node.attr == DICT for node in nodes)
     return every != sum(lookup(node, file) is not None for node in nodes) or f"'{DICT}'" in file.source.text
+
+
+def names_set(file: PythonSyntax) -> Iterator[LaunchText]:
+    """Yield the literal names that a file sets in the dict: `[name] = value`, `.update({name: value})`."""
+    for node in nodes_of(file.tree) if DICT in file.source.text else ():
+        for key in keys_set(node):
+            if isinstance(key, ast.Constant) and isinstance(key.value, str):
+                yield LaunchText(file.span(key), (Literal(key.value, file.span(key)),))
+
+
+def keys_set(node: ast.AST) -> list[ast.expr | None]:
+    match node:
+        case ast.Subscript(value=ast.Attribute(attr=attr), slice=key, ctx=ast.Store()) if attr == DICT:
+            return [key]
+        case ast.Call(func=ast.Attribute(value=ast.Attribute(attr=attr), attr="update"), args=[ast.Dict(keys=keys)]):
+            return keys if attr == DICT else []
+    return []
 
 
 def lookups(function: ast.AST, file: PythonSyntax) -> Iterator[LaunchEvent]:

@@ -12,6 +12,7 @@ from ...languages.python.evaluate.values import Call, Constant, Mapping, Partial
 from ...languages.python.file import PythonFile
 from .argument_defaults import literal_defaults
 from .collect_texts import file_references
+from .configuration_lookups import names_set
 from .evaluated_launch import EvaluatedLaunch
 from .exception_guards import ABSENT, guarded_in
 from .launch_classes import class_of
@@ -32,7 +33,7 @@ def read_python_launch(file: PythonFile, folder: SandboxFilesystem) -> LaunchFil
     for call in calls:
         of.setdefault(class_of(call), []).append(call)
     arguments = tuple(map(argument_of, of.get("DeclareLaunchArgument", ())))
-    assigned = tuple(argument_text(call, "name") for call in of.get("SetLaunchConfiguration", ()))
+    assigned = (*(argument_text(call, "name") for call in of.get("SetLaunchConfiguration", ())), *names_set(file))
     bare, defaults = tuple(guarded_in(file, ABSENT)), literal_defaults(arguments, assigned)
     every = (node_of(call, kind) for name, kind in NODES.items() for call in of.get(name, ()))
     return LaunchFile(

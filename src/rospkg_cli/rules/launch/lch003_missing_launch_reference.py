@@ -58,7 +58,8 @@ WITHOUT_PARAMETERS = "launch warns, and the node starts with its defaults"
     levels={
         Severity.WARNING: "a process that is started opens it, it is the default of an argument or in the current "
         "directory, its action has a condition, or the launch file is not installed",
-        Severity.INFO: "the action is never added to the launch description, the argument or value never used",
+        Severity.INFO: "the action is never added to the launch description, the argument or value never used, or "
+        "the file itself gives the argument another value",
     },
     examples=(
         Example(
@@ -96,13 +97,16 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     (`git submodule update --init`); so are packages whose installed files are not all known (a CMake macro of another
     package may install some), and launch files of tests that CMake does not run. Where the action has a condition that
     the defaults of the arguments do not make true, it is a warning, where nothing adds the action or uses the value, an
-    info.
+    info, and so is the default of an argument that the file itself gives another value (`SetLaunchConfiguration`, or
+    `context.launch_configurations['x'] = …`).
     """
     for each in scope.missing():
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):
             softer, why = level_at(scope.file, each.span)
             if not softer and scope.is_unread(each):
                 softer, why = "info", "but nothing uses the argument"
+            if not softer and scope.is_overwritten(each):
+                softer, why = "info", "but the launch file gives the argument another value"
             if not softer and not scope.is_installed:
                 softer, why = "warning", "where it is started from the source: it is not installed"
             level = Severity(softer) if softer else None if each.stops_launch else Severity.WARNING
