@@ -347,3 +347,54 @@ def test_a_class_that_what_is_compiled_registers_too(other: str, found: list[str
 @pytest.mark.parametrize(("text", "count"), [("", 0), ("\n", 0), ("<launch/>\n", 1)])
 def test_an_empty_launch_file_is_a_placeholder(text: str, count: int) -> None:
     assert len(levels("CMK101", NATIVE, {"launch/a.launch.xml": text})) == count
+
+
+EARS = """\
+from std_msgs.msg import String
+
+from .device import Device
+
+
+class Ears(Device):
+    def __init__(self, node):
+        super().__init__(node)
+        self.ready = hasattr(self, 'stream'){}
+
+    def hear(self):
+        text = String()
+        text.dta = 'a'
+
+    def start(self):
+        self._node.create_timer(1.0, self.hear)
+"""
+DEVICE = "class Device:\n    def __init__(self, node):\n        self._node = node{}\n"
+MAKES = "from .ears import Ears\n\n\ndef main():\n    ears = Ears(None)\n{}"
+
+
+@pytest.mark.parametrize(
+    ("ears", "device", "makes", "level"),
+    [
+        ("", "", "", "warning"),
+        ("", "", "    return [ears]\n", "error"),
+        ("", "", "    ears.start()\n", "error"),
+        ("", "", "    Ears(None).start()\n", "error"),
+        ("", "", "\n\nclass More(Ears):\n    pass\n", "error"),
+        ("; self.hear()", "", "", "error"),
+        ("; self.start()", "", "", "error"),
+        ("; node.add(self)", "", "", "error"),
+        ("", "; self.start()", "", "error"),
+        ("", "; node.add(self)", "", "error"),
+        ("", "\n\n\nclass Other:\n    pass", "", "warning"),
+    ],
+)
+def test_a_method_of_an_object_that_is_made_and_never_used(ears: str, device: str, makes: str, level: str) -> None:
+    files = {
+        "package.xml": manifest("  <exec_depend>std_msgs</exec_depend>\n"),
+        "setup.py": setup_py(scripts("a = my_pkg.a:main")),
+        "my_pkg/a.py": MAKES.format(makes),
+        "my_pkg/ears.py": EARS.format(ears),
+        "my_pkg/device.py": DEVICE.format(device),
+    }
+    assert levels("IDL010", PYTHON, files) == [level]
+    foreign = {**files, "my_pkg/ears.py": EARS.format(ears).replace("from .device", "from devices")}
+    assert levels("IDL010", PYTHON, {**foreign, "my_pkg/device.py": ""}) == ["error"]

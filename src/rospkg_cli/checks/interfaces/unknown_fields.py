@@ -16,6 +16,7 @@ from ...source import Span
 from ...suggest import near_names, nearest
 from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
+from .idle_objects import IdleObjects
 from .known_interfaces import KnownInterfaces
 from .message_classes import MessageClasses, names_interfaces
 from .message_scopes import MessageScopes
@@ -65,6 +66,14 @@ class FieldUses:
     def is_uncalled(self, use: UnknownField) -> bool:
         """Return whether a use is in a method that no code of the package names."""
         return self.uncalled.has(use.path, use.span)
+
+    @cached_property
+    def idle(self) -> IdleObjects:
+        return IdleObjects(self.run)
+
+    def is_idle(self, use: UnknownField) -> bool:
+        """Return whether a use is in a method of an object that is made and never used."""
+        return self.idle.has(use.path, use.span)
 
     def in_file(self, file: PythonFile, classes: MessageClasses) -> Iterator[UnknownField]:
         for body, variables in MessageScopes(file, classes, self.known.fields).bodies():

@@ -28,6 +28,7 @@ TALKER = "from std_msgs.msg import String\n\n\ndef words():\n    msg = String()\
 
 LEFT = "; nothing starts or imports this module"
 UNCALLED = "; nothing calls this method"
+IDLE = "; its object is made and never used"
 
 
 @rule(
@@ -35,7 +36,7 @@ UNCALLED = "; nothing calls this method"
     "unknown-field",
     over=FieldUses,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "nothing starts or imports the module, or calls the method"},
+    levels={Severity.WARNING: "nothing starts or imports the module, calls the method, or uses the object that has it"},
     examples=(
         Example(
             bad={"package.xml": manifest(DEPENDS), "my_pkg/listener.py": NODE.format("«dat»")},
@@ -69,7 +70,8 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     annotations often take for it; for packages outside of the workspace, unless the name is near a field or was one in
     ROS 1; under a condition that is for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A module that no
     entry point and no other file of the package names or imports, beside others that start, is a warning, and so is a
-    method of a node whose name no other code of the package has.
+    method of a node whose name no other code of the package has, or of an object that is bound to a name which nothing
+    reads, unless its construction comes to the method.
 
     ## Fix safety
     The intended field is a guess.
@@ -82,10 +84,18 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
             fix = Fix(f"write `{first.near}`", edits, Safety.UNSAFE)
         related = tuple(Related(each.path, each.span, "and here") for each in others)
         names = [field[0].name for field in fields]
-        is_uncalled = all(map(uses.is_uncalled, (first, *others)))
-        end = LEFT if uses.is_left(first.path) else UNCALLED if is_uncalled else ""
+        end = unrun(uses, (first, *others))
         level = Severity.WARNING if end else None
         yield Hit(first.path, first.span, f"{message(first, names)}{end}", level, related, fix)
+
+
+def unrun(uses: FieldUses, places: Sequence[UnknownField]) -> str:
+    """Return why none of some places is run; "" where one may be."""
+    if uses.is_left(places[0].path):
+        return LEFT
+    if all(map(uses.is_uncalled, places)):
+        return UNCALLED
+    return IDLE if all(map(uses.is_idle, places)) else ""
 
 
 def together(uses: Iterable[UnknownField]) -> Iterable[Sequence[Sequence[UnknownField]]]:
