@@ -97,7 +97,35 @@ def components(target: str, call: str = ONE) -> Example:
     return package(REGISTERS.format(target.format("src/talker.cpp"), call), {"src/talker.cpp": NODE})
 
 
+WORDS = {
+    "include/my_pkg/words.hpp": "inline int words() {return 0;}\n",
+    "src/talker.cpp": '#include "my_pkg/words.hpp"\n',
+    "src/core.cpp": "int core() {return 1;}\n",
+}
+
+
+def told(*lines: str) -> Example:
+    """A program that includes a header of the package, and a library that does not."""
+    both = ("add_library(core src/core.cpp)", "add_executable(talker src/talker.cpp)", *lines)
+    return package("".join(f"{line}\n" for line in both), WORDS)
+
+
 CASES = {
+    "CMK201": (
+        told("include_directories(${CMAKE_CURRENT_BINARY_DIR})"),
+        told("include_directories(include)"),
+        told("include_directories(${WHERE})"),
+        told("find_package(rclcpp REQUIRED)", "include_directories(${rclcpp_INCLUDE_DIRS})"),
+        told("target_include_directories(core PUBLIC include)"),
+        told("target_include_directories(core PUBLIC include)", "target_link_libraries(talker core)"),
+        told("target_include_directories(core PUBLIC include)", "target_link_libraries(talker ${WHAT})"),
+        told("target_include_directories(talker PRIVATE $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>)"),
+        told("target_include_directories(talker PRIVATE $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/src>)"),
+        told("target_include_directories(talker PUBLIC $<INSTALL_INTERFACE:include>)"),
+        told("target_include_directories(${EVERY} PRIVATE include)"),
+        told("target_include_directories(core PUBLIC include)", "target_compile_options(talker PRIVATE -Iinclude)"),
+        told("target_include_directories(core PUBLIC include)", "add_executable(other src/talker.cpp)"),
+    ),
     "CMK108": (
         components("add_executable(talker {})"),
         components("add_executable(talker {})", 's(talker "my_pkg::Talker")'),

@@ -1,22 +1,24 @@
-"""Headers of the package that are there, in a folder of which no command tells the compiler (CMK201)."""
+"""Headers of the package that are there, in a folder of which its target is not told (CMK201)."""
 
 from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
+from functools import cached_property
 
 from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.foreign_commands import foreign_commands
 from ...source import Span
+from ..cmake.source_targets import SourceTargets
+from .include_folders import IncludeFolders
 from .missing_headers import MissingHeaders
 
-TELLS = regex(
-    r"(?i:(?<![a-z_])(?:target_)?include_directories\s*\()|\bINCLUDE_DIRECTORIES\b|INCLUDE_CURRENT_DIR|FILE_SET"
-    r"|ament_auto_|(?<!\w)-I|isystem"
+OTHERWISE = regex(
+    r"\bINCLUDE_DIRECTORIES\b|INCLUDE_CURRENT_DIR|FILE_SET|ament_auto_|(?<!\w)-I|isystem|(?i:(?<![a-z_])link_libraries\s*\()"
 )
-"""What a CMake file holds that tells the compiler of a folder, or may do so."""
+"""What a CMake file holds that tells the compiler of a folder in another way, or may do so."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +28,8 @@ class UnreachedHeader:
     header: str
     folder: str
     """Where it lies, below the package."""
+    target: str = ""
+    """What is not told of the folder; "" where nothing is told of any."""
 
 
 @dataclass(frozen=True)
@@ -33,11 +37,11 @@ class UnreachedHeaders:
     headers: MissingHeaders
 
     def first(self) -> Iterator[UnreachedHeader]:
-        """Yield the first include of a header that no compiler finds, where nothing tells of any folder: one cause."""
+        """Yield the first include of a header that no compiler finds: one cause."""
         cmake = self.headers.package.cmake
         is_known = cmake.is_complete and not cmake.reads_unknown_files and next(foreign_commands(cmake), None) is None
         finds_itself = any(found.name == self.headers.package.facts.name for found in cmake.packages)
-        if not is_known or finds_itself or any(TELLS.search(file.source.text) for file in cmake.files):
+        if not is_known or finds_itself or any(OTHERWISE.search(file.source.text) for file in cmake.files):
             return
         for source in self.headers.sources:
             if source.path in self.headers.compiled:
@@ -55,5 +59,26 @@ class UnreachedHeaders:
                 continue
             owners = {facts.name for facts in workspace.having("header_files", each.path)} - {name}
             folders = [path.removesuffix(f"/{each.path}") for path in paths if path.endswith(f"/{each.path}")]
-            if len(folders) == 1 and not owners and posixpath.basename(folders[0]) == "include":
-                yield UnreachedHeader(source.path, each.span, each.path, folders[0])
+            is_clear = len(folders) == 1 and not owners and posixpath.basename(folders[0]) == "include"
+            if is_clear and (target := self.without(source.path, folders[0])) is not None:
+                yield UnreachedHeader(source.path, each.span, each.path, folders[0], target)
+
+    def without(self, source: str, folder: str) -> str | None:
+        """Return a target that compiles a source without a folder; "" where no folder is named, None for nobody."""
+        if not self.folders.are_named:
+            return ""
+        cmake = self.headers.package.cmake
+        names = sorted(self.targets.targets_of(source))
+        found = [target for target in cmake.targets if target.name in names]
+        is_open = any(target.call.maybe or target.call.testing or not target.is_built for target in found)
+        if not found or is_open or any(self.folders.may_reach(name, folder) for name in names):
+            return None
+        return names[0]
+
+    @cached_property
+    def folders(self) -> IncludeFolders:
+        return IncludeFolders(self.headers.package)
+
+    @cached_property
+    def targets(self) -> SourceTargets:
+        return SourceTargets(self.headers.package.cmake)

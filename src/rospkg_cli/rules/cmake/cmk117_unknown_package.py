@@ -110,7 +110,7 @@ def given_targets(packages: MistypedPackages, each: ForeignTargets) -> Hit:
     word, own, facts = each.words[0], each.only_own, packages.package.facts
     others = [name for name in each.packages if name != facts.name]
     are, them = ("are targets", "packages") if each.words[1:] else ("is a target", "package")
-    advice = f"name the {them} {in_ticks(others)} here" if others else "remove it"
+    advice = f"name the {'packages' if others[1:] else 'package'} {in_ticks(others)} here" if others else "remove it"
     text = f"{each.names} {are}, and no {them}: {STOPS[each.call.name]}; {advice}"
     is_unused = each.call.name == EXPORT and not packages.workspace.is_built_against(facts.name)
     fix = None

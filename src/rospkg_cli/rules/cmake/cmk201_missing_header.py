@@ -65,7 +65,7 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     They begin with the name of that package (`my_pkg/words.hpp`), or are nearly called like a header in the same
     folder. So are headers in a folder whose name is one or two letters off that of a package that has them, and
     headers of ROS 1 (`ros/ros.h`, `std_msgs/String.h`), the first of each file that the build compiles. Of headers that
-    are there it finds the first, where no command of CMake tells the compiler of any folder.
+    are there it finds the first, where no command of CMake tells its target of the folder.
 
     ## Why is this bad?
     The compiler stops with "No such file or directory". This is what is left when a header was renamed or moved.
@@ -91,9 +91,10 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
 
 
 def unreached(each: UnreachedHeader) -> str:
-    start = f"no command tells the compiler of `{each.folder}/`, where `{each.header}` is"
-    advice = f"add `target_include_directories(… PUBLIC {each.folder})`"
-    return f'{start}: it stops with "No such file"; {advice}'
+    told = f"`{each.target}`" if each.target else "the compiler"
+    start = f"no command tells {told} of `{each.folder}/`, where `{each.header}` is"
+    advice = f"add `target_include_directories({each.target or '…'} PUBLIC {each.folder})`"
+    return f'{start}: {"the compiler" if each.target else "it"} stops with "No such file"; {advice}'
 
 
 def by_header(found: Iterable[MissingHeader]) -> Iterable[list[MissingHeader]]:
