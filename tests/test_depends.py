@@ -889,6 +889,18 @@ def test_what_a_package_beside_this_one_declares_is_missing_in_a_release(
         assert found.severity.value == "warning"
 
 
+def test_what_a_package_beside_declares_is_missing_on_the_build_farm() -> None:
+    own = {f"own/{path}": text for path, text in existing_files(BACKDROPS["interfaces"]).items()}
+    own["own/msg/Place.msg"] = "geometry_msgs/Pose2D pose\n"
+    own["own/CMakeLists.txt"] = CMAKE.replace(
+        "ament_package", "rosidl_generate_interfaces(${PROJECT_NAME} msg/Place.msg)\nament_package"
+    )
+    beside = {each: body.format("geometry_msgs") for each, body in BESIDE.items()}
+    for others, where in (({}, "on a clean machine"), (beside, "on the build farm")):
+        (found,) = lint_files({**own, **others}, ["DEP108"]).findings
+        assert f"{where} the generated code does not build" in found.message
+
+
 @pytest.mark.parametrize(
     ("lines", "ends"),
     [

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from ...checks.depends.interface_types import InterfaceTypeDependencies, InterfaceTypeUse
 from ...checks.depends.name_source import is_left_out
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -78,9 +78,10 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
         if bringer := declared.bringer([name], runs=False):
             brought.append(BroughtUse(name, bringer, "depend", first.path, first.span))
             continue
+        where = where_absent(declared, name, built=True)
         message = (
-            f"`{name}` is not declared, and its `{first.type}` is used here: on a clean machine the generated code "
-            f"does not build; {advice(declared, 'depend', name)}"
+            f"`{name}` is not declared, and its `{first.type}` is used here: {where} the generated code does "
+            f"not build; {advice(declared, 'depend', name)}"
         )
         places = related((use.path, use.span) for use in uses)
         level = Severity.INFO if is_left_out(declared, name) else None
