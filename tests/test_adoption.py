@@ -21,7 +21,7 @@ from rospkg_cli.testing import lint_files
 
 @pytest.fixture
 def package(tmp_path, write, clean) -> Path:
-    manifest = clean["package.xml"].replace("Drives my robot", TODO)
+    manifest = clean["package.xml"].replace("Apache-2.0", TODO)
     return write(tmp_path / "ws" / "my_pkg", {**clean, "package.xml": manifest})
 
 
@@ -33,7 +33,7 @@ def test_a_baseline_holds_when_lines_move_and_shows_what_is_new(package: Path) -
     done = rospkg("lint", "--baseline", package / "known.json", cwd=package.parent)
     assert done.returncode == 0
     assert "1 in the baseline" in done.stdout
-    manifest.write_text(manifest.read_text().replace("Apache-2.0", "TODO"))
+    manifest.write_text(manifest.read_text().replace("  <license>", "  <!-- x --><license>TODO</license>\n  <license>"))
     again = rospkg("lint", "--baseline", "known.json", "--format", "json", cwd=package)
     assert again.returncode == 1
     assert ["TODO" in f["message"] for f in json.loads(again.stdout)["findings"]] == [True]
@@ -41,7 +41,7 @@ def test_a_baseline_holds_when_lines_move_and_shows_what_is_new(package: Path) -
 
 
 def test_a_baseline_sets_each_finding_aside_as_often_as_it_counts_it(clean: dict[str, str]) -> None:
-    text = clean["package.xml"].replace("Drives my robot", TODO)
+    text = clean["package.xml"].replace("Apache-2.0", TODO)
     results = lint_files({**clean, "package.xml": text}, ["XML104"])
     known = keys(results.findings, str)
     before = apply_baseline(results, known, str)
@@ -67,7 +67,7 @@ def test_add_ignores_silences_with_a_reason(package: Path) -> None:
     done = rospkg("lint", "--add-ignores", "it will -- come", cwd=package)
     assert done.returncode == 0, done.stderr
     text = (package / "package.xml").read_text()
-    assert "  <!-- rospkg: ignore[XML104] it will – come -->\n  <description>" in text
+    assert "  <!-- rospkg: ignore[XML104] it will – come -->\n  <license>" in text
     assert rospkg("lint", cwd=package).returncode == 0
     assert rospkg("lint", "--add-ignores", "again", cwd=package).returncode == 0
     assert (package / "package.xml").read_text() == text

@@ -16,7 +16,7 @@ def ws(tmp_path: Path, write: Write, clean: dict[str, str]) -> Path:
     folder = tmp_path / "ws"
     for name in ("a_pkg", "b_pkg"):
         files = {path.replace("my_pkg", name): text.replace("my_pkg", name) for path, text in clean.items()}
-        files["package.xml"] = files["package.xml"].replace("Drives my robot", "TODO")
+        files["package.xml"] = files["package.xml"].replace("Apache-2.0", "TODO")
         write(folder / name, files)
     git(folder, "init", "-q", "-b", "main")
     commit(folder)

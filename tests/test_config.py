@@ -13,7 +13,7 @@ from rospkg_cli.config.schema import ConfigError
 
 @pytest.fixture
 def package(tmp_path, write, clean) -> Path:
-    text = clean["package.xml"].replace("Drives my robot", "TODO")
+    text = clean["package.xml"].replace("Apache-2.0", "TODO")
     return write(tmp_path / "ws" / "my_pkg", {**clean, "package.xml": text})
 
 

@@ -43,7 +43,7 @@ def test_readme_names_every_verb() -> None:
 def test_the_problem_matcher_reads_concise(tmp_path, write, clean) -> None:
     blocks = re.findall(r"```json\n(.*?)```", (ROOT / "docs/in-the-flow.md").read_text(), re.DOTALL)
     pattern = json.loads(blocks[0])["problemMatcher"]["pattern"]
-    manifest = clean["package.xml"].replace("Drives my robot", "TODO")
+    manifest = clean["package.xml"].replace("Apache-2.0", "TODO")
     package = write(tmp_path / "a folder" / "my_pkg", {**clean, "package.xml": manifest})
     (line,) = rospkg("lint", "--format", "concise", cwd=package.parent).stdout.splitlines()
     found = re.fullmatch(pattern["regexp"], line)

@@ -16,7 +16,7 @@ UNUSED = "  <!-- rospkg: ignore[XML104] long gone -->\n"
 @pytest.fixture
 def package(tmp_path, write, clean) -> Path:
     """A package with one finding that has a fix (RPK002), and one that has none (XML104)."""
-    manifest = clean["package.xml"].replace("  <license>", f"{UNUSED}  <license>").replace("Drives my robot", "TODO")
+    manifest = clean["package.xml"].replace("  <name>", f"{UNUSED}  <name>").replace("Apache-2.0", "TODO")
     return write(tmp_path / "my_pkg", {**clean, "package.xml": manifest})
 
 
@@ -24,7 +24,7 @@ def test_fix_lists_what_it_fixed_and_reports_what_is_left(package: Path) -> None
     done = rospkg("lint", "--fix", cwd=package)
     listed, left = done.stdout.split("\n\n", 1)
     assert listed == "Fixed 1 finding in 1 file:\n  package.xml: RPK002 remove the ignore of XML104"
-    assert left.startswith("package.xml:6:16: warning XML104")
+    assert left.startswith("package.xml:8:12: warning XML104")
     assert "1 fixed; 1 warning left in 1 package" in left
     assert (done.returncode, UNUSED in (package / "package.xml").read_text()) == (1, False)
 
@@ -47,9 +47,7 @@ def test_fix_only_still_fails_where_files_changed_or_nothing_is_there(package: P
 
 def test_of_many_fixes_the_first_are_listed_and_all_with_show_fixes(tmp_path: Path, write, clean) -> None:
     for number in range(MOST + 2):
-        manifest = (
-            clean["package.xml"].replace("my_pkg", f"p{number:02}").replace("  <license>", f"{UNUSED}  <license>")
-        )
+        manifest = clean["package.xml"].replace("my_pkg", f"p{number:02}").replace("  <name>", f"{UNUSED}  <name>")
         write(tmp_path / f"p{number:02}", {"package.xml": manifest})
     select = ("--select", "RPK002,XML104")
     few = rospkg("lint", *select, "--fix", cwd=tmp_path).stdout.split("\n\n")[0].splitlines()
@@ -58,7 +56,7 @@ def test_of_many_fixes_the_first_are_listed_and_all_with_show_fixes(tmp_path: Pa
     assert few[1:-1] == [f"  p{n:02}/package.xml: RPK002 remove the ignore of XML104" for n in range(MOST)]
     for number in range(MOST + 2):
         manifest = tmp_path / f"p{number:02}" / "package.xml"
-        manifest.write_text(manifest.read_text().replace("  <license>", f"{UNUSED}  <license>"))
+        manifest.write_text(manifest.read_text().replace("  <name>", f"{UNUSED}  <name>"))
     every = rospkg("lint", *select, "--fix", "--show-fixes", cwd=tmp_path).stdout.split("\n\n")[0].splitlines()
     assert len(every) == MOST + 3
 
@@ -72,11 +70,9 @@ def test_equal_fixes_of_a_file_are_one_line(package: Path) -> None:
 
 def test_other_formats_list_fixes_on_stderr_and_only_where_asked(package: Path) -> None:
     done = rospkg("lint", "--fix", "--format", "concise", "--show-fixes", cwd=package)
-    assert done.stdout.startswith("package.xml:6:16: warning XML104")
+    assert done.stdout.startswith("package.xml:8:12: warning XML104")
     assert done.stderr == "Fixed 1 finding in 1 file:\n  package.xml: RPK002 remove the ignore of XML104\n"
-    (package / "package.xml").write_text(
-        (package / "package.xml").read_text().replace("  <license>", f"{UNUSED}  <license>")
-    )
+    (package / "package.xml").write_text((package / "package.xml").read_text().replace("  <name>", f"{UNUSED}  <name>"))
     silent = rospkg("lint", "--fix", "--format", "concise", cwd=package)
     assert (silent.stdout, silent.stderr) == (done.stdout, "")
 

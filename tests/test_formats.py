@@ -26,10 +26,8 @@ NASTY = "TODO: a \"b\" & <c> | d, 100% 'é' 机器人"
 @pytest.fixture
 def report(clean) -> Report:
     """One suppressed warning, and one whose text needs escaping everywhere."""
-    text = clean["package.xml"].replace("Drives my robot", "TODO: x &quot;b&quot; &amp; &lt;c&gt; | d, 100% 'é' 机器人")
-    text = text.replace(
-        "  <license>", "  <!-- rospkg: ignore[XML104] it will come -->\n  <license>TODO</license>\n  <license>"
-    )
+    text = clean["package.xml"].replace("Apache-2.0", "TODO: x &quot;b&quot; &amp; &lt;c&gt; | d, 100% 'é' 机器人")
+    text = text.replace("</license>", f"</license>\n  {IGNORED}")
     files = {**clean, "package.xml": text, "my_pkg/package.xml.in": "x"}
     return Report(lint_files(files, ["XML104", "RPK001"]), Path("/ws"), Path("/ws"))
 
@@ -76,7 +74,7 @@ def test_gitlab_has_what_gitlab_wants(report: Report) -> None:
     assert entry["severity"] in ("info", "minor", "major", "critical", "blocker")
     assert re.fullmatch("[0-9a-f]{64}", entry["fingerprint"])
     assert entry["location"]["path"] == "package.xml"
-    assert entry["location"]["positions"]["begin"] == {"line": 6, "column": 16}
+    assert entry["location"]["positions"]["begin"] == {"line": 8, "column": 12}
 
 
 def test_gitlab_would_keep_every_finding() -> None:
@@ -105,7 +103,7 @@ def test_fingerprints_hold_when_lines_move(clean) -> None:
         shown = rendered("gitlab", Report(lint_files(files, ["XML104"]), Path("/ws"), Path("/ws")))
         return [entry["fingerprint"] for entry in json.loads(shown)]
 
-    text = clean["package.xml"].replace("Drives my robot", "TODO").replace("Apache-2.0", "TODO")
+    text = clean["package.xml"].replace("Apache-2.0", "TODO").replace("Drives my robot", "")
     before = marks({**clean, "package.xml": text})
     after = marks({**clean, "package.xml": text.replace("  <name>", "\n\n  <!-- moved -->\n  <name>")})
     assert before == after
@@ -115,7 +113,7 @@ def test_fingerprints_hold_when_lines_move(clean) -> None:
 def test_github_escapes_its_own_signs(report: Report) -> None:
     line = rendered("github", report)
     assert line.count("\n") == 1
-    assert line.startswith("::warning file=package.xml,line=6,")
+    assert line.startswith("::warning file=package.xml,line=8,")
     assert "100%25" in line
 
 
@@ -134,7 +132,7 @@ def test_rdjson_suggests_the_edits_of_safe_fixes() -> None:
 
 def test_text_fits_80_columns_and_underlines_the_spot(report: Report) -> None:
     lines = rendered("text", replace(report, width=80)).splitlines()
-    source = next(i for i, line in enumerate(lines) if "<description>" in line)
+    source = next(i for i, line in enumerate(lines) if "<license>" in line)
     assert lines[source + 1].index("^") == lines[source].index("TODO")
     assert all(len(line) <= 80 for line in lines if " | " not in line)
     assert lines[-1].endswith("1 ignored.")
@@ -146,7 +144,7 @@ def test_the_sample_is_what_it_says(report: Report) -> None:
 
 
 def test_equal_findings_have_fingerprints_of_their_own(clean) -> None:
-    text = clean["package.xml"].replace("Drives my robot", "TODO")
+    text = clean["package.xml"].replace("Apache-2.0", "TODO")
     [finding] = lint_files({**clean, "package.xml": text}, ["XML104"]).findings
     report = Report(lint_files(clean), Path("/ws"), Path("/ws"))
     (_, alone), *_ = fingerprints(report, [finding])

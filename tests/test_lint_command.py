@@ -13,7 +13,7 @@ from in_process import run_here
 
 from rospkg_cli.cli.app import app
 
-TODO = "TODO: Package description"
+TODO = "TODO: License declaration"
 
 
 def rospkg(*arguments: object, cwd: Path, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -24,10 +24,8 @@ def rospkg(*arguments: object, cwd: Path, **environment: str) -> subprocess.Comp
 
 @pytest.fixture
 def package(tmp_path, write, clean) -> Path:
-    """A package whose description is a placeholder: one warning."""
-    return write(
-        tmp_path / "ws" / "my_pkg", {**clean, "package.xml": clean["package.xml"].replace("Drives my robot", TODO)}
-    )
+    """A package whose license is a placeholder: one warning."""
+    return write(tmp_path / "ws" / "my_pkg", {**clean, "package.xml": clean["package.xml"].replace("Apache-2.0", TODO)})
 
 
 def test_clean_is_0(tmp_path, write, clean) -> None:
@@ -113,9 +111,9 @@ def test_json_follows_its_schema_and_counts_from_1(package: Path) -> None:
 
 def test_concise_and_github(package: Path) -> None:
     line = run_here("lint", "--format", "concise", cwd=package).stdout
-    assert line.startswith("package.xml:6:16: warning XML104 placeholder-metadata: ")
+    assert line.startswith("package.xml:8:12: warning XML104 placeholder-metadata: ")
     annotation = run_here("lint", "--format", "github", cwd=package).stdout
-    assert annotation.startswith("::warning file=package.xml,line=6,endLine=6,col=16,endColumn=41,title=XML104 ")
+    assert annotation.startswith("::warning file=package.xml,line=8,endLine=8,col=12,endColumn=37,title=XML104 ")
 
 
 def test_output_writes_a_file_beside(package: Path) -> None:
@@ -126,7 +124,7 @@ def test_output_writes_a_file_beside(package: Path) -> None:
 
 def test_jobs_do_not_change_a_byte(tmp_path, write, clean) -> None:
     for number in range(5):
-        manifest = clean["package.xml"].replace("my_pkg", f"pkg_{number}").replace("Drives my robot", TODO)
+        manifest = clean["package.xml"].replace("my_pkg", f"pkg_{number}").replace("Apache-2.0", TODO)
         write(tmp_path / f"pkg_{number}", {"package.xml": manifest})
     one, two = (rospkg("lint", "--format", "json", "--jobs", n, cwd=tmp_path) for n in (1, 2))
     assert one.stdout == two.stdout

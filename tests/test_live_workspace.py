@@ -106,7 +106,7 @@ def test_what_nobody_tells_of_is_seen_on_disk(tmp_path: Path) -> None:
     live.run(order)
     first = dict(live.memory.facts)
     assert not told
-    (tmp_path / "b/package.xml").write_text(MANIFEST.replace("my_pkg", "b").replace("Drives my robot", "TODO"))
+    (tmp_path / "b/package.xml").write_text(MANIFEST.replace("my_pkg", "b").replace("Apache-2.0", "TODO"))
     (tmp_path / "c/setup.py").touch()
     assert "XML104" in [each.code for each in live.run(order).results.findings]
     assert set(told) == {tmp_path / "b/package.xml", tmp_path / "c/setup.py"}

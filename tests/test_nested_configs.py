@@ -16,7 +16,7 @@ def workspace(tmp_path, write, clean) -> Path:
     """A workspace with packages `here` and, in a repository of its own, `there`: each with one warning."""
     for folder in ("src/here", "src/repo/there"):
         name = folder.rpartition("/")[2]
-        text = clean["package.xml"].replace("my_pkg", name).replace("Drives my robot", "TODO")
+        text = clean["package.xml"].replace("my_pkg", name).replace("Apache-2.0", "TODO")
         text = text.replace("  <export>", "  <buildtool_depend>ament_cmake</buildtool_depend>\n  <export>")
         text = text.replace("ament_python", "ament_cmake")
         write(tmp_path / "ws" / folder, {"package.xml": text, "CMakeLists.txt": cmake(name)})
@@ -210,5 +210,5 @@ def test_all_means_every_rule(workspace: Path) -> None:
     assert found(workspace) == set()
     (workspace / "rospkg.toml").unlink()
     text = manifest.read_text()
-    manifest.write_text(text.replace("  <description>", "  <!-- rospkg: ignore[ALL] soon -->\n  <description>"))
+    manifest.write_text(text.replace("  <license>", "  <!-- rospkg: ignore[ALL] soon -->\n  <license>"))
     assert HERE not in found(workspace / "src/here")

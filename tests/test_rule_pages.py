@@ -116,7 +116,7 @@ def test_formats_and_editors_lead_to_a_page_on_the_web(
     place: str, leads_to: str | None, clean: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(rule_address, "PAGES", place)
-    text = clean["package.xml"].replace("Drives my robot", "TODO")
+    text = clean["package.xml"].replace("Apache-2.0", "TODO")
     results = lint_files({**clean, "package.xml": text}, ["XML104"])
     shown = {}
     for form in ("sarif", "rdjson"):
@@ -136,7 +136,7 @@ def test_on_a_terminal_a_code_is_a_link_to_its_page(
     color: bool, width: int | None, is_link: bool, clean: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(rule_address, "PAGES", WEB)
-    results = lint_files({**clean, "package.xml": clean["package.xml"].replace("Drives my robot", "TODO")}, ["XML104"])
+    results = lint_files({**clean, "package.xml": clean["package.xml"].replace("Apache-2.0", "TODO")}, ["XML104"])
     stream = io.StringIO()
     render("text", Report(results, Path("/ws"), Path("/ws"), color=color, width=width), stream)
     link = "\x1b]8;;https://example.org/rospkg/XML104.html\x1b\\XML104\x1b]8;;\x1b\\"

@@ -20,7 +20,7 @@ from rospkg_cli.testing import lint_files
 
 @pytest.fixture
 def finding(clean) -> Finding:
-    files = {**clean, "package.xml": clean["package.xml"].replace("Drives my robot", "TODO")}
+    files = {**clean, "package.xml": clean["package.xml"].replace("Apache-2.0", "TODO")}
     [found] = lint_files(files, ["XML104"]).findings
     return found
 

@@ -91,11 +91,11 @@ def test_findings_come_and_go_with_what_is_typed(editor: Editor, package: Path) 
     path = package / "package.xml"
     text = path.read_text()
     editor.open(path)
-    editor.type(path, text.replace("Drives my robot", "TODO"))
+    editor.type(path, text.replace("Apache-2.0", "TODO"))
     editor.until(lambda: editor.codes(path) == ["XML104"])
     [found] = editor.diagnostics[path]
     assert (found.source, found.severity) == ("rospkg", 2)
-    assert found.message.startswith("the description says `TODO`")
+    assert found.message.startswith("the license is `TODO`")
     editor.type(path, text)
     editor.until(lambda: editor.codes(path) == [])
 
@@ -103,7 +103,7 @@ def test_findings_come_and_go_with_what_is_typed(editor: Editor, package: Path) 
 def test_closing_without_saving_gives_the_file_back(editor: Editor, package: Path) -> None:
     path = package / "package.xml"
     editor.open(path)
-    editor.type(path, path.read_text().replace("Drives my robot", "TODO"))
+    editor.type(path, path.read_text().replace("Apache-2.0", "TODO"))
     editor.until(lambda: editor.codes(path) == ["XML104"])
     editor.close(path)
     editor.until(lambda: editor.codes(path) == [])
@@ -113,7 +113,7 @@ def test_what_changes_on_disk_counts(editor: Editor, package: Path) -> None:
     assert [each.method for each in editor.watched] == ["workspace/didChangeWatchedFiles"]
     path = package / "package.xml"
     text = path.read_text()
-    path.write_text(text.replace("Drives my robot", "TODO"))
+    path.write_text(text.replace("Apache-2.0", "TODO"))
     editor.wrote(path)
     editor.until(lambda: editor.codes(path) == ["XML104"])
     path.write_text(text)
@@ -129,7 +129,7 @@ def test_a_package_outside_of_the_folders_is_linted_too(editor: Editor, tmp_path
 
 def test_the_same_as_lint_of_the_saved_text(editor: Editor, package: Path) -> None:
     path = package / "package.xml"
-    text = path.read_text().replace("Drives my robot", "TODO").replace("ada@example.org", "ada")
+    text = path.read_text().replace("Apache-2.0", "TODO").replace("ada@example.org", "ada")
     editor.open(path)
     editor.type(path, text)
     editor.until(lambda: len(editor.codes(path)) > 1)
@@ -175,11 +175,11 @@ def test_a_fix_is_one_action(editor: Editor, package: Path) -> None:
 
 def test_actions_are_those_of_the_line(editor: Editor, package: Path) -> None:
     path = package / "package.xml"
-    text = path.read_text().replace("Drives my robot", "TODO")
+    text = path.read_text().replace("Apache-2.0", "TODO")
     editor.open(path)
     editor.type(path, text)
     editor.until(lambda: editor.codes(path) == ["XML104"])
-    line = text.split("\n").index("  <description>TODO</description>")
+    line = text.split("\n").index("  <license>TODO</license>")
     titles = [each.title for each in editor.actions(path, line, line)]
     assert titles == ["Ignore XML104 with a reason"]
     assert editor.actions(path, line + 1, line + 1) == []
@@ -219,7 +219,7 @@ def test_folders_come_and_go(editor: Editor, folder: Path, package: Path, tmp_pa
     write(tmp_path / "elsewhere/my_pkg", {"package.xml": "<package/>"})
     path, other = package / "package.xml", tmp_path / "elsewhere/my_pkg/package.xml"
     editor.open(path)
-    editor.type(path, path.read_text().replace("Drives my robot", "TODO"))
+    editor.type(path, path.read_text().replace("Apache-2.0", "TODO"))
     editor.change_folders(added=[tmp_path / "elsewhere", package])
     editor.until(lambda: "XML001" in editor.codes(other))
     editor.settle()
@@ -232,13 +232,13 @@ def test_folders_come_and_go(editor: Editor, folder: Path, package: Path, tmp_pa
 
 def test_an_ignore_comment_is_written_above_the_line(editor: Editor, package: Path) -> None:
     path = package / "package.xml"
-    text = path.read_text().replace("Drives my robot", "TODO")
+    text = path.read_text().replace("Apache-2.0", "TODO")
     editor.open(path)
     editor.type(path, text)
     editor.until(lambda: editor.codes(path) == ["XML104"])
     ignore = next(each for each in editor.actions(path) if each.title.startswith("Ignore"))
     after = applied(text, edits_of(ignore))
-    assert "  <!-- rospkg: ignore[XML104] say here why -->\n  <description>TODO" in after
+    assert "  <!-- rospkg: ignore[XML104] say here why -->\n  <license>TODO" in after
     editor.type(path, after)
     editor.until(lambda: editor.codes(path) == [])
 
@@ -298,7 +298,7 @@ def test_a_wrong_config_is_a_message_and_nothing_ends(editor: Editor, folder: Pa
     editor.open(path)
     editor.until(lambda: told(editor, "there is no key `selct`") == 1)
     config.unlink()
-    editor.type(path, path.read_text().replace("Drives my robot", "TODO"))
+    editor.type(path, path.read_text().replace("Apache-2.0", "TODO"))
     editor.until(lambda: editor.codes(path) == ["XML104"])
     config.write_text("selct = []\n")
     editor.wrote(config)

@@ -15,7 +15,7 @@ from lsprotocol import types
 from writing import Write
 
 DEPENDENCY = "  <exec_depend>rclpy</exec_depend>\n"
-TODO = ("Drives my robot", "TODO")
+TODO = ("Apache-2.0", "TODO")
 
 
 def message(**parts: object) -> bytes:

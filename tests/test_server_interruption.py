@@ -23,7 +23,7 @@ from rospkg_cli.light_dataclasses import replace
 from rospkg_cli.rule_table import rule_by_code
 
 MANIFEST = Example(bad={}, good={}).bad_files()["package.xml"]
-TODO = MANIFEST.replace("Drives my robot", "TODO")
+TODO = MANIFEST.replace("Apache-2.0", "TODO")
 TWICE = MANIFEST.replace("  <export>", "  <depend>rclpy</depend>\n" * 2 + "  <export>")
 MODIFIED = -32801
 
@@ -141,11 +141,11 @@ def edits_of(action: dict[str, Any]) -> list[tuple[int, str]]:
 @pytest.mark.parametrize(
     "edited, moved",
     [
-        (TWICE.replace("Drives my robot", "TODO\n"), 1),
-        (TWICE.replace("Drives my robot", "TODO"), 0),
+        (TWICE.replace("Apache-2.0", "TODO\n"), 1),
+        (TWICE.replace("Apache-2.0", "TODO"), 0),
         (TWICE.replace("\n  <description>Drives my robot", "<description>TODO"), -1),
         (TWICE.replace("  <depend>rclpy</depend>\n", "  <depend>rclpy</depend>TODO\n", 1), None),
-        (TWICE.replace("  <depend>rclpy</depend>\n", "", 1).replace("Drives my robot", "TODO"), None),
+        (TWICE.replace("  <depend>rclpy</depend>\n", "", 1).replace("Apache-2.0", "TODO"), None),
     ],
     ids=["a line more above", "a line changed", "a line less", "a line of it changed", "a line of it gone"],
 )

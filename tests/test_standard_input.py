@@ -23,21 +23,21 @@ def lint(monkeypatch: pytest.MonkeyPatch, text: str | bytes, cwd: Path, *argumen
 
 
 def test_the_text_counts_and_not_the_file(package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    text = (package / "package.xml").read_text().replace("Drives my robot", "TODO")
+    text = (package / "package.xml").read_text().replace("Apache-2.0", "TODO")
     done = lint(monkeypatch, text, package, "-", "--stdin-filename", "package.xml")
     assert (done.returncode, done.stderr) == (1, "")
-    assert done.stdout.splitlines()[0].startswith("package.xml:6:16: warning XML104 ")
+    assert done.stdout.splitlines()[0].startswith("package.xml:8:12: warning XML104 ")
     assert "TODO" not in (package / "package.xml").read_text()
 
 
 def test_a_clean_text_has_status_0(package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (package / "package.xml").write_text((package / "package.xml").read_text().replace("Drives my robot", "TODO"))
-    text = (package / "package.xml").read_text().replace("TODO", "Drives my robot")
+    (package / "package.xml").write_text((package / "package.xml").read_text().replace("Apache-2.0", "TODO"))
+    text = (package / "package.xml").read_text().replace("TODO", "Apache-2.0")
     assert lint(monkeypatch, text, package, "-", "--stdin-filename", "package.xml").returncode == 0
 
 
 def test_findings_in_other_files_are_not_told(package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (package / "package.xml").write_text((package / "package.xml").read_text().replace("Drives my robot", "TODO"))
+    (package / "package.xml").write_text((package / "package.xml").read_text().replace("Apache-2.0", "TODO"))
     done = lint(monkeypatch, "import rclpy\n", package, "-", "--stdin-filename", "my_pkg/new.py")
     assert [line.split()[2] for line in done.stdout.splitlines() if ": " in line] == ["DEP101"]
 

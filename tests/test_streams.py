@@ -37,7 +37,7 @@ FEW = ("lint", "format", "version")
 def folder(tmp_path: Path, clean: dict[str, str], write) -> Path:
     """A package with a fault that `--fix` and `format` mend."""
     text = clean["package.xml"]
-    text = text.replace("  <license>", "  <author>A</author>\n  <license>").replace("Drives my robot", "TODO")
+    text = text.replace("  <license>", "  <author>A</author>\n  <license>").replace("Apache-2.0", "TODO")
     write(tmp_path / "my_pkg", {**clean, "package.xml": text})
     return tmp_path
 

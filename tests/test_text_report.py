@@ -198,13 +198,13 @@ def test_the_width_is_the_terminals(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def package(tmp_path, write, clean) -> Path:
     """A package with one warning, and one info that only --pedantic brings."""
-    manifest = clean["package.xml"].replace("Drives my robot", "TODO")
+    manifest = clean["package.xml"].replace("Apache-2.0", "TODO")
     return write(tmp_path / "my_pkg", {**clean, "package.xml": manifest, "setup.cfg": ""})
 
 
 def test_show_info_fail_on_info_and_a_rule_by_its_name_show_infos(package: Path) -> None:
     (package / "rospkg.toml").write_text('[severity]\nXML104 = "info"\n')
-    place = "package.xml:6:16: info XML104"
+    place = "package.xml:8:12: info XML104"
     assert place not in rospkg("lint", cwd=package).stdout
     assert "not shown: 1 info (XML104 placeholder-metadata)" in rospkg("lint", cwd=package).stdout
     for how in (
@@ -223,8 +223,8 @@ def test_show_info_fail_on_info_and_a_rule_by_its_name_show_infos(package: Path)
 
 def test_show_all_shows_each_finding_in_full(tmp_path: Path, write, clean) -> None:
     for number in range(LONG + 1):
-        manifest = clean["package.xml"].replace("my_pkg", f"p{number}").replace("Drives my robot", "TODO")
+        manifest = clean["package.xml"].replace("my_pkg", f"p{number}").replace("Apache-2.0", "TODO")
         write(tmp_path / f"p{number}", {"package.xml": manifest})
     select = ("--select", "XML1")
-    assert "<description>" not in rospkg("lint", *select, cwd=tmp_path).stdout
-    assert rospkg("lint", *select, "--show", "all", cwd=tmp_path).stdout.count("<description>") == LONG + 1
+    assert "<license>" not in rospkg("lint", *select, cwd=tmp_path).stdout
+    assert rospkg("lint", *select, "--show", "all", cwd=tmp_path).stdout.count("<license>") == LONG + 1

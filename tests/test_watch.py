@@ -56,7 +56,7 @@ def test_each_change_is_linted_and_nothing_else(package: Path) -> None:
     printed, said = watched(
         package,
         lambda: None,
-        lambda: manifest.write_text(text.replace("Drives my robot", "TODO")),
+        lambda: manifest.write_text(text.replace("Apache-2.0", "TODO")),
         manifest.touch,
         lambda: (package / "__pycache__").mkdir(),
         lambda: config.write_text("select = 3\n"),

@@ -55,8 +55,8 @@ def test_a_path_outside_is_shown_as_it_leads_there(tmp_path: Path) -> None:
 def test_statistics_as_json(tmp_path: Path, write, clean) -> None:
     text = (
         clean["package.xml"]
-        .replace("Drives my robot", "TODO")
-        .replace("  <license>", "  <!-- rospkg: ignore[XML104] x -->\n  <license>")
+        .replace("Apache-2.0", "TODO")
+        .replace("  <name>", "  <!-- rospkg: ignore[XML104] x -->\n  <name>")
     )
     write(tmp_path, {**clean, "package.xml": text})
     done = rospkg("lint", "--statistics", "--format", "json", "--select", "XML104,RPK002", cwd=tmp_path)

@@ -20,7 +20,7 @@ from rospkg_cli.example import Example
 @pytest.fixture
 def workspace(tmp_path: Path) -> Path:
     files = Example(bad={}, good={}).bad_files()
-    files["package.xml"] = files["package.xml"].replace("Drives my robot", "TODO")
+    files["package.xml"] = files["package.xml"].replace("Apache-2.0", "TODO")
     for path, text in files.items():
         (tmp_path / "ws/my_pkg" / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "ws/my_pkg" / path).write_text(text)

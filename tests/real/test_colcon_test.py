@@ -27,10 +27,10 @@ def colcon_with_rospkg(shell: Shell) -> Shell:
     return shell.before(folder / "bin")
 
 
-@pytest.mark.parametrize("description, failures", [("Drives my robot", "0 failures"), ("TODO", "1 failure")])
-def test_it_is_counted(colcon_with_rospkg: Shell, tmp_path: Path, description: str, failures: str) -> None:
+@pytest.mark.parametrize("license, failures", [("Apache-2.0", "0 failures"), ("TODO", "1 failure")])
+def test_it_is_counted(colcon_with_rospkg: Shell, tmp_path: Path, license: str, failures: str) -> None:
     files = Example(bad={}, good={}).bad_files()
-    files["package.xml"] = files["package.xml"].replace("Drives my robot", description)
+    files["package.xml"] = files["package.xml"].replace("Apache-2.0", license)
     for path, text in {**files, "test/test_rospkg.py": ONE_LINE}.items():
         (tmp_path / "src/my_pkg" / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "src/my_pkg" / path).write_text(text)
@@ -39,14 +39,14 @@ def test_it_is_counted(colcon_with_rospkg: Shell, tmp_path: Path, description: s
     tested = shell.run("colcon", "test", "--event-handlers", "console_direct+", cwd=tmp_path)
     counted = shell.run("colcon", "test-result", "--all", "--verbose", cwd=tmp_path)
     assert f"Summary: 1 test, 0 errors, {failures}, 0 skipped" in counted.stdout, tested.stdout
-    assert counted.returncode == (1 if description == "TODO" else 0)
+    assert counted.returncode == (1 if license == "TODO" else 0)
     if counted.returncode:
         assert "XML104 placeholder-metadata" in tested.stdout
 
 
 def test_our_own_junit_is_counted_too(colcon_with_rospkg: Shell, tmp_path: Path) -> None:
     files = Example(bad={}, good={}).bad_files()
-    files["package.xml"] = files["package.xml"].replace("Drives my robot", "TODO")
+    files["package.xml"] = files["package.xml"].replace("Apache-2.0", "TODO")
     for path, text in files.items():
         (tmp_path / "my_pkg" / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "my_pkg" / path).write_text(text)

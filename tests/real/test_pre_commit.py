@@ -56,19 +56,19 @@ def pre_commit(shell: Shell, repository: Path, hook: str, *arguments: str, **var
     return shell.run(program, "run", *arguments, cwd=repository, **extra, **variables)
 
 
-def break_description(package: Path) -> None:
+def break_license(package: Path) -> None:
     manifest = package / "package.xml"
-    manifest.write_text(manifest.read_text().replace("Drives my robot", "TODO"))
+    manifest.write_text(manifest.read_text().replace("Apache-2.0", "TODO"))
 
 
 def test_lint_looks_at_the_packages_of_the_staged_files(repository: Path, shell: Shell, index: None) -> None:
-    break_description(repository / "one")
-    break_description(repository / "two")
+    break_license(repository / "one")
+    break_license(repository / "two")
     (repository / "README.md").write_text("no package's file\n")
     git(shell, repository, "add", "one", "README.md")
     done = pre_commit(shell, repository, "rospkg-lint")
     assert done.returncode == 1, done.stdout + done.stderr
-    assert "one/package.xml:6:16: warning XML104" in done.stdout
+    assert "one/package.xml:8:12: warning XML104" in done.stdout
     assert "two/package.xml" not in done.stdout
     skipped = pre_commit(shell, repository, "rospkg-lint", SKIP="rospkg-lint")
     assert skipped.returncode == 0, skipped.stdout

@@ -75,7 +75,7 @@ def test_what_the_config_silences_is_external(schema: dict[str, Any], tmp_path: 
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text)
     manifest = tmp_path / "package.xml"
-    manifest.write_text(manifest.read_text().replace("Drives my robot", "TODO"))
+    manifest.write_text(manifest.read_text().replace("Apache-2.0", "TODO"))
     stream = io.StringIO()
     lint_to(LintOptions(paths=(tmp_path,), report=ReportOptions(format="sarif")), stream)
     found = json.loads(stream.getvalue())

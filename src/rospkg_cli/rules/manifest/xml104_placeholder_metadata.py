@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
+from ...checks.manifest.left_lines import WANTED, LeftLine, descriptions, joined, people, shown_text
 from ...checks.manifest.manifest_inputs import ManifestAndFiles
-from ...checks.manifest.placeholders import EMAIL, NAMES, TODO
+from ...checks.manifest.placeholders import TODO
 from ...example import Example, manifest
 from ...files import PackageFiles
-from ...finding import Hit, Severity
+from ...finding import Hit, Related, Severity
 from ...lazy_regex import regex
 from ...package.manifest import Manifest
 from ...rule import rule
-from ...source import Span
 
 GOOD = manifest()
 LICENSE = regex(r"(?:LICEN[CS]E|COPYING)[^/]*")
@@ -21,7 +20,8 @@ LICENSES = tuple(
     f"{name}{suffix}" for name in ("LICENSE", "LICENCE", "COPYING", "License") for suffix in ("", ".md", ".txt", ".rst")
 )
 """How the license of a repository is called, which lies above its packages."""
-WANTED = "say in one sentence what the package does"
+MAX_NAMED = 5
+"""How many further lines a message names."""
 
 
 @rule(
@@ -31,7 +31,8 @@ WANTED = "say in one sentence what the package does"
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "the description is empty: colcon refuses the manifest",
-        Severity.INFO: "the description only repeats the name, or the package lies in a folder such as `_legacy`",
+        Severity.INFO: "it is no license but a description, a name or an address, or the package lies in a folder such "
+        "as `_legacy`",
     },
     examples=(
         Example(
@@ -57,38 +58,50 @@ def placeholder_metadata(package: ManifestAndFiles) -> Iterator[Hit]:
     ## What it does
     Finds placeholders that a template left in package.xml.
     They are a `TODO` description or license, an e-mail address at `todo.todo`, a description that is empty or only
-    repeats the name.
+    repeats the name. Several in one file are one finding, at the first of the gravest.
 
     ## Why is this bad?
-    The package index and lawyers read these lines. A release with them is refused in review. An empty description is
-    refused by colcon itself.
+    The package index and lawyers read these lines. Who finds no license may not use the package. An empty description
+    is refused by colcon itself.
 
     ## When it is quiet
-    A description that only repeats the name harms no one: it is an info. Text around a `TODO`, addresses that are not
-    a template's, and packages of ROS 1, which catkin builds, are left alone. In a folder for what nobody uses any more
-    (`_legacy`, `deprecated`, `old`, `backup`) placeholders are infos.
+    Descriptions, names and addresses of a template harm no build and no release: without a license that is left they
+    are an info. Text around a `TODO`, addresses that are not a template's, and packages of ROS 1, which catkin builds,
+    are left alone. In a folder for what nobody uses any more (`_legacy`, `deprecated`, `old`, `backup`) placeholders
+    are infos. A line with an ignore comment of its own is told apart from the others, unless the finding lies there.
     """
     manifest = package.manifest
-    is_left = is_for_ros1(manifest)
-    mild = Severity.INFO if package.is_set_aside else None
     for element in manifest.all("description"):
-        shown = "".join(piece for each in element.walk() for piece in each.chunks).strip()
-        if not shown and not element.children:
+        if not shown_text(element) and not element.children:
             message = "the description is empty: colcon builds the folder as a plain package"
             yield Hit(manifest.path, manifest.span(element), f"{message}; {WANTED}", Severity.ERROR)
-        elif not is_left and (TODO.fullmatch(shown) or repeats(manifest.name, shown)):
-            is_todo = TODO.fullmatch(shown) is not None
-            said = f"the description says `{shown}`" if is_todo else "the description only repeats the package's name"
-            yield Hit(manifest.path, manifest.span(element), f"{said}; {WANTED}", mild if is_todo else Severity.INFO)
-    for element in manifest.all("license") if not is_left else ():
+    lines = [] if is_for_ros1(manifest) else [*descriptions(manifest), *licenses(package), *people(manifest)]
+    for first, *others in joined(manifest.source, lines):
+        level = Severity.WARNING if first.is_grave and not package.is_set_aside else Severity.INFO
+        related = tuple(Related(manifest.path, each.span, "this too") for each in others[:MAX_NAMED])
+        yield Hit(manifest.path, first.span, first.message + also(others), level, related)
+
+
+def also(others: list[LeftLine]) -> str:
+    """Return what a message says of further lines of a template."""
+    if not others:
+        return ""
+    named = [each.name for each in others[:MAX_NAMED]]
+    rest = [f"{len(others) - MAX_NAMED} more"] if len(others) > MAX_NAMED else []
+    *names, last = named + rest
+    return f"; {', '.join(names)} and {last} are a template's too" if names else f"; {last} is a template's too"
+
+
+def licenses(package: ManifestAndFiles) -> Iterator[LeftLine]:
+    manifest = package.manifest
+    for element in manifest.all("license"):
         if TODO.fullmatch(element.text):
             text = license_text(package.files)
             harm = (
                 f"`{text}` says more, and tools read this line" if text else "it does not say who may use the package"
             )
             message = f"the license is `{element.text}`: {harm}; name a license by its SPDX id"
-            yield Hit(manifest.path, manifest.span(element), message, mild)
-    yield from people(manifest, mild) if not is_left else ()
+            yield LeftLine(manifest.span(element), message, f"the license `{element.text}`", is_grave=True)
 
 
 def is_for_ros1(manifest: Manifest) -> bool:
@@ -101,19 +114,3 @@ def license_text(files: PackageFiles) -> str:
     """Return the file that holds a license: of the package, else of a folder above it; "" where there is none."""
     own = next((path for path in files.paths if LICENSE.fullmatch(path)), "")
     return own or files.above(LICENSES) or ""
-
-
-def repeats(name: str, text: str) -> bool:
-    """Return whether a description is the template's `The my_pkg package`, or the name and nothing else."""
-    return re.fullmatch(rf"(the )?{re.escape(name)}( package)?\.?", text, re.IGNORECASE) is not None
-
-
-def people(manifest: Manifest, mild: Severity | None) -> Iterator[Hit]:
-    for element in manifest.all("maintainer", "author"):
-        email = element.attributes.get("email")
-        if email and EMAIL.fullmatch(email.value):
-            message = f"`{email.value}` is a template's address; write the {element.tag}'s own"
-            yield Hit(manifest.path, email.value_span, message, mild)
-        elif element.text.upper() in NAMES:
-            span: Span = manifest.span(element)
-            yield Hit(manifest.path, span, f"the {element.tag} is called `{element.text}`; write a name", mild)
