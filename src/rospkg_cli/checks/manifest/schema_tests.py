@@ -21,7 +21,13 @@ RUNS_LINTERS = regex(
 
 CALLED = regex(r"^[^#\n]*\bament_xmllint[ \t]*\(", re.MULTILINE)
 
-LEFT_OUT = regex(r"^[^#\n]*\bament_cmake_xmllint(?:_FOUND\b|\W)", re.MULTILINE)
+FOUND = regex(
+    r"^[^#\n]*\b(?:find_package[ \t]*\([ \t]*(?:ament_lint_common|ament_cmake_xmllint)\b|ament_auto_find_\w+[ \t]*\()",
+    re.MULTILINE,
+)
+"""What finds the test as well; ament_lint_auto itself looks for `<test_depend>` alone."""
+
+LEFT_OUT = regex(r"^(?![ \t]*find_package)[^#\n]*\bament_cmake_xmllint(?:_FOUND\b|\W)", re.MULTILINE)
 """A line that switches it off: `set(ament_cmake_xmllint_FOUND TRUE)`, or AMENT_LINT_AUTO_EXCLUDE."""
 
 
@@ -45,8 +51,10 @@ class SchemaTests:
     @property
     def declares_checker(self) -> bool:
         """Whether a dependency brings the test; ament_xmllint alone has no part that CMake would run by itself."""
-        is_called = self.manifest.build_type(self.targets) == "ament_python" or bool(CALLED.search(self.cmake_text))
-        return any(self.manifest.depends_on(name) for name in CHECKERS if is_called or name != "ament_xmllint")
+        if self.manifest.build_type(self.targets) == "ament_python" or CALLED.search(self.cmake_text):
+            return any(self.manifest.depends_on(name) for name in CHECKERS)
+        tags = () if FOUND.search(self.cmake_text) else ("test_depend",)
+        return any(self.manifest.depends_on(name, tags) for name in CHECKERS[:2])
 
     @property
     def cmake_text(self) -> str:

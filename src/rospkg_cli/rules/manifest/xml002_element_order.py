@@ -53,8 +53,9 @@ def element_order(tests: SchemaTests) -> Iterator[Hit]:
 
     ## When it is quiet
     Where no `<?xml-model …?>` line names the schema, no tool checks the order, and nothing is said. It is an info where
-    the package declares neither ament_lint_common nor ament_xmllint, and where that line has an empty `href` or no
-    `schematypens` of XML Schema. What stands wrong in a row under one tag is one finding.
+    the package declares neither ament_lint_common nor ament_xmllint as `<test_depend>`, for ament_lint_auto finds no
+    others unless CMake does, and where that line has an empty `href` or no `schematypens` of XML Schema. What stands
+    wrong in a row under one tag is one finding.
 
     ## References
     - [REP-149, Schema](https://ros.org/reps/rep-0149.html#schema)
