@@ -185,14 +185,17 @@ def test_lists_that_are_wrong(inside: str, messages: dict[str, str], said: list[
     assert [text[: len(want)] for text, want in zip(found, said, strict=True)] == said
 
 
-def test_what_a_listed_package_may_pass_on_is_milder() -> None:
+def test_what_a_listed_package_may_pass_on_is_left_alone() -> None:
     files = {
         "package.xml": manifest("", "ament_cmake"),
         "CMakeLists.txt": GENERATE.format(before="", inside="msg/A.msg DEPENDENCIES faraway_msgs"),
         "msg/A.msg": "std_msgs/Header a\nfaraway_msgs/B b\n",
     }
-    (finding,) = lint_files(files, LISTS).findings
-    assert (finding.code, finding.severity.value) == ("IDL007", "warning")
+    assert lint_files(files, LISTS).findings == ()
+    faraway = {"package.xml": manifest("", "ament_cmake", "faraway_msgs"), "msg/B.msg": "int32 a\n"}
+    faraway["CMakeLists.txt"] = GENERATE.format(before="", inside="msg/B.msg").replace("my_pkg", "faraway_msgs")
+    both = {f"a/{path}": text for path, text in files.items()} | {f"b/{path}": text for path, text in faraway.items()}
+    assert [each.severity.value for each in lint_files(both, ["IDL007"]).findings] == ["error"]
 
 
 def test_two_missing_dependencies_make_one_keyword() -> None:

@@ -131,7 +131,7 @@ def test_what_users_of_a_library_must_find(link: str, exported: str, expected: l
 
 
 @pytest.mark.parametrize(("listed", "expected"), [("action_msgs", ["error"]), ("vision_msgs", []),
-                                                  ("rmf_fleet_msgs", ["warning"])])  # fmt: skip
+                                                  ("rmf_fleet_msgs", ["error"]), ("acme_msgs", [])])  # fmt: skip
 def test_dependencies_of_interfaces_are_recursive(listed: str, expected: list[str]) -> None:
     text = idl007.GOOD.replace("DEPENDENCIES std_msgs", f"DEPENDENCIES {listed}")
     assert levels("IDL007", INTERFACES, {**idl007.FILES, "CMakeLists.txt": text}) == expected

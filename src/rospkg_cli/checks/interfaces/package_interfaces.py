@@ -22,7 +22,18 @@ class InterfaceGeneration:
         """Return whether it may list a file; nothing reads one that it leaves out."""
         if self.cmake is None:
             return self.package.build_type != "ament_python"
+        if not self.calls_rosidl:
+            return False
         return path in self.cmake.generated_interfaces or not self.cmake.knows_interfaces
+
+    @cached_property
+    def calls_rosidl(self) -> bool:
+        """Whether anything may generate interfaces: a call does, or package.xml names a part of rosidl."""
+        cmake = self.cmake
+        if cmake is None or cmake.interface_targets or "rosidl_interface_packages" in self.package.groups:
+            return True
+        needs = {each.name for each in self.package.dependencies}
+        return any("rosidl" in name for name in needs) or any("rosidl" in each.name for each in cmake.unreachable)
 
     def surely_reads(self, path: str) -> bool:
         """Return whether it lists a file under no condition; a package without CMake files is taken to do so."""

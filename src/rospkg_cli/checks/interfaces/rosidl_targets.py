@@ -21,6 +21,7 @@ from ...package.workspace import Workspace
 from ...ros.core_messages import CORE_DEPENDENCIES, CORE_MESSAGES
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS, valid_interface_name
+from ...ros.manifest import BUILDS, RUNS
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names, nearest
@@ -30,6 +31,8 @@ GAPS = regex(
     re.IGNORECASE,
 )
 """Words of a comment that says that something is left out."""
+PASSED_ON = (BUILDS | RUNS) - {"buildtool_depend"}
+"""Tags of what may bring interfaces."""
 OTHER_VARIABLE = regex(r"\$\{(?!PROJECT_NAME\}|CMAKE_PROJECT_NAME\})")
 
 
@@ -43,7 +46,7 @@ class UnlistedDependency:
     kind: FieldType
     """Its first use."""
     is_certain: bool
-    """None of the packages that are listed can pass it on, and the file is listed under no condition."""
+    """The file is listed under no condition."""
 
 
 @dataclass(frozen=True)
@@ -130,11 +133,14 @@ class RosidlTargets:
         return False
 
     def is_for_ros1(self, interface: InterfaceFile) -> bool:
-        """Return whether catkin generates a file, or another one of its name is generated in its place."""
+        """Return whether catkin, or another branch, lists a file, or another of its name is generated in its place."""
         name = interface.path.rpartition("/")[2]
         alike = (path for path in self.cmake.generated_interfaces if path != interface.path)
-        calls = self.cmake.named("add_message_files", "add_service_files", "add_action_files")
-        return any(path.endswith(f"/{name}") for path in alike) or any(name in call.texts for call in calls)
+        if any(path.endswith(f"/{name}") for path in alike):
+            return True
+        catkin = self.cmake.named("add_message_files", "add_service_files", "add_action_files")
+        words = (text for call in (*catkin, *self.cmake.unreachable) for text in call.texts)
+        return any(text.rpartition("/")[2] == name for text in words)
 
     def missing(self) -> Iterator[ListedInterface]:
         """Yield what is listed, and neither there nor made by a command."""
@@ -167,16 +173,17 @@ class RosidlTargets:
         """Yield each package whose types a call's files use and that its DEPENDENCIES neither list nor pass on."""
         by_path = {interface.path: interface for interface in self.interfaces}
         for target in self.cmake.interface_targets:
-            if any(not word.is_known or word.maybe for word in target.dependencies):
+            is_clear = all(word.is_known and not word.maybe for word in target.dependencies)
+            passed_on, is_all = self.passed_on(target) if is_clear else (set[str](), False)
+            if not is_all:
                 continue
-            passed_on, certain = self.passed_on(target)
             seen = {*passed_on, "", self.package.name, self.cmake.project_name}
             for each in self.listed:
                 interface = by_path.get(each.path or "") if each.target is target else None
                 for kind in interface.types if interface else ():
                     if interface and kind.package not in seen and not self.is_misspelt(kind.package):
                         seen.add(kind.package)
-                        sure = certain and self.cmake.generated_interfaces.get(interface.path, False)
+                        sure = self.cmake.generated_interfaces.get(interface.path, False)
                         yield UnlistedDependency(target, kind.package, interface, kind, sure)
 
     def is_misspelt(self, package: str) -> bool:
@@ -202,11 +209,11 @@ class RosidlTargets:
                 found.add(name)
                 facts = self.workspace.named(name)
                 if facts is not None:
-                    waiting += [need.name for need in facts.dependencies if need.tag != "test_depend"]
+                    waiting += [need.name for need in facts.dependencies if need.tag in PASSED_ON]
                 elif name in CORE_DEPENDENCIES:
                     waiting += CORE_DEPENDENCIES[name]
                 elif name in brought:
                     waiting += [need.removeprefix("?") for need in brought[name]]
-                else:
+                elif self.workspace.kind_of(name) is not NameKind.KEY:
                     certain = False
         return found, certain

@@ -57,7 +57,8 @@ def interface_not_generated(generated: RosidlTargets) -> Iterator[Hit]:
     why. A call that lists none at all stops CMake.
 
     ## When it is quiet
-    Where a list can't be evaluated, or a file that can't be read is included. Where git ignores the file. Where a
+    Where a list can't be evaluated, or a file that can't be read is included. Where git ignores the file. Where the
+    branch for ROS 1 lists it (`add_message_files`), or another one that is not taken: it is needed there. Where a
     comment in CMakeLists.txt names it, or says above the call that some are left out (`# only the working ones`), it is
     left out on purpose: an info, without a fix. So is a copy by its name (`Flags_backup.msg`), and a file that is not
     finished: rosidl would stop the build at its name, its text or a message that is not there.

@@ -27,10 +27,7 @@ FILES = {
     "missing-interface-dependency",
     over=RosidlTargets,
     severity=Severity.ERROR,
-    levels={
-        Severity.WARNING: "a listed package that is not available may pass the interfaces on; or the file is listed "
-        "under a condition"
-    },
+    levels={Severity.WARNING: "the file is listed under a condition"},
     examples=(
         Example(
             on="interfaces",
@@ -57,9 +54,9 @@ def missing_interface_dependency(generated: RosidlTargets) -> Iterator[Hit]:
     does not compile. A listed package must be found first: the fix adds `find_package()` where it is missing.
 
     ## When it is quiet
-    Where a listed package is known to pass the interfaces on, as actions do with `action_msgs`, and `vision_msgs` with
-    `std_msgs`. Where the DEPENDENCIES can't be evaluated. Where a listed package is not available and may pass them on,
-    it is a warning.
+    rosidl collects what the listed packages depend on too, and so on. Where one of them passes the interfaces on, as
+    actions do with `action_msgs`, and `vision_msgs` with `std_msgs`, or may do so, since nothing is known of it. Where
+    the DEPENDENCIES can't be evaluated.
     """
     offered: set[int] = set()
     for need in generated.unlisted_needs():
