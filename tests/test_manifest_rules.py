@@ -227,11 +227,15 @@ def test_everything_of_cmake_is_a_buildtool(name: str) -> None:
     assert cmake(text=text) == []
 
 
+MADE = CMAKE.replace("ament_package", "add_library(a a.cpp)\nament_package")
+
+
 @pytest.mark.parametrize(
     "files, guess, level, happens",
     [
         ({"setup.py": "from setuptools import setup\nsetup()\n"}, "ament_python", "error", "does not build it"),
-        ({"CMakeLists.txt": CMAKE}, "ament_cmake", "warning", "no command of `ros2` finds it"),
+        ({"CMakeLists.txt": CMAKE}, "ament_cmake", "info", "only `ros2 pkg list` lacks it"),
+        ({"CMakeLists.txt": MADE, "a.cpp": ""}, "ament_cmake", "warning", "no command of `ros2` finds it"),
         ({"CMakeLists.txt": "project(my_pkg)\n"}, "cmake", "info", "though it builds it"),
         ({"CMakeLists.txt": "find_package(our_cmake)\n"}, None, "warning", "Package 'my_pkg' not found"),
         ({}, None, "error", "does not build it"),

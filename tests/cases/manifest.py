@@ -148,6 +148,7 @@ CASES = {
         for text in (
             "cmake_minimum_required(VERSION 3.20)\nproject(my_pkg)\n",
             CMAKE.replace("ament_package", "add_executable(a a.cpp)\nament_package"),
+            CMAKE.replace("ament_package", "add_library(a a.cpp)\nament_package"),
         )
     ),
     "XML305": (

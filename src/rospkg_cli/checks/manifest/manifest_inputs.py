@@ -6,7 +6,7 @@ from functools import cached_property
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
-from ...package.cmake.cmake_project import CMake
+from ...package.cmake.cmake_project import PACKAGE_ENDS, CMake
 from ...package.file_role import is_set_aside
 from ...package.install_table import InstallTable
 from ...package.manifest import Manifest
@@ -15,6 +15,12 @@ from ...package.rule_settings import RuleSettings
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS
 from ...ros.manifest import BUILD_TYPES, OTHER_BUILD_TYPES
+
+IDLE = frozenset(
+    "cmake_minimum_required project cmake_policy find_package message set unset list string option include_guard "
+    "add_definitions add_compile_options add_compile_definitions ament_package enable_testing return".split()
+)
+"""Commands that build and install nothing; ament_package alone writes what only CMake reads."""
 
 
 @dataclass(frozen=True)
@@ -116,6 +122,25 @@ class ManifestAndCMake:
         """Whether it is ROS 1's: it depends on catkin and on nothing of ament."""
         names = {each.name for each in self.manifest.dependencies} | self.found
         return "catkin" in names and not any(name.startswith("ament_") for name in names)
+
+    @property
+    def is_left_to_ros1(self) -> bool:
+        """Whether CMake makes a package of ROS 1 of it, under a condition, and none of ROS 2 under any."""
+        if self.cmake is None or not self.cmake.is_complete:
+            return False
+        calls = [*self.cmake.calls, *self.cmake.unreachable]
+        under_condition = [*(call for call in self.cmake.calls if call.maybe), *self.cmake.unreachable]
+        is_made = any(call.name.endswith(PACKAGE_ENDS) for call in calls)
+        return not is_made and any(call.name == "catkin_package" for call in under_condition)
+
+    @property
+    def does_nothing(self) -> bool:
+        """Whether CMake neither builds nor installs anything, as in the folder of a program that npm builds."""
+        if self.cmake is None or not self.cmake.is_complete or self.cmake.reads_unknown_files:
+            return False
+        calls = (call for call in self.cmake.calls if not call.testing)
+        is_empty = self.ends_a_package and not self.files.below("launch")
+        return is_empty and all(call.name in IDLE for call in calls)
 
     @property
     def likely_build_type(self) -> str:

@@ -23,7 +23,7 @@ EXPORT = "  <export>\n    <build_type>ament_python</build_type>\n  </export>\n"
     levels={
         Severity.WARNING: "it has no programs and no launch files, is not certainly of ament_cmake, or all is "
         "installed into one folder (`--merge-install`)",
-        Severity.INFO: "plain CMake builds it",
+        Severity.INFO: "plain CMake builds it, or CMake builds and installs nothing",
     },
     examples=(
         Example(
@@ -59,15 +59,17 @@ def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
     and `ros2 launch` end with "Package 'my_pkg' not found", unless it was built with --merge-install.
 
     ## When it is quiet
-    Packages that depend on catkin and on no ament_cmake are for ROS 1. A build type under a condition counts where the
-    condition may hold for a target. It is milder, an info, for plain CMake, which is found by `find_package` alone, and
-    a warning where neither ament_cmake nor plain CMake is certain, or where nothing in it can be started.
+    Packages that depend on catkin and on no ament_cmake are for ROS 1, and so are those whose CMakeLists.txt calls
+    `catkin_package()` in one branch and `ament_package()` in none. A build type under a condition counts where the
+    condition may hold for a target. It is an info for plain CMake, which is found by `find_package` alone, and where
+    CMake builds and installs nothing, as in a folder that npm builds. It is a warning where neither ament_cmake nor
+    plain CMake is certain, or where nothing in it can be started.
 
     ## References
     - [REP-149, build_type](https://ros.org/reps/rep-0149.html): "If no build_type is provided, catkin is assumed."
     """
     manifest = package.manifest
-    if any(manifest.build_types(package.targets)) or package.is_catkin:
+    if any(manifest.build_types(package.targets)) or package.is_catkin or package.is_left_to_ros1:
         return
     export = manifest.first("export")
     span = export.open if export else manifest.root.open
@@ -88,6 +90,8 @@ def consequence(package: ManifestAndCMake) -> tuple[Severity, str]:
         return Severity.ERROR, " and does not build it: it has no CMakeLists.txt"
     if package.likely_build_type == "cmake":
         return Severity.INFO, " of ROS 1, though it builds it"
+    if package.does_nothing:
+        return Severity.INFO, ": nothing of it is installed, so only `ros2 pkg list` lacks it"
     if package.likely_build_type and not package.may_be_started:
         return Severity.WARNING, ": the build is green, and no command of `ros2` finds it"
     not_found = f": the build is green, and `ros2 run` says \"Package '{package.manifest.name}' not found\""
