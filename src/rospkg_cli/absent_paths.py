@@ -11,6 +11,7 @@ from .light_dataclasses import dataclass, field
 from .tree import Tree
 
 SUBMODULE = regex(r"^[ \t]*path[ \t]*=[ \t]*(\S+)", re.MULTILINE)
+SUBMODULE_NAME = regex(r"^[ \t]*(?:path|url)[ \t]*=[ \t]*(?:\S*?[/:])?([^\s/:]+(?:/[^\s/:]+)?)/?[ \t]*$", re.MULTILINE)
 MAX_SUBMODULES = 10_000
 
 
@@ -56,11 +57,23 @@ class AbsentPaths:
         inside = f"{self.folder}/" if self.folder else ""
         places = (
             f"{folder}/{path}".removeprefix("/").rstrip("/")
-            for folder in folders_above(f"{inside}package.xml")
-            for path in SUBMODULE.findall(self.text(f"{folder}/.gitmodules".removeprefix("/")))[:MAX_SUBMODULES]
+            for folder, text in self.submodule_lists.items()
+            for path in SUBMODULE.findall(text)[:MAX_SUBMODULES]
         )
         own = [place.removeprefix(inside) for place in places if place.startswith(inside)]
         return tuple(each for each in own if not self.has_files(each))
+
+    @cached_property
+    def submodule_names(self) -> tuple[str, ...]:
+        """The last two parts of the path and of the address of every submodule around, checked out or not."""
+        texts = self.submodule_lists.values()
+        return tuple(name for text in texts for name in SUBMODULE_NAME.findall(text)[: 2 * MAX_SUBMODULES])
+
+    @cached_property
+    def submodule_lists(self) -> dict[str, str]:
+        """The text of .gitmodules, "" where there is none, by folder: that of the package, and those above it."""
+        folders = folders_above(f"{self.folder}/package.xml".removeprefix("/"))
+        return {folder: self.text(f"{folder}/.gitmodules".removeprefix("/")) for folder in folders}
 
     def has_files(self, folder: str) -> bool:
         return any(path.startswith(f"{folder}/") for path in self.tree.files())

@@ -28,6 +28,8 @@ class SourcesByUse:
         public = {path for path in headers if "include/" in path}
         self.run = including.reached(named[False] | public)
         self.tests = including.reached(named[True]) - self.run
+        asked = not any(call.texts[::2][:2] == ("BUILD_TESTING", "OFF") for call in cmake.named("option"))
+        self.certain_tests = including.reached(named_sources(cmake, files, True, maybe=False)) if asked else set[str]()
         self.only_tests = cmake.only_tests
 
     def role(self, path: str) -> Role | None:
@@ -78,7 +80,8 @@ def harm_in(cmake: CMake, sources: Iterable[CppFile], path: str) -> Level:
 def compiled_on_demand(cmake: CMake, sources: Iterable[CppFile]) -> set[str]:
     """Return the files that are compiled under a condition alone, such as an option that is off by default."""
     known, _ = sources_by_use(cmake, sources)
-    return known.own - known.certain if known.is_known else set()
+    always = known.certain | known.certain_tests
+    return (known.own | known.tests) - always if known.is_known else set()
 
 
 def as_built(role: Role) -> Role:

@@ -146,6 +146,23 @@ class IncludeDependencies:
         """The files that the package's own build opens; None where unknown."""
         return own_compiled(self.cmake, self.sources)
 
+    def are_found_quietly(self, each: IncludedPackage) -> bool:
+        """Return whether CMake looks for it without need, and compiles what includes it under a condition alone."""
+        names = {one.name for one in self.cmake.packages if not one.is_required}
+        is_sought = not {each.cmake, *each.names}.isdisjoint(names)
+        is_sought = is_sought or bool(names and self.find_packages.matching_names(each.cmake, names))
+        return is_sought and self.are_optional(each)
+
+    def may_be_submodule(self, each: IncludedPackage) -> bool:
+        """Return whether it is a library that a submodule may hold, which CMake looks into and which is not here."""
+        return self.opens_submodule and all(keys_of_header(use.header) for use in each.uses)
+
+    @cached_property
+    def opens_submodule(self) -> bool:
+        calls = self.cmake.named("include_directories", "target_include_directories", "add_subdirectory")
+        paths = (path_in_package(word.text, call.folder) for call in calls for word in call.words)
+        return any(path and self.files.absent.submodule_of(path) for path in paths)
+
     def are_optional(self, each: IncludedPackage) -> bool:
         """Return whether only files include it that an option must ask for."""
         return all(use.path in self.on_demand for use in each.uses)
@@ -184,10 +201,10 @@ class IncludeDependencies:
 
     @cached_property
     def fetched(self) -> tuple[str, ...]:
-        """The words of commands that download, add or find what the system need not have, in a superbuild too."""
+        """The words of commands that download or add what the system need not have, and what submodules are called."""
         calls = [each for each in self.cmake.unreachable if each.name == "externalproject_add"]
         calls += self.cmake.named("add_subdirectory", "externalproject_add", "fetchcontent_declare", "ament_vendor")
-        return tuple(word.text for call in calls for word in call.words)
+        return (*(word.text for call in calls for word in call.words), *self.files.absent.submodule_names)
 
     def is_own(self, header: str) -> bool:
         """Return whether a header is the package's own: it exists, or may be generated in a folder that does."""
@@ -212,11 +229,13 @@ class IncludeDependencies:
         for each in self.packages():
             is_reported = each.cmake in reported or not named.isdisjoint(each.names)
             is_reported = is_reported or bool(named and self.find_packages.matching_names(each.cmake, named))
-            if not self.is_declared(each) and not is_reported and not there.intersection(each.names):
+            is_settled = is_reported or bool(there.intersection(each.names)) or self.are_found_quietly(each)
+            if not is_settled and not self.is_declared(each):
                 reported.update(each.names)
                 yield each
         for each in self.typed():
-            if not self.is_declared(each) and not (reported | there).intersection(each.names):
+            is_told = bool((reported | there).intersection(each.names))
+            if not is_told and not self.is_declared(each) and not self.are_found_quietly(each):
                 yield each
 
     def typed(self) -> Iterator[IncludedPackage]:

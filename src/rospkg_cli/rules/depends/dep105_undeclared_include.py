@@ -26,8 +26,8 @@ BUILD_ENDS, CMAKE_STOPS = 'the build ends with "No such file or directory"', "CM
     over=IncludeDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a dependency brings it, or may bring it, package.xml has it in a comment, or no file "
-        "that includes it is compiled or installed"
+        Severity.INFO: "where a dependency brings it, or may bring it, as an empty submodule may, package.xml has it "
+        "in a comment, or no file that includes it is compiled or installed"
     },
     examples=(
         Example(
@@ -55,7 +55,9 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     CMake must ask for, or only headers that are not compiled, where others are, or that are not installed. Files that
     no target compiles, includes under `#if`, headers that all others include under it, neighbours whose folder CMake
     names (`include_directories(../other/include)`), what CMake fetches, and packages that `find_package()` names as
-    well (DEP104) are left alone.
+    well (DEP104) are left alone. So are libraries that a git submodule is named after, checked out or not, and those
+    that CMake looks for without need, where only what includes them waits for it. What an empty submodule that CMake
+    looks into may hold is an info.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -76,6 +78,7 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
         )
         places = related((use.path, use.span) for use in each.uses)
         is_mild = is_left_out(declared, name) or includes.are_optional(each) or includes.are_idle(each)
+        is_mild = is_mild or includes.may_be_submodule(each)
         level = Severity.INFO if is_mild else None
         yield Hit(first.path, first.span, message, level, places, declaration(declared, kind, name))
     if not any(missing.bringer for missing in includes.find_packages.missing()):  # else DEP104 tells of both

@@ -1,0 +1,61 @@
+"""Headers of libraries that a submodule brings, or that are included only where CMake happens to find them (DEP105)."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.testing import lint_files
+
+MODULE = '[submodule "lib"]\n\tpath = {}\n\turl = {}\n'
+JSON = ("<nlohmann/json.hpp>", "<cxxopts.hpp>")
+
+
+def levels(include: str, lines: str, **files: str) -> list[str]:
+    written = {
+        "ws/pkg/package.xml": manifest("", "ament_cmake"),
+        "ws/pkg/CMakeLists.txt": CMAKE.replace("ament_package()", f"{lines}\nament_package()"),
+        "ws/pkg/src/node.cpp": f"#include {include}\nint main() {{return 0;}}\n",
+    }
+    return [each.severity.value for each in lint_files({**written, **files}, ["DEP105"]).findings]
+
+
+@pytest.mark.parametrize(
+    ("include", "path", "url", "line", "expected"),
+    [
+        ("<cxxopts.hpp>", "ws/pkg/external/cxxopts", "https://github.com/jarro2783/cxxopts", "", []),
+        ("<cxxopts.hpp>", "ws/other/external/opts", "git@github.com:jarro2783/cxxopts.git", "", []),
+        ("<nlohmann/json.hpp>", "ws/pkg/external/j", "https://github.com/nlohmann/json/", "", []),
+        ("<cxxopts.hpp>", "ws/pkg/external/opts", "https://x.org/a/words", "", ["warning"]),
+        ("<cxxopts.hpp>", "cxxopts/ws/words", "https://cxxopts.org/a/words", "", ["warning"]),
+        ("<cxxopts.hpp>", "ws/pkg/lib", "https://x.org/a/b", "include_directories(lib/include)", ["info"]),
+        ("<cxxopts.hpp>", "ws/pkg/lib", "https://x.org/a/b", "add_subdirectory(lib)", ["info"]),
+        ("<cxxopts.hpp>", "ws/pkg/lib", "https://x.org/a/b", "include_directories(include)", ["warning"]),
+        ("<cv_bridge/cv_bridge.h>", "ws/pkg/lib", "https://x.org/a/b", "add_subdirectory(lib)", ["warning"]),
+    ],
+)
+def test_what_a_submodule_brings(include: str, path: str, url: str, line: str, expected: list[str]) -> None:
+    lines = f"{line}\nadd_executable(node src/node.cpp)"
+    assert levels(include, lines, **{".gitmodules": MODULE.format(path, url)}) == expected
+
+
+TOOL = "  add_executable(node src/node.cpp)\n"
+QUIET = "find_package(Boost QUIET COMPONENTS program_options)\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        (f"{QUIET}if(Boost_FOUND)\n{TOOL}endif()", []),
+        (f"{QUIET}if(Boost_PROGRAM_OPTIONS_FOUND)\n{TOOL}endif()", []),
+        (f"if(BUILD_TESTING)\n{QUIET}if(Boost_PROGRAM_OPTIONS_FOUND)\n{TOOL}endif()\nendif()", []),
+        (f"option(BUILD_TESTING ON)\n{QUIET}{TOOL}", ["warning"]),
+        (f"{QUIET}{TOOL}", ["warning"]),
+        (f"if(BUILD_TESTING)\n{TOOL}endif()", ["warning"]),
+        (f'option(BUILD_TESTING "Tests" ON)\nif(BUILD_TESTING)\n{TOOL}endif()', ["warning"]),
+        (f'option(BUILD_TESTING "Tests" OFF)\nif(BUILD_TESTING)\n{TOOL}endif()', ["info"]),
+        (f'option(WITH_TESTS "Tests" OFF)\nif(BUILD_TESTING AND WITH_TESTS)\n{TOOL}endif()', ["info"]),
+    ],
+)
+def test_what_is_built_only_where_it_is_found_or_asked_for(lines: str, expected: list[str]) -> None:
+    assert levels("<boost/program_options.hpp>", lines) == expected
