@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from ...languages.python.file import Import
+from ...ros.distros import Targets
 from ...ros.imports import may_serve
+from ...ros.rosdep import NOT_THERE
 from .declared_dependencies import DeclaredDependencies
 
 GENERATED = frozenset({"msg", "srv", "action"})
@@ -15,7 +17,15 @@ def undeclared_provider(declared: DeclaredDependencies, what: Import) -> str | N
     names = () if what.is_optional or what.is_for_typing else import_providers(declared, what)
     if not names or declared.has(names) or any(may_serve(name, what.module) for name in declared.names):
         return None
-    return names[0]
+    return next((name for name in names if is_served(declared, name)), None)
+
+
+def is_served(declared: DeclaredDependencies, name: str) -> bool:
+    """Return whether a name may be declared: it is no key of rosdep that serves older releases of Ubuntu alone."""
+    index = declared.workspace.index
+    if not index.is_key(name) or index.is_package(name) or declared.workspace.is_available(name):
+        return True
+    return any(index.installer(name, each) != NOT_THERE for each in Targets())
 
 
 def import_providers(declared: DeclaredDependencies, what: Import) -> tuple[str, ...]:

@@ -11,7 +11,9 @@ from ...unreadable import UnreadableError
 from ..install_table import InstallTable
 
 PROGRAMS = regex(r"\binstall\s*\(\s*PROGRAMS\b([^)]*)\)", re.IGNORECASE)
-PYTHON_PACKAGE = regex(r"\bament_python_install_package\s*\(", re.IGNORECASE)
+PYTHON_PACKAGE = regex(r"\bament_python_install_package\s*\(([^)]*)", re.IGNORECASE)
+IMPORT = regex(r"^[ \t]*(?:from|import)\b[^#\n]*", re.MULTILINE)
+HERE = "${CMAKE_CURRENT_SOURCE_DIR}/"
 
 
 class InstalledPython:
@@ -32,8 +34,39 @@ class InstalledPython:
             return is_program and path in self.shared and not self.is_run_by_cmake(path)
         if is_program:
             return True
-        in_a_package = self.files.exists(f"{path.rpartition('/')[0]}/__init__.py")
-        return in_a_package and (self.packages or not self.cmake)
+        if not self.files.exists(f"{path.rpartition('/')[0]}/__init__.py"):
+            return False
+        if not self.cmake or self.folders is None:
+            return bool(not self.cmake or self.packages)
+        return path.startswith(self.folders) or self.is_imported(path)
+
+    def is_imported(self, path: str) -> bool:
+        """Return whether an import of any file names a module, which Python may find beside it."""
+        folder, _, name = path.rpartition("/")
+        module = folder.rpartition("/")[2] if name == "__init__.py" else name.removesuffix(".py")
+        return module in self.imported
+
+    @cached_property
+    def imported(self) -> frozenset[str]:
+        """The words of all imports of the package."""
+        texts = (self.files.readable_text(path) for path in self.files.paths if path.endswith(".py"))
+        return frozenset(word for text in texts for line in IMPORT.findall(text) for word in re.findall(r"\w+", line))
+
+    @cached_property
+    def folders(self) -> tuple[str, ...] | None:
+        """The folders of the Python packages that CMake installs; None where that can't be told."""
+        found = []
+        for match in PYTHON_PACKAGE.finditer(self.cmake):
+            words = match.group(1).split()
+            given = words.index("PACKAGE_DIR") + 1 if "PACKAGE_DIR" in words else 0
+            found += [word.strip('"').removeprefix(HERE).strip("/") + "/" for word in words[given : given + 1]]
+        others = [each for each in self.files.paths if each.endswith((".cmake", "/CMakeLists.txt"))]
+        is_hidden = any(self.files.holds(each, b"python_install") for each in others)
+        return None if is_hidden or not found or any("$" in each for each in found) else tuple(found)
+
+    @cached_property
+    def cmake_lists(self) -> tuple[str, ...]:
+        return tuple(path for path in self.files.paths if path.rpartition("/")[2] == "CMakeLists.txt")
 
     def is_test(self, path: str) -> bool:
         """Return whether a file among the tests is run with them: CMake names it or its folder, or pytest finds it."""
@@ -50,12 +83,11 @@ class InstalledPython:
         if not self.files.exists("CMakeLists.txt"):
             return ""
         found = []
-        for path in self.files.paths:
-            if path == "CMakeLists.txt" or path.endswith("/CMakeLists.txt"):
-                try:
-                    found.append(self.files.source(path).text)
-                except UnreadableError:
-                    continue
+        for path in self.cmake_lists:
+            try:
+                found.append(self.files.source(path).text)
+            except UnreadableError:
+                continue
         return "\n".join(found)
 
     @cached_property

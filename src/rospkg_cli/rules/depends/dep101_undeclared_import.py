@@ -76,7 +76,7 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     Dockerfile of the repository has pip install. Left out are optional imports: under `try` … `except ImportError`,
     `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
     get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, and the package's
-    own modules.
+    own modules, and libraries of which rosdep has keys for older releases of Ubuntu alone.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, where no released package has the name, or where a comment of
