@@ -105,3 +105,28 @@ def test_a_package_without_programs_lacks_its_build_type(rest: str, level: str) 
     files = {"package.xml": text, "CMakeLists.txt": CMAKE.replace("ament_package", f"{rest}ament_package"), "a.cpp": ""}
     assert levels("XML301", files) == [level]
     assert levels("XML301", {**files, "launch/a.launch.xml": "<launch/>\n"}) == ["error"]
+
+
+FOR_BOTH = "project(my_pkg)\nfind_package(ament_cmake QUIET)\nif(ament_cmake_FOUND)\n{}elseif(CATKIN_X)\n{}endif()\n"
+CATKIN = "  find_package(catkin REQUIRED)\n  catkin_package()\n"
+BOTH_TOOLS = (
+    '  <buildtool_depend condition="$ROS_VERSION == 1">catkin</buildtool_depend>\n'
+    '  <buildtool_depend condition="$ROS_VERSION == 2">ament_cmake</buildtool_depend>\n'
+)
+
+
+@pytest.mark.parametrize(
+    ("native", "catkin", "expected"),
+    [
+        ('  message(STATUS "ignored")\n', CATKIN, []),
+        ("  ament_package()\n", CATKIN, ["info"]),
+        ('  message(WARNING "use npm")\n  ament_package()\n', "  catkin_package()\n", ["info"]),
+        ("  add_executable(a a.cpp)\n  ament_package()\n", CATKIN, ["error"]),
+        ("  add_library(a a.cpp)\n  ament_package()\n", CATKIN, ["warning"]),
+        ("  install(PROGRAMS a.cpp DESTINATION lib/my_pkg)\n", "", ["error"]),
+    ],
+)
+def test_what_cmake_leaves_to_ros_1(native: str, catkin: str, expected: list[str]) -> None:
+    text = manifest(BOTH_TOOLS, "ament_cmake").replace("<build_type>ament_cmake</build_type>", "")
+    files = {"package.xml": text, "CMakeLists.txt": FOR_BOTH.format(native, catkin), "a.cpp": ""}
+    assert levels("XML301", files) == expected
