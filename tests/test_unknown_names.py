@@ -23,17 +23,11 @@ UNNAMED = MissingPackages("the list can't be read")
 NAMED = MissingPackages("`a.repos` lists repositories that are not here", frozenset({"src/gripper_ros", "navigation2"}))
 
 
-def lint(
-    body: str,
-    missing: MissingPackages = COMPLETE,
-    codes: str = "DEP001",
-    fetched: bool = False,
-    more: dict[str, str] | None = None,
-) -> list[Finding]:
+def lint(body: str, missing: MissingPackages = COMPLETE, codes: str = "DEP001", fetched: bool = False) -> list[Finding]:
     index = FetchedNames(dump(INDEX)) if fetched else BUILT_IN
     names = {"index": index, "missing_repositories": missing.repositories}
     scope = Scope(("",), frozenset({""}), "my_pkg", missing.why, **names)
-    files = existing_files({**BACKDROPS["ament_python"], "package.xml": manifest(body), **(more or {})})
+    files = existing_files({**BACKDROPS["ament_python"], "package.xml": manifest(body)})
     return list(Session(MemoryTree.of(files), scope, frozenset({codes}), Targets()).run().findings)
 
 
@@ -255,23 +249,3 @@ def test_the_names_of_all_that_is_missing(tmp_path, write) -> None:
     write(tmp_path, {"b.repos": "- [\n"})
     found = missing_packages(tmp_path, [tmp_path / "pkg"])
     assert (bool(found.why), found.repositories) == (True, frozenset())
-
-
-@pytest.mark.parametrize(
-    "package, program, missing, level",
-    [
-        ("nav2_costmap_2d", "costmap_2d_node", COMPLETE, ["warning"]),
-        ("nav2_costmap_2d", "costmap_2d_node", NAMED, []),
-        ("nav2_costmap_2d", "costmap_2d_node", UNNAMED, []),
-        ("robot_localization", "some_filter", NAMED, ["warning"]),
-        ("robot_localization", "test_some_filter", COMPLETE, []),
-        ("nav2_costmap_2d", "nav2_costmap_2d", COMPLETE, []),
-        ("somebodys_package", "costmap_2d_node", COMPLETE, []),
-    ],
-)
-def test_programs_that_a_package_of_everybody_does_not_have(
-    package: str, program: str, missing: MissingPackages, level: list[str]
-) -> None:
-    launch = f'<launch>\n  <node pkg="{package}" exec="{program}"/>\n</launch>\n'
-    found = lint("", missing, "LCH002", False, {"launch/a.launch.xml": launch})
-    assert [each.severity.value for each in found] == level

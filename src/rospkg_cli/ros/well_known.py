@@ -13,8 +13,6 @@ from .read_table import rows, sets
 TABLE = "well_known.txt"
 LAUNCH_FILES = "well_known_launch.txt"
 LAUNCH_NAME = regex(r"[._-]launch|\.(?:py|xml|ya?ml)$|[_-]")
-TESTED = regex(r"(?:^|[_-])tests?(?:[_-]|$)")
-"""In the name of a program that is for tests."""
 Kind = Literal["programs", "components", "plugins"]
 ENDINGS = ("_node", ".py", "_exe", "_server")
 """Of names of programs; some packages have them, and some do not."""
@@ -27,21 +25,13 @@ class WrongName:
     """A name that a package does not offer."""
 
     better: str
-    """The right one, behind the package where that is another one; "" where it has no successor, or none is like it."""
+    """The right one, behind the package where that is another one; "" where it has no successor."""
     is_removed: bool
-    """Whether distributions that are no longer supported had it; else it is misspelt, or unheard of."""
-
-    @property
-    def is_unheard(self) -> bool:
-        """Whether no distribution had it, and no name is like it."""
-        return not (self.better or self.is_removed)
+    """Whether distributions that are no longer supported had it; else it is misspelt."""
 
 
 def wrong_name(kind: Kind, package: str, name: str) -> WrongName | None:
-    """Return what is wrong with a program or a component of a package; None where nothing shows that anything is.
-
-    What is installed for tests is in no table.
-    """
+    """Return what is wrong with a program or a component of a package; None where nothing shows that anything is."""
     if name in removed(kind).get(package, {}):
         return WrongName(removed(kind)[package][name], True)
     known = sets(TABLE, kind).get(package, frozenset())
@@ -50,8 +40,6 @@ def wrong_name(kind: Kind, package: str, name: str) -> WrongName | None:
     near = with_other_ending(name, known) or closest(name, known)
     homes = packages_with_program(name) if kind == "programs" and not near else ()
     near = near or [f"{home}/{name}" for home in homes]
-    if kind == "programs" and not near and not TESTED.search(name):
-        return WrongName("", False)
     return WrongName(near[0], False) if len(near) == 1 else None
 
 
@@ -129,8 +117,3 @@ def removed(kind: Kind) -> dict[str, dict[str, str]]:
     """Return what each package had once, with what it is called now."""
     found = rows(TABLE, f"removed {kind}")
     return {package: dict(word.rpartition("=")[::2] for word in words) for package, words in found.items()}
-
-
-def programs_of(package: str) -> list[str]:
-    """Return the programs that a well-known package has in the supported distributions."""
-    return sorted(rows(TABLE, "programs").get(package, ()))

@@ -9,7 +9,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts
-from ...ros.well_known import WrongName, programs_of, wrong_name
+from ...ros.well_known import WrongName, wrong_name
 from ...source import Span
 from ...suggest import nearest, slips
 from ..closest_path import is_like
@@ -82,15 +82,6 @@ class WellKnownUse:
     level: Level | None
     why: str
 
-    @property
-    def hint(self) -> str:
-        """What to start instead, behind a semicolon; "" where nothing is known."""
-        if self.wrong.is_unheard:
-            return f"; it has {', '.join(f'`{each}`' for each in programs_of(self.package)[:6])}"
-        better = self.wrong.better
-        called = f"it is called `{better}` now" if self.wrong.is_removed else f"did you mean `{better}`?"
-        return f"; {called}" if better else ""
-
 
 @dataclass(frozen=True)
 class NodeExecutables:
@@ -98,14 +89,10 @@ class NodeExecutables:
     distribution: OlderDistribution
 
     def level_of(self, use: WellKnownUse) -> Level | None:
-        """Return the level of a name that is not there; where the repository is for an older distribution it is.
-
-        A fork or a later release may have one that no distribution has.
-        """
+        """Return the level of a name that is not there; where the repository is for an older distribution it is."""
         if use.wrong.is_removed and self.distribution.is_for_unsupported(self.scope.file.path):
             return "info"
-        is_mild = use.wrong.is_removed or use.wrong.is_unheard or "/" in use.wrong.better
-        return use.level or ("warning" if is_mild else None)
+        return use.level or ("warning" if use.wrong.is_removed or "/" in use.wrong.better else None)
 
     def nodes(self) -> Iterator[ExecutableUse]:
         """Yield what is started of packages of the workspace, under literal names; a component is no program."""
@@ -139,15 +126,9 @@ class NodeExecutables:
         for package, executable, node in file.programs() if not self.scope.is_unused_test else ():
             name = executable.literal or ""
             wrong = wrong_name("programs", package, name) if workspace.named(package) is None else None
-            if wrong is not None and not self.may_have(package, wrong) and executable.span not in seen:
+            if wrong is not None and executable.span not in seen:
                 seen.add(executable.span)
                 yield WellKnownUse(package, executable, name, wrong, *level_at(file, node.span))
-
-    def may_have(self, package: str, wrong: WrongName) -> bool:
-        """Return whether a repository that is listed and not here may be a fork, with programs of its own."""
-        workspace = self.scope.workspace
-        is_listed = workspace.may_lack(package) or (bool(workspace.incomplete) and not workspace.missing_repositories)
-        return wrong.is_unheard and is_listed
 
     def blank(self) -> Iterator[tuple[LaunchText, str]]:
         """Yield the executables and packages of nodes that hold nothing, and packages with a blank at an end."""

@@ -35,7 +35,7 @@ FILES = {
     over=NodeExecutables,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the condition is false by default, an old distribution had the name, or a later one may",
+        Severity.WARNING: "the condition is false by default, or an old distribution had the name",
         Severity.INFO: "the node is never added to the launch description, or the repository is for that distribution",
     },
     examples=(
@@ -56,8 +56,8 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     Finds nodes in launch files whose executable nothing installs.
     The node is of this package, or of another package of the workspace, and is neither a console_script nor a target or
     script that CMake installs. A node without a package is looked for on the PATH, where only what packages put into
-    `bin/` is. Of packages that everybody uses it knows what they install, and what only distributions had that are no
-    longer supported.
+    `bin/` is. Of packages that everybody uses it knows what they install: it says what is a letter or two away from
+    that, and what only distributions had that are no longer supported.
 
     ## Why is this bad?
     The launch stops with "executable 'taker' not found on the libexec directory".
@@ -65,11 +65,9 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     ## When it is quiet
     Packages whose executables are not all known, or whose build may write the file, are left alone, and so are launch
     files of tests that CMake does not run, and paths that begin at the root or where the launch file is: launch starts
-    them as they are. So are packages that everybody uses, where a listed repository that is not here may hold a fork,
-    and their tests. A name that is like none of theirs is a warning, as a later release may have it. A node whose
-    condition is false by default, or that Python makes in a branch alone, or in a file without
-    `generate_launch_description`, is a warning, one that nothing adds to the launch description an info. So is what was
-    there in Foxy or Galactic, where pages and scripts name no later distribution.
+    them as they are. A node whose condition is false by default, or that Python makes in a branch alone, or in a file
+    without `generate_launch_description`, is a warning, one that nothing adds to the launch description an info. So is
+    what was there in Foxy or Galactic, where pages and scripts name no later distribution.
 
     ## Fix safety
     The name is replaced by the only similar one; another program may be right.
@@ -101,10 +99,11 @@ def blank_name(path: str, text: LaunchText, what: str) -> Hit:
 
 
 def not_offered(use: WellKnownUse) -> str:
-    is_elsewhere = "/" in use.wrong.better
-    raised = "" if is_elsewhere else f" with \"executable '{use.name}' not found on the libexec directory\""
+    better = use.wrong.better
+    raised = f" with \"executable '{use.name}' not found on the libexec directory\"" if "/" not in better else ""
+    hint = f"; it is called `{better}` now" if use.wrong.is_removed and better else f"; did you mean `{better}`?"
     start = f"`{use.package}` has no executable `{use.name}`{' any more' if use.wrong.is_removed else ''}"
-    return f"{start}: the launch stops{raised}{use.why and ', '}{use.why}{use.hint}"
+    return f"{start}: the launch stops{raised}{use.why and ', '}{use.why}{hint if better else ''}"
 
 
 def other_name(started: NodeExecutables, use: WellKnownUse) -> Fix | None:
