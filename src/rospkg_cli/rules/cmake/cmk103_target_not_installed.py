@@ -8,6 +8,7 @@ from ...checks.cmake.commented_installs import CommentedInstalls
 from ...checks.cmake.misplaced_libraries import MisplacedLibraries
 from ...checks.cmake.node_programs import NodePrograms
 from ...checks.cmake.target_references import TargetReferences
+from ...checks.cmake.uninstalled_sentences import uninstalled
 from ...edits.cmake_install import install_executable, install_library
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example
@@ -102,7 +103,7 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
             continue  # the install rule that means it is CMK110's
         fix = only_plain_names(Fix(f"install `{word.text}`", (edit(package, forgotten),)), word.text)
         severity = Severity.INFO if is_left_out(programs, forgotten.target) else level(forgotten, programs)
-        yield Hit(word.path, word.span, message(package, forgotten), severity, fix=fix)
+        yield Hit(word.path, word.span, uninstalled(package, forgotten), severity, fix=fix)
     yield from (Hit(each.word.path, each.word.span, each.sentence) for each in MisplacedLibraries(package.cmake).all())
 
 
@@ -116,31 +117,6 @@ def level(forgotten: UninstalledTarget, programs: NodePrograms) -> Severity | No
     if forgotten.stops:
         return Severity.ERROR
     return Severity.INFO if forgotten.target.is_executable and not programs.is_run(forgotten.target) else None
-
-
-USERS = {
-    "component": "the component `{}`",
-    "exporter": "those who use the package, as `ament_export_libraries` promises it,",
-    "linked target": "`{}`, which is linked with it and is installed,",
-    "exported target": "`{}` is exported and",
-    "parameter library": "who links it, as the other parameter libraries can be,",
-}
-
-
-def message(package: CMakePackage, forgotten: UninstalledTarget) -> str:
-    name = package.cmake.quoted(forgotten.target.word)
-    user = USERS[forgotten.needed_by.user].format(forgotten.needed_by.name) if forgotten.needed_by else ""
-    if forgotten.stops:
-        return (
-            f"{user} links {name}, which is not: CMake stops with "
-            '"… requires target … that is not in any export set"; install it with the same EXPORT'
-        )
-    if forgotten.target.is_executable:
-        return (
-            f"the executable {name} is built and not installed: `ros2 run {package.facts.name} "
-            f"{forgotten.target.name}` does not find it; install it into lib/${{PROJECT_NAME}}"
-        )
-    return f"the library {name} is built and not installed: {user} can't load it; install it into lib"
 
 
 def edit(package: CMakePackage, forgotten: UninstalledTarget) -> Edit:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.foreign_targets import ForeignTargets
-from ...checks.cmake.mistyped_packages import MistypedPackage, MistypedPackages
+from ...checks.cmake.mistyped_packages import MistypedPackages
+from ...checks.cmake.package_sentences import EXPORT, STOPS, message
 from ...checks.enumeration import in_ticks
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
@@ -98,14 +99,6 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     yield from (given_targets(packages, each) for each in packages.foreign())
 
 
-EXPORT = "ament_export_dependencies"
-STOPS = {
-    "ament_target_dependencies": '`ament_target_dependencies` stops CMake with "the passed package name … was not '
-    'found before"',
-    EXPORT: "packages that build against this one stop, since they look for it in vain",
-}
-
-
 def given_targets(packages: MistypedPackages, each: ForeignTargets) -> Hit:
     word, own, facts = each.words[0], each.only_own, packages.package.facts
     others = [name for name in each.packages if name != facts.name]
@@ -118,26 +111,3 @@ def given_targets(packages: MistypedPackages, each: ForeignTargets) -> Hit:
         name = each.packages[0]
         fix = Fix(f"write `{name}`", (Edit(own.path, own.span, name),), Safety.UNSAFE)
     return Hit(word.path, word.span, text, Severity.WARNING if is_unused else None, fix=fix)
-
-
-def message(each: MistypedPackage) -> str:
-    name, stops = each.word.text, STOPS.get(each.call.name)
-    if each.kind == "target":
-        advice = "link it with `target_link_libraries`" if "target" in each.call.name else "remove it"
-        return f"`{name}` is a target of this package, and no package: {stops}; {advice}"
-    if each.kind == "keyword":
-        start = f"`{each.call.name}` takes no `{name}` here, only PUBLIC or INTERFACE before the packages"
-        return f"{start}: CMake stops; link the targets of the packages with `target_link_libraries` instead"
-    if each.kind == "imported":
-        return f"`{name}` is the name of a target: no package is called so, and none is found; write `{each.near}`"
-    if each.kind == "own":
-        return f"`{name}` looks for itself: on a clean machine CMake stops, as it is not installed yet; remove the line"
-    if each.kind == "variable":
-        return f"`{each.variable}` holds no packages: {stops}; write `{each.near}`"
-    if each.kind == "nowhere":
-        return f"nothing finds or declares `{name}`: {stops}; find and declare it, or remove it"
-    near = f"(did you mean `{each.near}`?)"
-    if stops is None:
-        stops = 'CMake stops with "Could not find a package configuration file"'
-        return f"no package is called `{name}` {near}: {stops}; correct the name"
-    return f"no `find_package` finds `{name}` {near}: {stops}; correct it"

@@ -116,10 +116,8 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
         softer, why = level_at(scope.file, found.span)
         where = f"the share directory of `{scope.package.name}`"
         text = f"`{found.path}` is looked for in the current directory: elsewhere the node does not find its parameters"
-        level = Severity(softer or "warning")
-        yield Hit(
-            scope.file.path, found.span, f"{text}{why and ', '}{why}; join it to {where}: `{found.installed}`", level
-        )
+        text = f"{text}{why and ', '}{why}; join it to {where}: `{found.installed}`"
+        yield Hit(scope.file.path, found.span, text, Severity(softer or "warning"))
 
 
 def message(scope: LaunchContext, missing: MissingReference, why: str) -> str:
@@ -127,10 +125,8 @@ def message(scope: LaunchContext, missing: MissingReference, why: str) -> str:
     harm = WITHOUT_PARAMETERS if is_for_nodes(scope, missing) else harm
     harm = f"{harm}, {why}" if why else harm
     if missing.state == "no slash":
-        return (
-            f"there is no `/` between the share directory of `{missing.package}` and `{missing.path}`: "
-            f"{harm}; begin it with `/`"
-        )
+        start = f"there is no `/` between the share directory of `{missing.package}` and `{missing.path}`"
+        return f"{start}: {harm}; begin it with `/`"
     return f"`{missing.package}` has no file `{missing.path}`: {harm}; {hint(scope, missing)}"
 
 

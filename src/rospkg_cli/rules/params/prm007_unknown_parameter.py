@@ -93,7 +93,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
     three names. Code is left alone where nodes allow undeclared parameters, or names of them are computed; where other
     packages may choose the options of a node, or a function or library that it calls may declare them.
-    One that is got into a variable, has an alternative, or whose exception may be caught is a warning.
+    One that is got into a variable, has an alternative, is like no other, or whose exception may be caught is a
+    warning.
 
     ## Fix safety
     The similar name may not be the right one. A value of another type is not renamed, a single one for a list is put
@@ -116,7 +117,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         yield Hit(path, span, f"{message}; write `{SIM_TIME}`")
     for read in scope.unknown_reads():
         others = tuple(Related(read.path, span, "and this one") for _, span in read.more)
-        yield Hit(read.path, read.span, undeclared(read), Severity.ERROR if read.throws else None, others)
+        level = Severity.ERROR if read.throws and read.suggestion else None
+        yield Hit(read.path, read.span, undeclared(read), level, others)
 
 
 def renamed(group: ParameterGroup, parameter: Parameter, meant: str) -> Fix | None:

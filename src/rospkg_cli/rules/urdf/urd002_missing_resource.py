@@ -39,8 +39,6 @@ FILES = {
     "meshes/base_link.stl": "solid base\n",
     "launch/show.launch.xml": SHOW,
 }
-
-
 LEVELS = (None, "warning", "info")
 
 
@@ -130,7 +128,6 @@ def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity 
 
 
 def in_home(scope: RobotInWorkspace, found: list[tuple[Span, str]]) -> Hit:
-    """Tell once of the files in a home folder that a robot names."""
     (first, path), *others = found
     more = f" and {len(others)} more" if others else ""
     verb, them = ("are", "they are") if others else ("is", "it is")

@@ -1,0 +1,30 @@
+"""What CMK103 says of targets that are built and not installed."""
+
+from __future__ import annotations
+
+from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.uninstalled_targets import UninstalledTarget
+
+USERS = {
+    "component": "the component `{}`",
+    "exporter": "those who use the package, as `ament_export_libraries` promises it,",
+    "linked target": "`{}`, which is linked with it and is installed,",
+    "exported target": "`{}` is exported and",
+    "parameter library": "who links it, as the other parameter libraries can be,",
+}
+
+
+def uninstalled(package: CMakePackage, forgotten: UninstalledTarget) -> str:
+    name = package.cmake.quoted(forgotten.target.word)
+    user = USERS[forgotten.needed_by.user].format(forgotten.needed_by.name) if forgotten.needed_by else ""
+    if forgotten.stops:
+        return (
+            f"{user} links {name}, which is not: CMake stops with "
+            '"… requires target … that is not in any export set"; install it with the same EXPORT'
+        )
+    if forgotten.target.is_executable:
+        return (
+            f"the executable {name} is built and not installed: `ros2 run {package.facts.name} "
+            f"{forgotten.target.name}` does not find it; install it into lib/${{PROJECT_NAME}}"
+        )
+    return f"the library {name} is built and not installed: {user} can't load it; install it into lib"
