@@ -32,7 +32,13 @@ def test_an_own_module_where_the_path_is_changed(clean, name: str, expected: lis
 
 
 @pytest.mark.parametrize(
-    "name, expected", [("frame_id", []), ("farme_id", ["PRM007 error"]), ("frame", []), ("other", [])]
+    "name, expected",
+    [
+        ("frame_id", []),
+        ("farme_id", ["PRM007 error"]),
+        ("frame", ["PRM007 warning"]),
+        ("other", ["PRM007 warning"]),
+    ],
 )
 def test_a_parameter_that_another_module_gets(clean, name: str, expected: list[str]) -> None:
     node = (

@@ -11,6 +11,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.target_links import TargetLinks
+from ...suggest import near_names
 
 FOR_ALL, FOR_ONE = "include_directories", "target_include_directories"
 KEYWORDS = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM", "BEFORE", "AFTER"})
@@ -44,6 +45,8 @@ class IncludeFolders:
                 if not link.package and not link.word.is_known and not self.is_foreign(link.word):
                     return True
                 own = self.links.own(link.word.text)
+                if own is None and not link.package and near_names(link.word.text, self.targets):
+                    return True  # it is meant for that one: CMK110 tells
                 left += [own.name] if own is not None else []
         return False
 
@@ -70,6 +73,10 @@ class IncludeFolders:
     @cached_property
     def for_all(self) -> tuple[tuple[Word, EvaluatedCommand], ...]:
         return tuple((word, call) for call in self.package.cmake.named(FOR_ALL) for word in call.words)
+
+    @cached_property
+    def targets(self) -> frozenset[str]:
+        return frozenset(target.name for target in self.package.cmake.targets)
 
     @cached_property
     def links(self) -> TargetLinks:
