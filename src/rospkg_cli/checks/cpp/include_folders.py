@@ -31,7 +31,7 @@ class IncludeFolders:
 
     def may_reach(self, target: str, folder: str) -> bool:
         """Return whether a target may be compiled with a folder: its own, or that of a library which it links."""
-        if any(self.is_it(word, call, folder) for word, call in self.for_all):
+        if self.names_no_target or any(self.is_it(word, call, folder) for word, call in self.for_all):
             return True
         seen, left = set[str](), [target]
         while left:
@@ -73,6 +73,12 @@ class IncludeFolders:
     @cached_property
     def for_all(self) -> tuple[tuple[Word, EvaluatedCommand], ...]:
         return tuple((word, call) for call in self.package.cmake.named(FOR_ALL) for word in call.words)
+
+    @cached_property
+    def names_no_target(self) -> bool:
+        """Whether a command is for a target that nothing makes: it is meant for another one."""
+        calls = self.package.cmake.named(FOR_ONE, "target_link_libraries", "ament_target_dependencies")
+        return any(call.words and call.words[0].is_known and call.texts[0] not in self.targets for call in calls)
 
     @cached_property
     def targets(self) -> frozenset[str]:
