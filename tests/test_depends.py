@@ -889,6 +889,22 @@ def test_what_a_package_beside_this_one_declares_is_missing_in_a_release(
         assert found.severity.value == "warning"
 
 
+@pytest.mark.parametrize(
+    ("needs", "where"),
+    [("sensor_msgs", "in a release"), ("rclpy", "on a clean machine"), ("beside_too", "in a release")],
+)
+def test_what_a_package_beside_this_one_brings_is_missing_in_a_release(needs: str, where: str) -> None:
+    """`rosdep install` installs sensor_msgs for the other package, and with it geometry_msgs."""
+    own = {**{f"own/{each}": body for each, body in PYTHON.items()}, "own/my_pkg/a.py": "import geometry_msgs.msg\n"}
+    more = {
+        "more/package.xml": manifest("  <depend>sensor_msgs</depend>\n", "ament_python", "beside_too"),
+        "more/setup.py": "",
+    }
+    beside = {each: body.format(needs) for each, body in BESIDE.items()}
+    (found,) = lint_files({**own, **beside, **(more if needs == "beside_too" else {})}, ["DEP101"]).findings
+    assert where in found.message
+
+
 def test_what_a_package_beside_declares_is_missing_on_the_build_farm() -> None:
     own = {f"own/{path}": text for path, text in existing_files(BACKDROPS["interfaces"]).items()}
     own["own/msg/Place.msg"] = "geometry_msgs/Pose2D pose\n"

@@ -27,6 +27,7 @@ from .brought_dependencies import (
     brought_by_others,
     brought_by_sources,
 )
+from .declared_beside import brought_in, is_declared_by_others
 from .intended_names import intended_names, key_of_cmake_name
 
 MAX_DEPTH = 20
@@ -193,16 +194,12 @@ class DeclaredDependencies:
         return frozenset(found), known
 
     def is_declared_beside(self, names: Iterable[str]) -> bool:
-        """Return whether another package of the repository declares one of some names: whoever builds all has it."""
-        own = self.facts.folder
-        folders = next((each for each in self.workspace.repositories if own in each), None)
-        for name in names:
-            for facts in self.workspace.needing(name):
-                near = (folders is None or facts.folder in folders) and not facts.is_for_ros1
-                tags = (need.tag for need in facts.dependencies if need.name == name and need.certain)
-                if near and facts.folder != own and any(tag != "doc_depend" for tag in tags):
-                    return True
-        return False
+        """Return whether the repository's other packages declare or bring one of some names."""
+        names = [*names]
+        here = next((each for each in self.workspace.repositories if self.facts.folder in each), None)
+        if any(is_declared_by_others(name, self.facts, here, self.workspace) for name in names):
+            return True
+        return not brought_in(here, self.workspace).keys().isdisjoint(names)
 
     @cached_property
     def commented_out(self) -> frozenset[str]:
