@@ -94,10 +94,14 @@ CASES = {
         python("  <exec_depend>yaml</exec_depend>\n", my_pkg__a_DOT_py="import yaml\n"),
         python("  <exec_depend>sensor_msgs</exec_depend>\n", my_pkg__a_DOT_py="import std_msgs.msg\n"),
     ),
-    "DEP001": tuple(
-        cmake(f"find_package(ament_cmake_auto REQUIRED)\n{lines}\n", "  <depend>OpenCV</depend>\n")
+    "DEP001": (
+        *(cmake("", lines) for lines in (
+            "  <exec_depend>pyserial</exec_depend>\n",
+            "  <build_depend>pyserial</build_depend>\n  <exec_depend>pyserial</exec_depend>\n",
+        )),
+        *(cmake(f"find_package(ament_cmake_auto REQUIRED)\n{lines}\n", "  <depend>OpenCV</depend>\n")
         for lines in ("", "ament_auto_find_build_dependencies()",
-                      "find_package(OpenCV REQUIRED)\nament_auto_find_build_dependencies()")
+                      "find_package(OpenCV REQUIRED)\nament_auto_find_build_dependencies()")),
     ),
     "DEP102": (
         python("  <exec_depend>sensor_msgs</exec_depend>\n", test__test_a_DOT_py="import std_msgs.msg\n"),

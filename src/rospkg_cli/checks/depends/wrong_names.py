@@ -126,8 +126,9 @@ ELSEWHERE: tuple[Callable[[DeclaredDependencies, Dependency], WrongDependencyNam
 
 def is_for_python(declared: DeclaredDependencies, dependency: Dependency) -> bool:
     """Return whether a name may be one of PyPI: in a C++ package it may be a private dependency."""
-    python = declared.facts.build_type == "ament_python"
-    return python or "-" in dependency.name or dependency.tag in PYTHON_TAGS
+    if declared.facts.build_type == "ament_python" or "-" in dependency.name:
+        return True
+    return all(each.tag in PYTHON_TAGS for each in declared.manifest.dependencies if each.name == dependency.name)
 
 
 def is_of_python_2(key: str, index: Names) -> bool:
