@@ -109,6 +109,9 @@ CASES = {
         importing("from my_pkg.speach import a\n", test__test_a_DOT_py="import sys\n\nsys.path.append('..')\n"),
         importing("print(1)\n", test__test_a_DOT_py="import sys\n\nsys.path.append('..')\nimport my_pkg.speach\n"),
         importing("from my_pkg.speach import a\n", _DOT_gitignore="speach.py\n"),
+        importing(
+            "import my_pkg.speach\n", _DOT_gitmodules='[submodule "a"]\n\tpath = my_pkg/speach\n\turl = ../speach\n'
+        ),
         importing("from my_pkg.speach import a\n", my_pkg__speach_DOT_pyx="a = 1\n"),
         importing("from my_pkg.speach import a\n", my_pkg__speach__a_DOT_txt="a = 1\n"),
         importing("from my_pkg._version import a\n"),

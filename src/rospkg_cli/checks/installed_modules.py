@@ -75,7 +75,10 @@ class InstalledModules:
         folder = self.folder(package)
         if folder is None or MADE.fullmatch(name):
             return True
-        if self.files.absent.is_expected(f"{folder}/{name}.py") or f"{folder}/{name}" in self.files.folders:
+        expected = self.files.absent.is_expected
+        if expected(f"{folder}/{name}.py") or expected(f"{folder}/{name}/__init__.py"):
+            return True
+        if f"{folder}/{name}" in self.files.folders:
             return True
         return any(path.startswith(f"{folder}/{name}.") for path in self.files.every)
 
