@@ -192,6 +192,7 @@ CASES = {
         python({**STARTS, **LEFT}),
         python({**STARTS, **LEFT, "my_pkg/talker.py": "from my_pkg.speech.words import A\n" + MAIN}),
         below({**STARTS, **LEFT}, {"b/package.xml": BRINGUP}),
+        below({**STARTS, "my_pkg/speech/words.py": "#!/usr/bin/env python3\nprint(1)\n"}, {"b/package.xml": BRINGUP}),
         python({**LEFT, "my_pkg/talker.py": MAIN}),
     ),
     "LCH002": tuple(
