@@ -54,6 +54,7 @@ HEAR = "self.create_subscription(Status, 'status', self.hear, 10)\n"
 SERVE = "self.create_service(SetMode, 'set_mode', self.serve)\n"
 
 TICKS = "msg = Status()\nmsg.batery = 1\n"
+TICKING = f"\n\nclass A:\n    def tick(self):\n{indent(TICKS, ' ' * 8)}"
 
 
 def ticking(bases: str, init: str = "pass\n", name: str = "tick", before: str = "", end: str = "") -> Example:
@@ -77,6 +78,9 @@ CASES = {
         ticking("metaclass=Node"),
         ticking("Node", "msg = Status()\nmsg.batery = 2\n"),
         ticking("Node", "Status().batery\n"),
+        code(body("try:\n    pass\nexcept ValueError:\n    Status().batery = 1\n", "def f():")),
+        code(f"{TICKING}\n\nclass A:\n    pass\n"),
+        code(f"\n\nclass A:\n    pass\n{TICKING}"),
         code("\nmsg = Status()\nmsg.idl = 1\nmsg.IDEL = 1\nprint(msg.idl, msg.IDL, Status(idl=1, IDL=1))\n"),
         code("\nmsg = Status()\nmsg.batery = 1\nmsg.unlike = 2\nmsg.pose.positon.x = 1.0\nmsg.next.texts = ''\n"),
         code(

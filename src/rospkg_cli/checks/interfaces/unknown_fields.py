@@ -21,6 +21,7 @@ from .known_interfaces import KnownInterfaces
 from .message_classes import MessageClasses, names_interfaces
 from .message_scopes import MessageScopes
 from .message_variables import Bindings, Environment, held_by
+from .seldom_run import is_in_handler, is_replaced
 from .uncalled_methods import UncalledMethods
 
 GENERATED = frozenset({"get_fields_and_field_types", "SLOT_TYPES", "check_fields"})
@@ -74,6 +75,16 @@ class FieldUses:
     def is_idle(self, use: UnknownField) -> bool:
         """Return whether a use is in a method of an object that is made and never used."""
         return self.idle.has(use.path, use.span)
+
+    def is_in_handler(self, use: UnknownField) -> bool:
+        """Return whether a use is in an `except` branch."""
+        file = self.run.modules.at(use.path)
+        return file is not None and is_in_handler(file, use.span)
+
+    def is_replaced(self, use: UnknownField) -> bool:
+        """Return whether a use is in a class that the module defines again further down."""
+        file = self.run.modules.at(use.path)
+        return file is not None and is_replaced(file, use.span)
 
     def in_file(self, file: PythonFile, classes: MessageClasses) -> Iterator[UnknownField]:
         for body, variables in MessageScopes(file, classes, self.known.fields).bodies():

@@ -29,6 +29,8 @@ TALKER = "from std_msgs.msg import String\n\n\ndef words():\n    msg = String()\
 LEFT = "; nothing starts or imports this module"
 UNCALLED = "; nothing calls this method"
 IDLE = "; its object is made and never used"
+IN_HANDLER = "; it runs after another exception alone"
+REPLACED = "; the class is defined again below"
 
 
 @rule(
@@ -36,7 +38,9 @@ IDLE = "; its object is made and never used"
     "unknown-field",
     over=FieldUses,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "nothing starts or imports the module, calls the method, or uses the object that has it"},
+    levels={
+        Severity.WARNING: "nothing starts or imports the module, calls the method, or comes to the place as a rule"
+    },
     examples=(
         Example(
             bad={"package.xml": manifest(DEPENDS), "my_pkg/listener.py": NODE.format("«dat»")},
@@ -71,7 +75,8 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     ROS 1; under a condition that is for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A module that no
     entry point and no other file of the package names or imports, beside others that start, is a warning, and so is a
     method of a node whose name no other code of the package has, or of an object that is bound to a name which nothing
-    reads, unless its construction comes to the method.
+    reads, unless its construction comes to the method, or of a class that the module defines again further down. So
+    is a use in an `except` branch.
 
     ## Fix safety
     The intended field is a guess.
@@ -95,6 +100,10 @@ def unrun(uses: FieldUses, places: Sequence[UnknownField]) -> str:
         return LEFT
     if all(map(uses.is_uncalled, places)):
         return UNCALLED
+    if all(map(uses.is_in_handler, places)):
+        return IN_HANDLER
+    if all(map(uses.is_replaced, places)):
+        return REPLACED
     return IDLE if all(map(uses.is_idle, places)) else ""
 
 
