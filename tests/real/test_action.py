@@ -53,6 +53,6 @@ def test_it_annotates_reports_and_sums_up(workspace: Path, tmp_path: Path, shell
     done = shell.run("bash", "-c", step["run"], cwd=workspace, **variables)
     assert done.returncode == 1, done.stdout + done.stderr
     assert (Path(variables["HOME"]) / ".cache/rospkg/index.txt").is_file()
-    assert done.stdout.startswith("::warning file=my_pkg/package.xml,line=6,")
+    assert done.stdout.startswith("::warning file=my_pkg/package.xml,line=8,")
     assert json.loads((workspace / "out.sarif").read_text())["version"] == "2.1.0"
     assert "| warning | XML104 placeholder-metadata |" in (tmp_path / "summary.md").read_text()
