@@ -128,6 +128,14 @@ def test_repositories(workspace: Path) -> None:
     assert found == ({"src/a", "src/third_party/d"}, {"src/group/b"})
 
 
+def test_a_copy_of_a_repository_belongs_to_the_one_around_it(workspace: Path) -> None:
+    """What the copy's former host read is still in it."""
+    (workspace / "src/group/.github").mkdir()
+    assert locate([workspace]).scope.repositories == ({"src/group/b"},)
+    (workspace / "src/.git").mkdir()
+    assert locate([workspace]).scope.repositories == ({"src/a", "src/group/b", "src/third_party/d"},)
+
+
 @pytest.mark.parametrize(
     "marks, says",
     [

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from ...disk_trace import exists, is_file, real_path, scan
 from ...fence import is_within
+from ...gitignore import folders_above
 from ...leftovers import is_build_output, is_never_source
 from ...tree import Tree
 
-REPOSITORY_MARKS = (".git", ".github", ".gitlab-ci.yml")
-"""Files in the root of a repository; an export without .git has those that its host reads."""
+REPOSITORY_MARKS = (".git",), (".github", ".gitlab-ci.yml")
+"""Files in the root of a repository, by how sure they are: an export without .git has those that its host reads.
+
+A copy of another repository has these as well, in the midst of one with a .git.
+"""
 
 IGNORE_MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 
@@ -81,17 +85,16 @@ def marker_above(package: Path, below: Path) -> Path | None:
     return next((mark for mark in marks if exists(mark)), None)
 
 
-def repositories(folders: Iterable[str], marked: Callable[[str], bool]) -> tuple[frozenset[str], ...]:
+def repositories(folders: Iterable[str], marked: Callable[[str, Sequence[str]], bool]) -> tuple[frozenset[str], ...]:
     """Return the packages of each repository: those whose nearest marked folder is the same.
 
     Folders are relative to the root of the run; what lies above that is not looked at.
     """
     found: dict[str, set[str]] = {}
     for folder in folders:
-        here = folder
-        while here and not marked(here):
-            here = here.rpartition("/")[0]
-        if marked(here):
+        around = sorted(folders_above(f"{folder}/package.xml".lstrip("/")), key=len, reverse=True)
+        every = (each for marks in REPOSITORY_MARKS for each in around if marked(each, marks))
+        if (here := next(every, None)) is not None:
             found.setdefault(here, set()).add(folder)
     return tuple(frozenset(found[root]) for root in sorted(found))
 
@@ -108,9 +111,9 @@ def repositories_in(tree: Tree) -> tuple[frozenset[str], ...]:
     """Return the packages of each repository of a tree in memory."""
     paths = [path + "/" for path in tree.files()]
 
-    def marked(folder: str) -> bool:
-        marks = tuple(f"{folder}/{mark}/".lstrip("/") for mark in REPOSITORY_MARKS)
-        return any(path.startswith(marks) for path in paths)
+    def marked(folder: str, marks: Sequence[str]) -> bool:
+        starts = tuple(f"{folder}/{mark}/".lstrip("/") for mark in marks)
+        return any(path.startswith(starts) for path in paths)
 
     return repositories(packages_in(tree), marked)
 

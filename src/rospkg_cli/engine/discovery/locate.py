@@ -15,7 +15,7 @@ from ...leftovers import is_never_source
 from ...light_dataclasses import dataclass
 from ...user_error import UserError
 from ..run.session import Scope
-from .discover import REPOSITORY_MARKS, enclosing_package, packages_below, repositories
+from .discover import enclosing_package, packages_below, repositories
 from .exclusions import Exclusions
 from .hidden_packages import VENDOR_FOLDERS, describe_hidden
 from .incomplete_workspace import missing_packages
@@ -58,7 +58,7 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, configs: Config
         incomplete=missing.why,
         missing_repositories=missing.repositories,
         prefix_names=installed_package_names(os.environ),
-        repositories=repositories((relative(p, root) for p in every), lambda folder: is_repository(root / folder)),
+        repositories=repositories((relative(p, root) for p in every), lambda f, marks: is_marked(root / f, marks)),
     )
     hidden = "" if kept else "the config excludes them" if given else describe_hidden(paths)
     return Located(root, scope, exclusions, hidden)
@@ -81,8 +81,8 @@ def siblings(packages: Iterable[Path]) -> Iterator[Path]:
                 yield from (folder / name for name in names if is_file(folder / name / "package.xml"))
 
 
-def is_repository(folder: Path) -> bool:
-    return any(exists(folder / mark) for mark in REPOSITORY_MARKS)
+def is_marked(folder: Path, marks: Sequence[str]) -> bool:
+    return any(exists(folder / mark) for mark in marks)
 
 
 def packages_at(path: Path) -> list[Path]:
