@@ -905,6 +905,16 @@ def test_what_a_package_beside_this_one_brings_is_missing_in_a_release(needs: st
     assert where in found.message
 
 
+@pytest.mark.parametrize(("code", "path"), [("DEP101", "my_pkg/a.py"), ("DEP102", "test/test_a.py")])
+def test_what_a_package_beside_declares_under_another_key_is_there(code: str, path: str) -> None:
+    """Ubuntu has the module, and PyPI: either key installs it."""
+    own = {**{f"own/{each}": body for each, body in PYTHON.items()}, f"own/{path}": "import transforms3d\n"}
+    for key, is_there in (("python-transforms3d-pip", True), ("python3-numpy", False)):
+        beside = {each: body.format(key) for each, body in BESIDE.items()}
+        (found,) = lint_files({**own, **beside}, [code]).findings
+        assert ("on a clean machine" not in found.message) is is_there
+
+
 def test_what_a_package_beside_declares_is_missing_on_the_build_farm() -> None:
     own = {f"own/{path}": text for path, text in existing_files(BACKDROPS["interfaces"]).items()}
     own["own/msg/Place.msg"] = "geometry_msgs/Pose2D pose\n"

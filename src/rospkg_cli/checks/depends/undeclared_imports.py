@@ -57,6 +57,10 @@ class ImportDependencies:
         index = self.declared.workspace.index
         return index.is_key(missing.name) and PipInstalls(self.files).has(missing.places[0].module, missing.name, index)
 
+    def serving(self, missing: UndeclaredImport) -> tuple[str, ...]:
+        """Return the names that provide what is missing: the one to declare, and others that would do."""
+        return (missing.name, *self.declared.workspace.providers_of(missing.places[0].module))
+
     def is_left(self, places: Iterable[ImportUse]) -> bool:
         """Return whether all places are in modules that nothing starts or imports, beside programs."""
         reached = self.reached

@@ -120,7 +120,7 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
     first, declared = missing.places[0], imports.declared
     end, is_launch = unneeded(imports, missing.places), imports.is_for_launch(missing)
     shown = "" if missing.name == first.module.partition(".")[0] else f" here as `{first.module}`"
-    where = where_absent(declared, missing.name, built=ends == BUILD)
+    where = where_absent(declared, *imports.serving(missing), built=ends == BUILD)
     what = ONLY_LAUNCH if is_launch else f"{where} {LACKS.get(where, '')}{ends}"
     todo = advice(declared, kind, missing.name)
     if not end and imports.is_for_pip(missing):

@@ -63,7 +63,7 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
             continue
         brings = ", ".join(f"`{name}`" for name in missing.also_provides)
         others = f", which brings {brings} as well" if brings else ""
-        where = where_absent(declared, missing.name, built=True)
+        where = where_absent(declared, *imports.serving(missing), built=True)
         message = (
             f"`{missing.name}` is imported by tests and not declared: {where} "
             f"`colcon test` fails with ModuleNotFoundError; {advice(declared, 'test_depend', missing.name)}{others}"
