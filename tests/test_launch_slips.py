@@ -84,6 +84,12 @@ def test_a_value_that_stands_for_a_parameter_file(default: str, found: int) -> N
     assert all(text.startswith(start) for text in texts)
 
 
+@pytest.mark.parametrize("name", ["config_file", "params_path", "robot_yaml", "parameters"])
+def test_an_argument_that_is_named_for_a_file_is_given_one(name: str) -> None:
+    node = f"Node(package='p', executable='e', parameters=[LaunchConfiguration('{name}')])"
+    assert in_python(f"DeclareLaunchArgument('{name}', default_value='not given')", node, code="LCH014") == []
+
+
 def test_what_is_compared_is_named() -> None:
     (text,) = in_python("Node(package='p', executable='e') if LaunchConfiguration('mode') == 'x' else 1", code="LCH014")
     assert "it compares `LaunchConfiguration('mode')` itself" in text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ...lazy_regex import regex
@@ -14,6 +15,8 @@ from ..fault import Fault
 from .missing_references import LaunchContext, MissingReference
 
 PATH = regex(r"[/\\~]|\.(?:ya?ml|params?)$")
+FOR_FILES = regex(r"file|path|ya?ml|conf|param", re.IGNORECASE)
+"""Names of arguments that are given a file, whatever their defaults."""
 RELATIVE = regex(r"\w[\w.-]*(?:/[\w.-]+)*\.ya?ml")
 
 
@@ -63,6 +66,8 @@ def values_as_files(file: LaunchFile) -> Iterator[Fault]:
         if is_default and value and not PATH.search(value):
             names = {each.name.literal for each in file.arguments if each.default is text}
             name = next(iter(names), None) or "name"
+            if FOR_FILES.search(name):
+                continue
             message = f"`{name}` stands among parameters, where launch_ros takes files; its default `{value}` is none"
             yield Fault(text.span, f"{message}: the node does not get it; write `{{'{name}': …}}`", "warning")
 
