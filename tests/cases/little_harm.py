@@ -157,6 +157,7 @@ INCLUDING = {
 FINDS = "find_package(Boost REQUIRED"
 BRINGUP = manifest("", "cmake", "bringup").replace("  <export>", f"{NEEDS}  <export>")
 LEFT = {"my_pkg/speech/words.py": "A = 1\n"}
+OPENING = {"b/package.xml": BRINGUP, "b/launch/b.launch.xml": EMPTY.format("")}
 CASES = {
     "SET105": (
         below(
@@ -217,6 +218,9 @@ CASES = {
     "SET206": tuple(
         python({"setup.py": setup_py(), "config/a.yaml": "a: 1\n", "launch/a.launch.py": OPENS.format(name)})
         for name in ("'a.yaml'", "'b.yaml'", "name")
+    ) + tuple(
+        below({"setup.py": setup_py(), **{f"config/{name}": "" for name in names}}, OPENING)
+        for names in (("a.yaml",), ("a.yaml", "b.rviz"), ("a.yaml", "b.txt"), ("b.rviz",))
     ),
     "CMK117": tuple(
         Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", f"{TARGET}{name})\nament_package"), "a.cpp": ""},
@@ -249,6 +253,8 @@ CASES = {
     "XML307": (
         python({"CMakeLists.txt": CATKIN.format("catkin_package()")}),
         python({"CMakeLists.txt": CATKIN.format("find_package(catkin)")}),
+        python({"CMakeLists.txt": INSTALL, "config/a.yaml": ""}),
+        python({"CMakeLists.txt": INSTALL.replace("config", "config docs"), "config/a.yaml": "", "docs/a.md": ""}),
     ),
     "PRM001": (
         *(configured(WRONG, *each) for each in FILES),

@@ -95,10 +95,11 @@ class ShareUses:
     def may_be_opened(self, folder: str) -> bool:
         """Return whether another package that depends on this one may open a folder's files; a metapackage opens none.
 
-        Of YAML it is known which files the texts of each package name.
+        Of YAML it is known which files the texts of each package name, and RViz goes on without its config.
         """
-        stems = {posixpath.splitext(path)[0].rpartition("/")[2] for path in self.files.below(folder)}
-        is_yaml = all(path.endswith((".yaml", ".yml")) for path in self.files.below(folder))
+        paths = [path for path in self.files.below(folder) if not path.endswith(".rviz")] or self.files.below(folder)
+        stems = {posixpath.splitext(path)[0].rpartition("/")[2] for path in paths}
+        is_yaml = all(path.endswith((".yaml", ".yml")) for path in paths)
         needing = [facts for facts in self.workspace.needing(self.name) if not facts.is_metapackage]
         return any(not is_yaml or not facts.named_yaml.isdisjoint({*stems, ANY}) for facts in needing)
 

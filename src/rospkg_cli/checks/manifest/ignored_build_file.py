@@ -18,14 +18,20 @@ ENTRY = regex(r"[\"'\s=]([\w.]+)\s*:\s*\w+\s*[\"'\n]")
 """The module of an entry point."""
 
 
-def lost_of_cmake(files: PackageFiles) -> bool:
-    """Return whether a CMakeLists.txt builds targets, or installs files that setup.py does not name."""
+def lost_of_cmake(files: PackageFiles) -> list[str]:
+    """Return what a CMakeLists.txt installs and setup.py does not name: files, folders, and its targets at the end."""
     text, setup = (COMMENT.sub("", files.readable_text(path)) for path in ("CMakeLists.txt", "setup.py"))
+    found, targets = dict[str, None](), False
     for arguments in INSTALL.findall(text):
         words = [word.rstrip("/") for word in WORD.findall(arguments)]
-        if "TARGETS" in words or any(word in files.places and not names(setup, word) for word in words):
-            return True
-    return False
+        targets |= "TARGETS" in words
+        found |= dict.fromkeys(word for word in words if word in files.places and not names(setup, word))
+    return [*found, *(["targets"] if targets else [])]
+
+
+def is_told_elsewhere(path: str) -> bool:
+    """Return whether a path is in a folder that setup.py has to install: launch files, parameters and the like."""
+    return path.partition("/")[0] in FOLDERS
 
 
 def lost_of_setup(files: PackageFiles) -> bool:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from ...checks.manifest.ignored_build_file import lost_of_cmake, lost_of_setup
+from ...checks.enumeration import in_ticks
+from ...checks.manifest.ignored_build_file import is_told_elsewhere, lost_of_cmake, lost_of_setup
 from ...checks.manifest.manifest_inputs import ManifestAndCMake
 from ...example import CMAKE, SETUP_PY, Example, manifest
 from ...finding import Hit, Severity
@@ -58,10 +59,10 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
 
     ## When it is quiet
     It is an info where the ignored file installs nothing that is there and is missing without it: a CMakeLists.txt for
-    catkin, or one whose files setup.py names too; a setup.py whose modules are not there, or whose files CMake
-    installs. Packages for ROS 1 and ROS 2 (catkin, conditions) are left alone, those without the file of their own
-    build type to XML304, and a setup.py that CMake installs by `ament_python_install_package()`, or that a
-    CMakeLists.txt of unknown parts may use.
+    catkin, or one whose files setup.py names too, or has to name (folders of launch files, parameters …); a setup.py
+    whose modules are not there, or whose files CMake installs. Packages for ROS 1 and ROS 2 (catkin, conditions) are
+    left alone, those without the file of their own build type to XML304, and a setup.py that CMake installs by
+    `ament_python_install_package()`, or that a CMakeLists.txt of unknown parts may use.
 
     ## References
     - [ament_cmake_python](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Python-Documentation.html)
@@ -78,7 +79,9 @@ def conflicting_build_files(package: ManifestAndCMake) -> Iterator[Hit]:
         other, advice = "CMakeLists.txt", "remove it, or make this an ament_cmake package"
         is_for_ros1 = OF_CATKIN.search(files.source("CMakeLists.txt").text) is not None
         harmless = "which catkin read in ROS 1" if is_for_ros1 else harmless
-        is_lost = not is_for_ros1 and lost_of_cmake(files)
+        lost = [] if is_for_ros1 else lost_of_cmake(files)
+        harmless = f"which would install {in_ticks(lost)}" if lost else harmless
+        is_lost = not all(map(is_told_elsewhere, lost))
     elif used == "ament_cmake" and files.exists("setup.py") and package.cmake and not package.installs_python:
         other, advice = "setup.py", "remove it, or call `ament_python_install_package` in CMakeLists.txt"
         is_lost = lost_of_setup(files)
