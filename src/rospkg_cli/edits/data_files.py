@@ -12,7 +12,7 @@ from ..package.setup.setup_py import SetupPy
 from ..package.setup.setup_text import SetupText
 from ..source import Span
 from . import python_list as commas
-from .setup_py import add_argument, add_item, import_module, name_code, own_arguments, quoted, replace_text
+from .setup_py import add_argument, add_item, import_standard, name_code, own_arguments, quoted, replace_text
 
 SHARE = regex(
     r"""\bf["']share/\{(?P<name>\w+)\}|(?P<join>[\w.]*\bjoin)\(\s*["']share["']\s*,\s*(\w+)"""
@@ -104,7 +104,7 @@ def install_folder(setup: SetupPy, name: str, folder: str, files: tuple[str, ...
     if not glob_is_known(setup):
         return ()
     edits = add_data_entry(setup, share_code(setup, name, folder), f"{glob_code(setup)}({quoted(setup, pattern)})")
-    imported = import_module(setup, "from glob import glob") if setup.names.get("glob") is None else ()
+    imported = import_standard(setup, "from glob import glob") if setup.names.get("glob") is None else ()
     return (*edits, *imported) if edits else ()
 
 

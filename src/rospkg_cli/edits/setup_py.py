@@ -10,9 +10,9 @@ from ..lazy_regex import regex
 from ..package.setup.find_packages import PackageSearch
 from ..package.setup.setup_py import SetupPy
 from ..package.setup.setup_text import SetupText
-from ..ros.imports import STANDARD
 from ..source import Span
 from . import python_list as commas
+from .python_imports import import_lines, import_module
 
 PLAIN = regex(r"[^\\'\"\n\r{}]*")
 """What may stand between any quotes as it is."""
@@ -92,7 +92,7 @@ def import_code(setup: SetupPy, module: str, name: str) -> tuple[Edit, ...]:
     if bound is not None:
         return ()
     line = f"from {module} import {name}\n"
-    firsts = [(text, span) for text, span in import_lines(setup)]
+    firsts = [(text, span) for text, span in import_lines(setup.file)]
     after = [span for text, span in firsts if text.split()[1] < module]
     at = (
         setup.source.line_starts[setup.source.position(after[-1].end)[0]]
@@ -111,19 +111,6 @@ def import_name(setup: SetupPy, module: str, name: str) -> tuple[Edit, ...]:
             at = setup.file.span(node.names[0]).start
             return (Edit(setup.path, Span(at, at), f"{name}, "),)
     return import_code(setup, module, name)
-
-
-def import_lines(setup: SetupPy) -> list[tuple[str, Span]]:
-    """Return the import statements at the top, as text and span."""
-    found = []
-    for node in setup.file.tree.body:
-        span = setup.file.span(node)
-        text = setup.source.slice(span)
-        if text.startswith(("import ", "from ")):
-            found.append((text, span))
-        elif found:
-            break
-    return found
 
 
 def add_packages(setup: SetupPy, *names: str) -> tuple[Edit, ...]:
@@ -171,14 +158,6 @@ def move_tests_require(setup: SetupPy) -> tuple[Edit, ...]:
     return (*removed, *commas.append(setup.source, extras.span, spans, f"{key}: {code}"))
 
 
-def import_module(setup: SetupPy, line: str) -> tuple[Edit, ...]:
-    """Add an import of the standard library: among those that are there, or in a group of its own before the others."""
-    module = line.split()[1]
-    found = [(text.split()[1].partition(".")[0], span) for text, span in import_lines(setup)]
-    standard = [(name, span) for name, span in found if name in STANDARD]
-    before = [span for name, span in standard if name <= module]
-    if before or not found:
-        at = setup.source.line_starts[setup.source.position(before[-1].end)[0]] if before else 0
-        return (Edit(setup.path, Span(at, at), f"{line}\n"),)
-    at = (standard or found)[0][1].start
-    return (Edit(setup.path, Span(at, at), f"{line}\n" if standard else f"{line}\n\n"),)
+def import_standard(setup: SetupPy, line: str) -> tuple[Edit, ...]:
+    """Add an import of the standard library, at the start where setup.py has no other import."""
+    return import_module(setup.file, line) or (Edit(setup.path, Span(0, 0), f"{line}\n"),)

@@ -36,16 +36,33 @@ class UndefinedName:
     span: Span
     known: frozenset[str]
     """The names that are bound there, without builtins."""
+    is_annotation: bool = False
+    """Whether it says a type, which Python reads as it defines the function or the class, from 3.14 on never."""
 
 
-def undefined_names(file: PythonFile) -> Iterator[UndefinedName]:
-    """Yield uses of names that no scope around them binds; none where a file may have names that it does not show."""
-    if file.star_imports or file.has_dynamic_names or any("*" in each.names for each in file.imports):
+def undefined_names(file: PythonFile, *, everywhere: bool = False) -> Iterator[UndefinedName]:
+    """Yield uses of names that no scope around them binds; none where a file may have names that it does not show.
+
+    Everywhere: also in annotations, and in files with star imports, of which whoever asks knows what they bring.
+    """
+    if file.has_dynamic_names or (not everywhere and any("*" in each.names for each in file.imports)):
         return
     if any(node.id in ("exec", "eval", "locals") for node in nodes_of_kind(file.tree, ast.Name)):
         return
-    for name, known in names_unseen(file.tree.body, frozenset(file.definitions)):
-        yield UndefinedName(name.id, file.span(name), known)
+    found = [*names_unseen(file.tree.body, frozenset(file.definitions))]
+    annotations = frozenset(annotated(file)) if found else frozenset()
+    for name, known in found:
+        is_annotation = id(name) in annotations
+        if not is_annotation or (everywhere and "annotations" not in file.definitions):
+            yield UndefinedName(name.id, file.span(name), known, is_annotation)
+
+
+def annotated(file: PythonFile) -> Iterator[int]:
+    """Yield the identity of each node in an annotation."""
+    parts: list[ast.expr | None] = [each.annotation for each in nodes_of_kind(file.tree, ast.arg)]
+    parts += [each.annotation for each in nodes_of_kind(file.tree, ast.AnnAssign)]
+    parts += [each.returns for each in nodes_of(file.tree) if isinstance(each, ast.FunctionDef | ast.AsyncFunctionDef)]
+    yield from (id(node) for each in parts if each is not None for node in nodes_of(each))
 
 
 def is_in_branch(file: PythonFile, span: Span) -> bool:
@@ -116,22 +133,30 @@ def parts_of_function(node: FunctionNode, seen: frozenset[str], around: frozense
     """Yield the parts of a function; `around` are the names that its decorators and defaults see, if not `seen`."""
     arguments, outside = node.args, seen if around is None else around
     yield [*arguments.defaults, *arguments.kw_defaults], outside
+    seen |= type_parameters(node)
     every = [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs, arguments.vararg, arguments.kwarg]
     own = {each.arg for each in every if each is not None}
     body = [node.body] if isinstance(node, ast.Lambda) else node.body
     if not isinstance(node, ast.Lambda):
         yield node.decorator_list, outside
+        yield [*(each.annotation for each in every if each), node.returns], outside | type_parameters(node)
     yield body, seen | own | bound_in(body)
 
 
 def parts_of_class(node: ast.ClassDef, seen: frozenset[str]) -> Iterator[Part]:
     """Yield the body of a class, whose names its own statements see and the bodies of its methods don't."""
+    seen |= type_parameters(node)
     own = seen | bound_in(node.body) | {"__class__", "__qualname__", "__module__"}
     for each in node.body:
         if isinstance(each, ast.FunctionDef | ast.AsyncFunctionDef):
             yield from parts_of_function(each, seen | {"__class__", "super"}, own)
         else:
-            yield [each], own
+            yield [each, each.annotation if isinstance(each, ast.AnnAssign) else None], own
+
+
+def type_parameters(node: ast.AST) -> frozenset[str]:
+    """Return the names of `class Box[T]`, which Python 3.12 and later know."""
+    return frozenset(each.name for each in getattr(node, "type_params", ()))
 
 
 def bound_in(body: Iterable[ast.AST]) -> frozenset[str]:

@@ -24,7 +24,10 @@ GOOD = "from std_msgs.msg import String\n\nprint(String)\n"
     },
     examples=(
         Example(
-            bad={**NEEDS_STD_MSGS, "my_pkg/talker.py": GOOD.replace("import String", "import «Sting»")},
+            bad={
+                **NEEDS_STD_MSGS,
+                "my_pkg/talker.py": GOOD.replace("import String", "import «Sting»").replace("(String", "(Sting"),
+            },
             good={"my_pkg/talker.py": GOOD},
         ),
         Example(

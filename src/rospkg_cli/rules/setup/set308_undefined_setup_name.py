@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...edits.setup_py import import_module, import_name
+from ...edits.setup_py import import_name, import_standard
 from ...example import SETUP_PY, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...languages.python.called_modules import CalledModule, called_modules
@@ -118,4 +118,4 @@ def import_of(setup: SetupPy, found: UndefinedName) -> str:
 
 
 def import_by(setup: SetupPy, name: str, line: str) -> tuple[Edit, ...]:
-    return import_name(setup, "setuptools", name) if "setuptools" in line else import_module(setup, line)
+    return import_name(setup, "setuptools", name) if "setuptools" in line else import_standard(setup, line)

@@ -1,0 +1,134 @@
+"""Names that a package's Python code uses and that nothing binds (DEP117)."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Collection, Iterator
+from typing import Literal
+
+from ...languages.python.certain_nodes import certain_nodes
+from ...languages.python.file import PythonFile
+from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.undefined_names import UndefinedName, is_in_branch, undefined_names
+from ...languages.python.unreached_functions import unreached_functions
+from ...light_dataclasses import dataclass
+from ...package.install_table import InstallTable
+from ...source import Span
+from ..installed_modules import InstalledModules
+from ..interfaces.uncalled_methods import UncalledMethods
+from ..reached_modules import ReachedModules
+from ..run_imports import RunImports
+
+When = Literal["certainly", "maybe", "never"]
+"""When a name is used: whenever the program is started or the module imported, in some runs, where nothing leads."""
+
+ORDER: tuple[When, ...] = ("certainly", "maybe", "never")
+OF_LAUNCH = frozenset({"generate_launch_description", "generate_test_description"})
+PYTHON_2 = frozenset(
+    "unicode xrange raw_input basestring long unichr reduce file cmp execfile buffer reload apply intern".split()
+)
+"""Builtins of Python 2, which files for both ask for behind a look at the version."""
+GIVEN = frozenset(
+    "_ ngettext get_ipython display profile reveal_type WindowsError exit quit copyright credits license help "
+    "aiter anext EncodingWarning BaseExceptionGroup ExceptionGroup PythonFinalizationError".split()
+)
+"""What translations, notebooks, profilers, `site` and newer Pythons have among the builtins."""
+BUILD_TOOL = "Import"
+"""How a script of SCons asks for the names that it is given."""
+
+
+@dataclass(frozen=True, slots=True)
+class UndefinedUse:
+    """A name that a file uses and that nothing binds, with its first use among those that are worst."""
+
+    file: PythonFile
+    found: UndefinedName
+    others: tuple[UndefinedName, ...]
+    when: When
+    home: str
+    """The module that the file imports and that has the name: `.qos`; "" where none is known."""
+
+
+@dataclass(frozen=True)
+class UndefinedUses:
+    run: RunImports
+    table: InstallTable
+    installed: InstalledModules
+    reached: ReachedModules
+    uncalled: UncalledMethods
+
+    def all(self) -> Iterator[UndefinedUse]:
+        for role, file in self.run.files:
+            if role != "aside" and OF_LAUNCH.isdisjoint(file.functions):  # those are told by LCH013
+                yield from self.of(file, is_test=role == "test")
+
+    def of(self, file: PythonFile, *, is_test: bool) -> Iterator[UndefinedUse]:
+        uses: dict[str, list[UndefinedName]] = {}
+        for found in undefined_names(file, everywhere=True):
+            if found.name not in GIVEN and not self.is_for_python_2(file, found):
+                uses.setdefault(found.name, []).append(found)
+        if not uses or BUILD_TOOL in uses:
+            return
+        certain = self.certain_spans(file)
+        for name, places in uses.items():
+            if not self.may_come_by_star(file, name):
+                times: list[When] = ["maybe" if is_test else self.when(file, each, certain) for each in places]
+                when = min(times, key=ORDER.index)
+                first = places[times.index(when)]
+                others = tuple(each for each in places if each is not first)
+                yield UndefinedUse(file, first, others, when, self.home(file, name))
+
+    def is_for_python_2(self, file: PythonFile, found: UndefinedName) -> bool:
+        return found.name in PYTHON_2 and is_in_branch(file, found.span)
+
+    def may_come_by_star(self, file: PythonFile, name: str) -> bool:
+        """Return whether a star import may bind a name: of a foreign module, or of an own one that has it."""
+        stars = (each for each in file.imports if "*" in each.names)
+        modules = [self.installed.absolute(each, file.path) for each in stars]
+        return any(each not in self.installed.sources or self.installed.offers(each, name) for each in modules)
+
+    def when(self, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
+        if found.is_annotation:
+            return "maybe"
+        if found.span in certain:
+            return "certainly"
+        is_idle = self.reached.is_left(file.path) or self.uncalled.has(file.path, found.span)
+        return "never" if is_idle or self.is_in_idle_function(file, found.span) else "maybe"
+
+    def certain_spans(self, file: PythonFile) -> frozenset[Span]:
+        """Return where the names stand that a program or a module reads whenever it is started or imported."""
+        module, rows = self.installed.names.get(file.path, ""), [*self.table.of("executable")]
+        is_program = any(row.source == file.path and not row.entry for row in rows)
+        if not is_program and module not in self.reached.started:
+            return frozenset()
+        entries = [row.entry.partition(":")[2] for row in rows if row.entry.partition(":")[0] == module]
+        nodes = certain_nodes(file, entries, is_program=is_program)
+        return frozenset(file.span(each) for each in nodes_of_kind(file.tree, ast.Name) if id(each) in nodes)
+
+    def is_in_idle_function(self, file: PythonFile, span: Span) -> bool:
+        """Return whether a place is in a function of a file that nothing calls, and that no other file takes."""
+        taken = {name for _, other in self.run.files for each in other.imports for name in each.names}
+        names = {row.entry.partition(":")[2] for row in self.table.of("executable")}
+        for each in unreached_functions(file, names | taken):
+            around = file.span(each)
+            if around.start <= span.start < around.end and not self.is_read_elsewhere(file, each.name):
+                return True
+        return False
+
+    def is_read_elsewhere(self, file: PythonFile, name: str) -> bool:
+        """Return whether another file has a name as an attribute: `module.name`."""
+        return any(
+            each.attr == name
+            for _, other in self.run.files
+            if other is not file
+            for each in nodes_of_kind(other.tree, ast.Attribute)
+        )
+
+    def home(self, file: PythonFile, name: str) -> str:
+        """Return the own module, as a file imports it, in which a name is defined."""
+        for each in file.imports:
+            source = self.installed.sources.get(self.installed.absolute(each, file.path), "")
+            other = self.run.modules.at(source) if source and each.names else None
+            if other is not None and name in other.definitions:
+                return "." * each.level + each.module
+        return ""

@@ -1,0 +1,104 @@
+"""Code of a Python file that runs for certain when it is imported, or when one of its functions is called."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Collection, Iterable, Iterator, Sequence
+
+from .file import STARTERS, PythonFile
+from .nodes import children_of, nodes_of
+
+LEAVING = STARTERS | {"exit", "_exit", "fail", "skip"}
+"""Calls behind which nothing may run: they don't return before the program ends, or at all."""
+
+Definition = ast.FunctionDef | ast.AsyncFunctionDef
+APART = Definition | ast.Lambda | ast.ExceptHandler
+"""What does not run where it stands."""
+
+
+def certain_nodes(file: PythonFile, entries: Collection[str], *, is_program: bool = False) -> frozenset[int]:
+    """Return the identity of each node that runs whatever happens.
+
+    Some functions are called as entries. A file that is a program runs what is under `if __name__ == '__main__'`.
+    Functions of the file, classes, and methods of `self` are followed into, where they are called for certain.
+    """
+    functions = {each.name: each for each in file.tree.body if isinstance(each, ast.FunctionDef)}
+    classes = {each.name: each for each in file.tree.body if isinstance(each, ast.ClassDef)}
+    waiting: list[tuple[list[ast.stmt], dict[str, ast.FunctionDef]]] = [(file.tree.body, {})]
+    waiting += [(functions[name].body, {}) for name in entries if name in functions]
+    waiting += [
+        (each.body, {}) for each in file.tree.body if is_program and isinstance(each, ast.If) and is_guard(each)
+    ]
+    found: set[int] = set()
+    for body, methods in waiting:
+        for node in straight(body):
+            if id(node) in found:
+                continue
+            found.add(id(node))
+            match node:
+                case ast.Call(func=ast.Name(id=name)) if name in functions:
+                    waiting.append((functions[name].body, {}))
+                case ast.Call(func=ast.Name(id=name)) if name in classes:
+                    own = {each.name: each for each in classes[name].body if isinstance(each, ast.FunctionDef)}
+                    waiting += [(own["__init__"].body, own)] if "__init__" in own else []
+                case ast.Call(func=ast.Attribute(value=ast.Name(id="self"), attr=name)) if name in methods:
+                    waiting.append((methods[name].body, methods))
+    return frozenset(found)
+
+
+def is_guard(node: ast.If) -> bool:
+    """Return whether this is `if __name__ == '__main__'`."""
+    return any(isinstance(each, ast.Name) and each.id == "__name__" for each in nodes_of(node.test))
+
+
+def straight(body: Iterable[ast.stmt]) -> Iterator[ast.AST]:
+    """Yield the nodes of statements that run one after the other, up to the first that may leave them."""
+    waiting: list[ast.AST | None] = [*until_left(body)]
+    while waiting:  # without recursion, as every expression is looked through
+        node = waiting.pop()
+        if node is not None:
+            yield node
+            waiting += evaluated(node)
+
+
+def until_left(body: Iterable[ast.stmt]) -> Iterator[ast.stmt]:
+    for statement in body:
+        yield statement
+        if may_leave(statement):
+            return
+
+
+def evaluated(node: ast.AST) -> Sequence[ast.AST | None]:
+    """Return the parts of a node that run wherever it does."""
+    match node:
+        case ast.With(items=items, body=body):
+            return [*items, *until_left(body)]
+        case ast.Try(body=body):
+            return [*until_left(body)]
+        case ast.ClassDef(body=body, decorator_list=decorators, bases=bases):
+            return [*decorators, *bases, *until_left(body)]
+        case ast.FunctionDef(args=arguments) | ast.AsyncFunctionDef(args=arguments):
+            return [*node.decorator_list, *arguments.defaults, *arguments.kw_defaults]
+        case ast.If(test=first) | ast.While(test=first) | ast.IfExp(test=first) | ast.For(iter=first):
+            return [first]
+        case ast.Match(subject=first) | ast.BoolOp(values=[first, *_]):
+            return [first]
+        case ast.ListComp() | ast.SetComp() | ast.DictComp() | ast.GeneratorExp():
+            return [node.generators[0].iter]
+        case ast.Lambda() | ast.Assert():
+            return []
+    return children_of(node)
+
+
+def may_leave(statement: ast.stmt) -> bool:
+    """Return whether the next statement may not be reached."""
+    waiting: list[ast.AST] = [statement]
+    while waiting:
+        node = waiting.pop()
+        match node:
+            case ast.Return() | ast.Raise() | ast.Break() | ast.Continue() | ast.Yield() | ast.Await():
+                return True
+            case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name)) if name in LEAVING:
+                return True
+        waiting += [] if isinstance(node, APART) else children_of(node)
+    return False

@@ -1,0 +1,118 @@
+"""DEP117 undefined-name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.depends.undefined_uses import UndefinedUse, UndefinedUses
+from ...edits.python_imports import import_module
+from ...example import Example, manifest, scripts, setup_py
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...ros.imports import STANDARD
+from ...rule import rule
+from ...suggest import nearest
+
+FILES = {
+    "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"),
+    "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+}
+NODE = """\
+import time
+
+import rclpy
+from rclpy.node import Node
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.modes = {}
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+    time.sleep(1)
+"""
+LOADED = NODE.format("json.loads('{}')")
+SAID = """\
+from my_pkg.words import GREETING
+
+
+def main():
+    print(GREETING, «answer»())
+"""
+WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
+
+
+@rule(
+    "DEP117",
+    "undefined-name",
+    over=UndefinedUses,
+    severity=Severity.ERROR,
+    levels={
+        Severity.WARNING: "it is in a function or a branch that may not run, in a test, or in an annotation",
+        Severity.INFO: "nothing in the package calls the function, or imports the module",
+    },
+    examples=(
+        Example(
+            bad={**FILES, "my_pkg/talker.py": LOADED.replace("json", "«json»")},
+            good={"my_pkg/talker.py": f"import json\n{LOADED}"},
+            fix=Safety.UNSAFE,
+        ),
+        Example(
+            bad={**FILES, "my_pkg/words.py": WORDS, "my_pkg/talker.py": SAID},
+            good={
+                "my_pkg/talker.py": SAID.replace("«answer»", "answer").replace("GREETING\n\n", "GREETING, answer\n\n")
+            },
+        ),
+    ),
+)
+def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds names that installed Python code and tests use, and that nothing defines or imports.
+    Each name is one finding of its file.
+
+    ## Why is this bad?
+    Nothing looks before the line runs: the build is green, and the node ends with NameError, often only in a callback
+    that a rare message reaches.
+
+    ## When it is quiet
+    In files that nothing installs or runs, that import `*` from a package of others, that set names by `exec`,
+    `globals()` or `setattr`, and where a NameError is caught; for names that some branch or handler binds, for builtins
+    of Python 2 in a branch, and for what newer Pythons, notebooks, profilers and build tools have among the builtins.
+    Launch files have a rule of their own, and setup.py, too.
+
+    ## Fix safety
+    Only modules of the standard library get an import; another object of that name may be meant.
+    """
+    for use in uses.all():
+        name, file = use.found.name, use.file
+        is_module = file.source.text.startswith(".", use.found.span.end)
+        line = f"import {name}" if name in STANDARD and is_module else ""
+        edits = import_module(file, line) if line else ()
+        fix = Fix(f"add `{line}`", edits, Safety.UNSAFE) if edits else None
+        ends = OF_TYPE if use.found.is_annotation else ENDS[use.when]
+        message = f"`{name}` is neither defined nor imported: {ends}{advice(use, line)}"
+        places = tuple(Related(file.path, each.span, "here too") for each in use.others)
+        yield Hit(file.path, use.found.span, message, LEVELS[use.when], places, fix)
+
+
+LEVELS = {"certainly": None, "maybe": Severity.WARNING, "never": Severity.INFO}
+ENDS = {
+    "certainly": "the start ends here with NameError",
+    "maybe": "the line raises NameError when it runs",
+    "never": "the line raises NameError once something calls it, which nothing here does",
+}
+OF_TYPE = "before Python 3.14, which Lyrical has, importing the module raises NameError"
+
+
+def advice(use: UndefinedUse, line: str) -> str:
+    name = use.found.name
+    if line:
+        return f"; add `{line}`"
+    if use.home:
+        return f"; add `from {use.home} import {name}`"
+    near = nearest(name, use.found.known)
+    return f"; did you mean `{near}`?" if near else ""

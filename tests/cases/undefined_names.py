@@ -1,0 +1,78 @@
+"""Names that nothing binds: how bad each place is, what it is told, and where there may be one after all."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import Example, scripts, setup_py
+
+from .setups import python
+from .shown_imports import MIXED, MIXED_CMAKE
+
+STARTED = setup_py(scripts("talker = my_pkg.talker:main"))
+WORDS = {"my_pkg/words.py": "GREETING = 'hello'\n"}
+PROGRAM = MIXED_CMAKE.replace(
+    "ament_python_install_package(my_pkg)", "install(PROGRAMS scripts/talk.py DESTINATION lib/my_pkg)"
+)
+
+STRAIGHT = (
+    "def main():\n    sys.exit(1)\n",
+    "import os\n\n\ndef main():\n    sys.exit(os.system('ls'))\n",
+    "def main():\n    if input():\n        sys.exit(1)\n",
+    "def main():\n    if input():\n        return\n    print(modes)\n",
+    "def main():\n    try:\n        print(modes)\n    except KeyboardInterrupt:\n        print(mode)\n",
+    "def main():\n    try:\n        print(modes)\n    except Exception:\n        pass\n",
+    "def main():\n    with open('a') as modes:\n        say(modes)\n\n\n"
+    "def say(mode):\n    print(mode, mood)\n    print(mood)\n",
+    "def main():\n    Talker().say()\n\n\nclass Talker:\n    def __init__(self):\n        self.start()\n\n"
+    "    def start(self):\n        print(modes)\n\n    def say(self):\n        print(moods)\n",
+    "def main():\n    print(lambda: modes, [mode for each in modes], input() and mood)\n",
+    "def main():\n    for each in modes:\n        print(mode)\n    assert mood\n",
+    "def main(): ...\n\n\ndef idle():\n    print(modes)\n",
+    "class Talker(Node):\n    def idle(self):\n        print(modes)\n\n\ndef main():\n    Talker()\n",
+    "def main(text: Text, *others: 'Others') -> Speech:\n    mode: Mode = text\n    print(mode)\n",
+    "from __future__ import annotations\n\n\ndef main(text: Text): ...\n",
+    "class Talker:\n    mode: Mode = 1\n\n\ndef main(): ...\n",
+)
+QUIET = (
+    "from numpy import *\n\n\ndef main():\n    print(modes)\n",
+    "globals()['modes'] = 1\n\n\ndef main():\n    print(modes)\n",
+    "def main():\n    try:\n        print(unicode('a'))\n    except NameError:\n        pass\n",
+    "import sys\n\n\ndef main():\n    if sys.version_info[0] < 3:\n        print(raw_input())\n",
+    "def main():\n    print(_('hello'), ExceptionGroup, exit)\n",
+    "Import('env')\n\n\ndef main():\n    print(env)\n",
+    "if input():\n    modes = 1\n\n\ndef main():\n    print(modes)\n",
+    "def generate_launch_description():\n    return modes\n\n\ndef main(): ...\n",
+)
+
+
+def talker(text: str, **files: str) -> Example:
+    paths = {f"{path.replace('__', '/')}.py": each for path, each in files.items()}
+    return python({"setup.py": STARTED, **WORDS, "my_pkg/talker.py": text, **paths})
+
+
+CASES = {
+    "DEP117": (
+        *map(talker, STRAIGHT),
+        *map(talker, QUIET),
+        talker("def main():\n    print(raw_input())\n"),
+        talker("from .words import *\n\n\ndef main():\n    print(GREETING, GRETING)\n"),
+        talker("from my_pkg.words import hi\n\n\ndef main():\n    print(GREETING)\n"),
+        talker("def main(): ...\n", my_pkg__other="print(modes)\n"),
+        talker(
+            "def main(): ...\n",
+            my_pkg__other="def idle():\n    print(modes)\n",
+            my_pkg__third="from .other import idle\n",
+        ),
+        talker("def main(): ...\n", test__test_words="def test_words():\n    assert modes\n"),
+        talker("def main(): ...\n", tools__plot="print(modes)\n"),
+        python({**WORDS, "my_pkg/talker.py": "print(modes)\n"}),
+        Example(
+            on="ament_cmake",
+            bad={
+                **MIXED,
+                "CMakeLists.txt": PROGRAM,
+                "scripts/talk.py": "def main():\n    print(modes)\n\n\nif __name__ == '__main__':\n    main()\n",
+            },
+            good={},
+        ),
+    ),
+}
