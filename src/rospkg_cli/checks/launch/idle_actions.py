@@ -20,6 +20,7 @@ from ...package.launch.text import LaunchText, Substitution
 from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from ..fault import Level
+from .bound_again import bound_again
 from .python_expressions import filled
 
 NEVER_ADDED = "but nothing adds the action"
@@ -56,7 +57,7 @@ def contains(around: Span, span: Span) -> bool:
 
 
 def never_added(file: PythonFile) -> tuple[Span, ...]:
-    """Return the calls in functions whose result nothing names: bound to a local that is never read, or to nothing."""
+    """Return the calls in functions that nothing reads: bound to a local, perhaps for a while, or to nothing."""
     known = vars(file)
     if "never_added" not in known:  # asked for every action of the file
         known["never_added"] = tuple(dict.fromkeys(unread_values(file)))
@@ -70,9 +71,10 @@ def unread_values(file: PythonFile) -> Iterator[Span]:
     if any(node.id == "locals" for node in loads):
         return
     waiting = list(local_values(file))
+    replaced = {id(each.value) for each in bound_again(file)}
     while True:  # what only such a value reads is not read either
         read = {node.id for node in loads}
-        lost = [value for names, value in waiting if read.isdisjoint(names)]
+        lost = [value for names, value in waiting if read.isdisjoint(names) or id(value) in replaced]
         if not lost:
             return
         yield from map(file.span, lost)

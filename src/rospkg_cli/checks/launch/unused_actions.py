@@ -17,6 +17,7 @@ from ...package.workspace import Workspace
 from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from ...suggest import near_names
+from .bound_again import bound_again
 from .idle_actions import is_stored
 from .started_elsewhere import started_elsewhere
 from .unset_configurations import LaunchConfigurations
@@ -39,6 +40,8 @@ class UnusedAction:
     """Whether it starts an executable that its package, one of the workspace, does not install: a leftover."""
     starter: str = ""
     """The launch file that starts the same by another action."""
+    again: int = 0
+    """The line that binds its name to something else."""
 
 
 def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedAction]:
@@ -48,9 +51,9 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
         return
     calls = {call.span: call for call in launch.calls if class_of(call) in ACTIONS}
     told = told_arguments(configurations)
-    for name, node, value in unread(file):
+    for name, node, value, line in (*((*each, 0) for each in unread(file)), *overwritten(file)):
         call = calls.get(file.span(value))
-        if call is None or is_told(call, told) or is_mentioned(name, file):
+        if call is None or is_told(call, told) or (not line and is_mentioned(name, file)):
             continue
         unknown = {each.name for each in undefined_names(file)} if name else ()
         if not near_names(name, unknown):  # of a slip where it is read LCH013 tells
@@ -59,7 +62,15 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
             harm = HARM.get(kind, "it has no effect")
             is_gone = starts_nothing(call, configurations.workspace)
             starter = started_elsewhere(call, configurations.file, configurations.around)
-            yield UnusedAction(file.span(node), what, harm, is_gone, starter)
+            yield UnusedAction(file.span(node), what, harm, is_gone, starter, line)
+
+
+def overwritten(file: PythonFile) -> Iterator[tuple[str, ast.expr, ast.expr, int]]:
+    """Yield what is bound to a name that holds something else where it is read, with the line that binds this."""
+    names = {node.id for node in nodes_of(file.tree) if isinstance(node, ast.Name) and not is_stored(node)}
+    for each in bound_again(file) if names.isdisjoint(("locals", "vars", "eval", "exec")) else ():
+        if each.target.id in names:
+            yield each.target.id, each.target, each.value, each.again.lineno
 
 
 def starts_nothing(call: Call, workspace: Workspace) -> bool:

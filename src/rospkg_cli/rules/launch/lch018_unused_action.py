@@ -20,6 +20,8 @@ def generate_launch_description():
     «second» = LogInfo(msg='ready')
     return LaunchDescription([first])
 """
+TWICE = BAD.replace("first = ", "«ready» = ").replace("«second» = ", "ready = ").replace("[first]", "[ready]")
+NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
 
 
 @rule(
@@ -29,8 +31,12 @@ def generate_launch_description():
     severity=Severity.INFO,
     examples=(
         Example(
-            bad={"package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"), "launch/a.launch.py": BAD},
+            bad={"package.xml": NEEDED, "launch/a.launch.py": BAD},
             good={"launch/a.launch.py": BAD.replace("[first]", "[first, second]").replace("«second»", "second")},
+        ),
+        Example(
+            bad={"package.xml": NEEDED, "launch/a.launch.py": TWICE},
+            good={"launch/a.launch.py": TWICE.replace("«ready»", "up").replace("[ready]", "[up, ready]")},
         ),
     ),
 )
@@ -38,7 +44,8 @@ def unused_action(configurations: LaunchConfigurations) -> Iterator[Hit]:
     """
     ## What it does
     Finds nodes, includes and other actions of a Python launch file that are made and never added.
-    The action is bound to a local name that nothing reads, or to none at all.
+    The action is bound to a local name that nothing reads, to one that holds something else before it is read, or to
+    none at all.
 
     ## Why is this bad?
     launch visits only what the launch description holds: the node is never started, and nothing says so.
@@ -49,6 +56,8 @@ def unused_action(configurations: LaunchConfigurations) -> Iterator[Hit]:
     """
     for action in unused_actions(configurations):
         message = f"{action.what} is made and never added to the launch description: {action.harm}"
+        if action.again:
+            message = f"line {action.again} gives {action.what} to something else before this is added: {action.harm}"
         yield Hit(configurations.file.path, action.span, f"{message}; {advice(action, configurations)}")
 
 
@@ -58,4 +67,4 @@ def advice(action: UnusedAction, configurations: LaunchConfigurations) -> str:
     if action.starter:
         own = action.starter == configurations.file.path
         return f"{'another action' if own else f'`{action.starter}`'} starts the same; remove it"
-    return "add it, or remove it"
+    return "give it a name of its own" if action.again else "add it, or remove it"
