@@ -8,8 +8,10 @@ from typing import Literal, cast
 from ..light_dataclasses import dataclass
 from .read_table import rows, unfolded, words
 
-Kind = Literal["any", "text", "words", "condition", "actions", "parameters", "remappings", "pairs", "output", "period"]
-"""What an argument takes; "text" is a str, a substitution or a list of these, "words" a list of such."""
+Kind = Literal[
+    "any", "text", "words", "paths", "condition", "actions", "parameters", "remappings", "pairs", "output", "period"
+]
+"""What an argument takes; "text" is a str, a substitution or a list of these, "words" and "paths" a list of such."""
 
 TABLE = "launch_calls.txt"
 

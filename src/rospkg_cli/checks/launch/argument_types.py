@@ -81,6 +81,20 @@ def words_faults(argument: Argument, what: str) -> Iterator[Fault]:
         yield Fault(value_span(argument), f"{what} takes a list, not {type_name(value)}: Python raises TypeError")
 
 
+def paths_faults(argument: Argument, what: str) -> Iterator[Fault]:
+    """Launch takes a list; releases before the middle of 2025 took a lone text as well."""
+    value, place = argument.value, value_span(argument)
+    if isinstance(value, Text | PartialText) and not is_path(value):
+        if isinstance(value, PartialText) or len(value.text) > 1:
+            message = f"{what} takes a list: the letters of a string are joined, one by one; write `[…]` around it"
+            yield Fault(place, message, "warning")
+    elif is_substitution(value):
+        message = f"{what} takes a list: launch raises TypeError for one substitution since the middle of 2025"
+        yield Fault(place, f"{message}; write `[…]` around it", "warning")
+    else:
+        yield from text_faults(argument, what)
+
+
 def condition_faults(argument: Argument, what: str) -> Iterator[Fault]:
     value = argument.value
     if is_substitution(value) or isinstance(value, Text | PartialText | Constant | Sequence | Dict):
@@ -169,6 +183,7 @@ def remappings_faults(argument: Argument, what: str) -> Iterator[Fault]:
 TYPE_CHECKS: Mapping[Kind, Callable[[Argument, str], Iterator[Fault]]] = {
     "text": text_faults,
     "words": words_faults,
+    "paths": paths_faults,
     "condition": condition_faults,
     "actions": actions_faults,
     "pairs": pairs_faults,

@@ -17,6 +17,7 @@ from ..older_distribution import OlderDistribution
 from .argument_types import TYPE_CHECKS, action_list_faults
 from .idle_actions import UNUSED, contains, never_added
 from .joined_commands import joined_command
+from .lone_commas import added_faults, at_the_comma, lone_commas
 from .performed_texts import performed_faults
 from .python_truth import Truth, test_faults, truth_values, use_faults
 from .relative_parameter_files import values_as_files
@@ -59,15 +60,17 @@ def call_faults(file: LaunchFile) -> list[Fault]:
 
 
 def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterator[Fault]:
-    idle = tuple(never_added(launch.file))
+    idle, commas = tuple(never_added(launch.file)), lone_commas(launch.file)
     for call in launch.calls:
+        yield from (at_the_comma(fault, argument, commas) for fault, argument in added_faults(call))
         signature = SIGNATURES.get(class_of(call))
         if signature is not None:
             yield from signature_faults(call, class_of(call), signature)
             is_idle = any(contains(each, call.span) for each in idle)
             for keyword, argument in named_arguments(call, signature):
                 late = is_idle and signature.kinds.get(keyword) in VISITED
-                for fault in argument_faults(class_of(call), keyword, argument, truths):
+                for found in argument_faults(class_of(call), keyword, argument, truths):
+                    fault = at_the_comma(found, argument, commas)
                     yield softer(fault, "warning", "as soon as the action is added") if late else fault
     tested = {argument.value.span for call in launch.calls for argument in tests_of(call)}
     for use in launch.uses:

@@ -4,13 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...languages.python.evaluate.values import Argument, Call, Constant, PartialText, Sequence, Text, Unknown, Value
+from ...languages.python.evaluate.values import (
+    Argument,
+    Call,
+    Class,
+    Constant,
+    Function,
+    PartialText,
+    Sequence,
+    Text,
+    Unknown,
+    Value,
+)
 from ...languages.python.evaluate.values import Mapping as Dict
 from ...package.launch.launch_classes import class_of, is_substitution, span_within, type_name, value_span
+from ...ros.launch_calls import ACTIONS, CONDITIONS
 from ...source import Span
 from ..fault import Fault
 
 RAISES = "launch_ros raises TypeError"
+OBJECTS = ACTIONS | CONDITIONS | {"LaunchDescription", "ComposableNode"}
+MOVEIT, MAKES_MOVEIT = "MoveItConfigs", "to_moveit_configs"
 ONE_FILE = frozenset({"ParameterFile"})
 REWRITTEN = frozenset({"nav2_common.launch.RewrittenYaml", "nav2_common.launch.ReplaceString"})
 """Substitutions of navigation that are the path of a parameter file."""
@@ -29,6 +43,8 @@ def parameters_faults(argument: Argument, what: str) -> Iterator[Fault]:
             yield Fault(at, f"{holds}, and this is a list inside the list: {RAISES}; put a `*` before it")
         elif isinstance(item, Constant):
             yield Fault(at, f"{holds}, not {type_name(item)}: {RAISES}")
+        elif name := (object_name(item) or named_value(item)):
+            yield Fault(at, f"{holds}, not {name}: {RAISES}{advice(item)}")
         elif isinstance(item, Dict) and (named := named_in_pair(item)):
             message = f"this sets two parameters, `name` and `value`, and not `{named}`: write `{{'{named}': …}}`"
             yield Fault(at, message, "warning")
@@ -60,6 +76,27 @@ def single_parameters(value: Value) -> str:
     return "a dict" if isinstance(value, Call) and value.receiver is not None and value.callee == "to_dict" else ""
 
 
+def object_name(value: Value) -> str:
+    """Return what a value is that no parameter can be: an action, a condition, a function; "" for anything else."""
+    if isinstance(value, Function | Class):
+        return f"the {'class' if isinstance(value, Class) else 'function'} `{value.name}`"
+    if not isinstance(value, Call):
+        return ""
+    if value.receiver is not None:
+        return f"`{MOVEIT}`" if value.callee == MAKES_MOVEIT else ""
+    return f"`{class_of(value)}`" if class_of(value) in OBJECTS else ""
+
+
+def named_value(item: Value) -> str:
+    """Return the class of a value that belongs into a dict, behind its name."""
+    return "`ParameterValue`" if isinstance(item, Call) and class_of(item) == "ParameterValue" else ""
+
+
+def advice(item: Value) -> str:
+    is_moveit = isinstance(item, Call) and item.callee == MAKES_MOVEIT
+    return "; write `.to_dict()` behind it" if is_moveit else "; write it as `{'name': …}`" if named_value(item) else ""
+
+
 def parameter_value_faults(values: Dict, place: Span) -> Iterator[Fault]:
     for key, value in values.items.values():
         name, at = key.text if isinstance(key, Text) else "a parameter", span_within(value, place)
@@ -67,6 +104,8 @@ def parameter_value_faults(values: Dict, place: Span) -> Iterator[Fault]:
             yield from parameter_value_faults(value, place)
         elif isinstance(value, Constant) and value.value is None:
             yield Fault(at, f"`{name}` is None, and a parameter has no such type: {RAISES}")
+        elif kind := object_name(value):
+            yield Fault(at, f"`{name}` is {kind}, and a parameter has no such type: {RAISES}")
         elif isinstance(value, Sequence) and value.kind == "set":
             yield Fault(at, f"`{name}` is a set, and a parameter has no such type: {RAISES}; use a list")
         elif isinstance(value, Sequence) and not value.items:

@@ -64,9 +64,10 @@ def invalid_launch_call(calls: LaunchCalls) -> Iterator[Hit]:
     Finds calls in Python launch files that raise, or do not do what they say.
     They are numbers where launch takes strings, a value where a parameter file is expected, a set where a parameter
     dict or a list of words is expected, a parameter as a pair (`{'name': 'rate', 'value': 1}`), `launch_arguments`
-    without `.items()`, arguments that a class does not have or that are missing; and places that treat a substitution
-    as if its value were known while the file is read: `not x`, `if x:`, `x == 'true'`, `os.path.join(x, …)`, `f'{x}'`,
-    `names.get(x)`.
+    without `.items()`, one text where a path is joined of a list, an action or `MoveItConfigs` as a parameter, a comma
+    that makes a tuple of an action, arguments that a class does not have or that are missing; and places that treat a
+    substitution as if its value were known while the file is read: `not x`, `if x:`, `x == 'true'`,
+    `os.path.join(x, …)`, `f'{x}'`, `names.get(x)`.
 
     ## Why is this bad?
     Most of these end the launch with a TypeError from deep inside of launch. With the others it goes on: a condition is
