@@ -169,3 +169,14 @@ def test_a_default_beside_another_use_is_a_warning() -> None:
     default = f'<xacro:arg name="config" default={use}<xacro:property name="c" lazy_eval="false" value={use}'
     (finding,) = lint(default, others={"robot/launch/a.launch.py": GIVES})
     assert finding.severity.value == "warning"
+
+
+def test_a_package_beside_that_has_the_files_of_an_unknown_one_is_meant() -> None:
+    text = '<m f="package://old_parts/meshes/arm.stl"/><m f="package://old_parts/meshes/leg.stl"/>'
+    (finding,) = lint(text, ("DEP106",), {"parts/meshes/leg.stl": "solid\n"})
+    assert finding.message.endswith("did you mean `parts`, which has `meshes/arm.stl` and `meshes/leg.stl`?")
+
+
+def test_a_file_that_wraps_one_of_its_own_path_is_no_former_name() -> None:
+    (finding,) = lint('<x:include filename="$(find old_robot)/urdf/robot.xacro"/>', ("DEP106",))
+    assert "did you mean" not in finding.message

@@ -15,10 +15,14 @@ INSTALL = CMAKE.replace(
 @pytest.mark.parametrize(
     "named, ends, has_fix",
     [
-        ("package://arm_descr/meshes/a.stl", "did you mean `my_pkg`?", False),
+        ("package://arm_descr/meshes/a.stl", "did you mean `my_pkg`, which has `meshes/a.stl`?", False),
         ("package://arm_descr/meshes/b.stl", "clone it", True),
         ("package://arm_descr/meshes/a.stl package://arm_descr/meshes/b.stl", "clone it", True),
-        ("package://arm_descr/meshes/a.stl package://arm_descr/$(arg x)", "did you mean `my_pkg`?", False),
+        (
+            "package://arm_descr/meshes/a.stl package://arm_descr/$(arg x)",
+            "did you mean `my_pkg`, which has `meshes/a.stl`?",
+            False,
+        ),
         ("package://arm_descr/$(arg x)", "clone it", True),
         ("package://ur_description/meshes/a.stl", "add <exec_depend>ur_description</exec_depend>", True),
     ],

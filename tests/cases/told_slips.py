@@ -1,8 +1,8 @@
-"""Slips of a sign or a name in launch files, told in small: a comma, a text for a list, a name for two actions."""
+"""Slips of a sign or a name in launch files and robots, told in small: a comma, a name for two, a former name."""
 
 from __future__ import annotations
 
-from rospkg_cli.example import Example
+from rospkg_cli.example import CMAKE, Example, manifest
 
 from .shown_launch_calls import HEAD, NEEDED, node, python
 
@@ -66,4 +66,54 @@ TWICE = (
     body("x = LogInfo(msg=5)", "x = LogInfo(msg='b')", "return LaunchDescription([x])"),
     body("x = Node(package='p', executable='e')", "x, y = unknown", "return LaunchDescription([x])"),
 )
-CASES = {"LCH014": (*COMMAS, ADDED, JOINED, OBJECTS), "LCH018": TWICE}
+MODEL = '<sdf version="1.6"><model name="m"><link name="l"><visual name="v"><geometry><mesh><uri>{}</uri></mesh>'
+MODEL += "</geometry></visual></link></model></sdf>\n"
+MODELS = {"models/path/model.config": "<model/>\n", "models/path/meshes/path.dae": "d\n"}
+
+
+def model(uri: str, **files: str) -> Example:
+    """The model of a module that names a file, beside that of a path; `__` in the name of a file is `/`."""
+    named = {f"{name.replace('__', '/')}.dae": text for name, text in files.items()}
+    text = MODEL.format(uri)
+    return Example(bad={**MODELS, "models/module/model.sdf": text, **named}, good={}, on="ament_cmake")
+
+
+MODELLED = (
+    *(
+        model(f"model://{each}", models__module__meshes__module="d\n")
+        for each in (
+            "path/meshes/module.dae",
+            "path/meshes/pathh.dae",
+            "path/meshes/path.dae",
+            "sun/meshes/sun.dae",
+            "path/$(arg x).dae",
+            "path",
+        )
+    ),
+    model("model://path/materials/other.png"),
+)
+OLD = '<robot name="a"><link name="b"><visual><geometry><mesh filename="package://{}"/></geometry></visual></link>'
+OLD += "</robot>\n"
+INSTALLED = CMAKE.replace(
+    "ament_package", "install(DIRECTORY meshes urdf DESTINATION share/${PROJECT_NAME})\nament_package"
+)
+RENAMED = tuple(
+    Example(
+        bad={
+            "CMakeLists.txt": INSTALLED,
+            "package.xml": manifest(f"  <exec_depend>{need}</exec_depend>\n", "ament_cmake"),
+            **{f"urdf/{name}.urdf": OLD.format(f"arm_old/meshes/{name}.stl") for name in names},
+            **{f"meshes/{name}.stl": "solid\n" for name in ("a", "b", "c", "d")},
+        },
+        good={},
+        on="ament_cmake",
+    )
+    for need, names in (
+        ("rviz2", "ab"),
+        ("arm_bringup", "abcd"),
+        ("arm_bringup", "ae"),
+        ("arm_old", "ab"),
+        ("arm_bringup", "a"),
+    )
+)
+CASES = {"LCH014": (*COMMAS, ADDED, JOINED, OBJECTS), "LCH018": TWICE, "URD002": MODELLED, "DEP106": RENAMED}

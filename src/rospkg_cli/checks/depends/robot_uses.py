@@ -110,12 +110,21 @@ class RobotUses:
             found += [is_switched_off(robot.document.root, span) for included, span in own if included == path]
         return bool(found) and all(found)
 
-    def has_files_of(self, name: str) -> bool:
-        """Return whether this package has each file that robots name in one that is not known: it was renamed."""
-        named = (each for robot in self.robots for each in robot.references if each.package == name)
-        paths = [each.path for each in named if each.path]
-        is_unknown = self.launch.is_unknown_package(name)
-        return bool(paths) and is_unknown and all(map(self.launch.files.exists, paths))
+    def renamed(self, name: str) -> tuple[str, list[str]]:
+        """Return who has each file that robots name in a package that is not known, and the files; "" for nobody.
+
+        It is this package, or the only one of the workspace: the unknown name is a former one. A file that names one
+        of its own path elsewhere wraps that one.
+        """
+        named = [(robot, each) for robot in self.robots for each in robot.references if each.package == name]
+        paths = list(dict.fromkeys(each.path for _, each in named if each.path))
+        is_wrapped = any(robot.path == each.path for robot, each in named)
+        if not paths or is_wrapped or not self.launch.is_unknown_package(name):
+            return "", []
+        if all(map(self.launch.files.exists, paths)):
+            return self.declared.facts.name, paths
+        having = [each.name for each in self.declared.workspace.packages if each.share_files.issuperset(paths)]
+        return (having[0], paths) if len(having) == 1 else ("", [])
 
     def plugins(self, *, tests: bool = False) -> Iterator[tuple[str, RobotUse]]:
         """Yield the packages of plugins that are named by tests or by all else, but for those that come with others.

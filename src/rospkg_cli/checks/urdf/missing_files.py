@@ -20,6 +20,7 @@ from ..install_faults import InstallFaults
 from .emptied_folders import emptied_folders
 from .launched_robots import LaunchedRobots
 from .missing_resource import MissingResource, State
+from .model_files import missing_of_models
 from .opened_robots import OpenedRobots
 from .reached_files import ReachedFiles
 from .xacro_calls import XacroCalls, ancestors
@@ -74,7 +75,7 @@ class RobotInWorkspace:
         """Yield each file, or folder, that is referenced and does not exist, once, as far as that is known."""
         found: dict[tuple[str, str, State], list[MissingResource]] = {}
         every = list(self.every_missing())
-        alone = ((each.package, each.path) for each in every if not each.is_include and not each.folder)
+        alone = ((each.package, each.path) for each in every if not (each.is_include or each.folder or each.is_model))
         emptied = emptied_folders(((each.package, each.path or "") for each in self.robot.references), alone)
         for each in every:
             inner = posixpath.dirname(each.path)
@@ -101,6 +102,7 @@ class RobotInWorkspace:
             if not local.path.startswith("..") and not self.files.exists(local.path) and not self.is_made(local.path):
                 near = nearest(posixpath.basename(local.path), self.neighbours(local.path))
                 yield MissingResource(local.span, self.package.name, local.path, "absent", True, near)
+        yield from missing_of_models(self.robot, self.files, self.workspace)
 
     def is_expected(self, facts: PackageFacts, path: str) -> bool:
         """Return whether a build or a submodule may bring a file."""

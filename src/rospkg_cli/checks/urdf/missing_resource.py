@@ -25,6 +25,8 @@ class MissingResource:
     """The outermost folder of the path that does not exist."""
     others: tuple[MissingResource, ...] = ()
     """Other places that refer to it, or to what the same missing folder should hold."""
+    is_model: bool = False
+    """Whether `package` is a model of Gazebo, and no package."""
 
     @property
     def spans(self) -> tuple[Span, ...]:
@@ -41,6 +43,8 @@ def wrong(missing: MissingResource, own: str) -> str:
         verb, them = ("are", "them") if several else ("is", "it")
         return f"`{missing.path}`{several} {verb} there, but `{missing.package}` does not install {them}"
     verb = "has" if missing.package == own else "installs"
+    if missing.is_model:
+        return f"the model `{missing.package}` has no file `{missing.path}`{several}"
     if missing.folder:
         return f"`{missing.package}` {verb} no folder `{missing.folder}` for `{missing.path}`{several}"
     return f"`{missing.package}` {verb} no file `{missing.path}`{several}"

@@ -6,11 +6,13 @@ from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_left_out
 from ...checks.depends.robot_uses import RobotUse, RobotUses
+from ...checks.enumeration import enumerated
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule
 
+SHOWN = 3
 DECLARED = "  <exec_depend>{}</exec_depend>\n"
 
 ROBOT = """\
@@ -73,7 +75,7 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. Where this
-    package has the same files, or the name is a slip of another, there is none: correct the path.
+    package or one beside it has the same files, or the name is a slip of another, there is none: correct the path.
 
     ## References
     - REP-149, exec_depend
@@ -82,7 +84,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     for tests, tag in ((False, "exec_depend"), (True, "test_depend")):
         brought: list[BroughtUse] = []
         for name, uses in (robots.missing_in_tests() if tests else robots.missing()).items():
-            bringer = None if robots.launch.meant(name) else declared.bringers([name], runs=not tests).get(name)
+            is_slip = robots.launch.meant(name) or len(robots.renamed(name)[1]) > 1
+            bringer = None if is_slip else declared.bringers([name], runs=not tests).get(name)
             if bringer:
                 brought.append(BroughtUse(name, bringer, tag, uses[0].path, uses[0].span))
             else:
@@ -93,10 +96,21 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
 
 def undeclared(robots: RobotUses, tag: str, name: str, uses: list[RobotUse]) -> Hit:
     declared, first = robots.declared, uses[0]
-    meant = declared.facts.name if robots.has_files_of(name) else robots.launch.meant(name)
-    todo = f"did you mean `{meant}`?" if meant else advice(declared, tag, name)
+    owner, files = robots.renamed(name)
+    meant = owner or robots.launch.meant(name)
+    todo = f"did you mean `{meant}`{having(files)}?" if meant else advice(declared, tag, name)
     message = f"`{name}` is not declared, {first.usage}: {where_absent(declared, name)} {first.consequence}; {todo}"
     fix = None if meant else declaration(declared, tag, name)
     mild = is_left_out(declared, name) or all(use.is_optional for use in uses)
     places = related((use.path, use.span) for use in uses)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)
+
+
+def having(files: list[str]) -> str:
+    """Return the end of a sentence that names a package: the files that it has."""
+    if not files:
+        return ""
+    shown = [f"`{each}`" for each in files[:SHOWN]]
+    if len(files) > SHOWN:
+        shown.append(f"{len(files) - SHOWN} more")
+    return f", which has {enumerated(shown)}"

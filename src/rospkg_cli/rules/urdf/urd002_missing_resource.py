@@ -81,8 +81,8 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     ## What it does
     Finds meshes, includes and other files that a robot or a world names and that do not exist.
     It follows `package://name/…`, `$(find name)/…` and relative includes of urdf, xacro, sdf and world files into this
-    package and the others of the workspace, and checks whether the file is among what they install. Files that are
-    named by a path in somebody's home folder (`file:///home/ada/…`) are told, too.
+    package and the others of the workspace, and checks whether the file is among what they install; `model://name/…`
+    it follows into models that lie here. Files in somebody's home folder (`file:///home/ada/…`) are told, too.
 
     Several files of one missing folder are one finding, and so are three or more of a folder of which none is there.
 
