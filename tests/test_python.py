@@ -106,12 +106,13 @@ def test_top_level_names() -> None:
     [
         "def __getattr__(name): pass",
         "globals()['x'] = 1",
-        "setattr(mod, 'x', 1)",
+        "import mod\nsetattr(mod, 'x', 1)",
+        "mod = import_module('mod')\nsetattr(mod, 'x', 1)",
         "setattr(sys.modules[__name__], 'x', 1)",
         "vars()['x'] = 1",
         "exec('x = 1')",
         "f(setattr)",
-        "mod.__dict__['x'] = 1",
+        "from pkg import mod\nmod.__dict__['x'] = 1",
     ],
 )
 def test_a_module_may_have_more_names_than_it_shows(text: str) -> None:
@@ -126,6 +127,8 @@ def test_a_module_may_have_more_names_than_it_shows(text: str) -> None:
         "setattr(a.b, 'x', 1)",
         "print(vars(a))",
         "self.__dict__.update(x=1)",
+        "setattr(message, 'x', 1)",
+        "import json\nprint(json.dumps(message.__dict__))",
     ],
 )
 def test_what_objects_get_are_no_names_of_the_module(text: str) -> None:

@@ -35,7 +35,8 @@ STRAIGHT = (
 QUIET = (
     "from numpy import *\n\n\ndef main():\n    print(modes)\n",
     "globals()['modes'] = 1\n\n\ndef main():\n    print(modes)\n",
-    "def main():\n    try:\n        print(unicode('a'))\n    except NameError:\n        pass\n",
+    "def main():\n    try:\n        print(modes)\n    except NameError:\n        pass\n",
+    "def main():\n    try:\n        print(unicode('a'))\n    except:\n        pass\n",
     "import sys\n\n\ndef main():\n    if sys.version_info[0] < 3:\n        print(raw_input())\n",
     "def main():\n    print(_('hello'), ExceptionGroup, exit)\n",
     "Import('env')\n\n\ndef main():\n    print(env)\n",

@@ -79,7 +79,7 @@ class UndefinedUses:
                 yield UndefinedUse(file, first, others, when, self.home(file, name))
 
     def is_for_python_2(self, file: PythonFile, found: UndefinedName) -> bool:
-        return found.name in PYTHON_2 and is_in_branch(file, found.span)
+        return found.name in PYTHON_2 and (found.is_caught or is_in_branch(file, found.span))
 
     def may_come_by_star(self, file: PythonFile, name: str) -> bool:
         """Return whether a star import may bind a name: of a foreign module, or of an own one that has it."""
@@ -88,9 +88,7 @@ class UndefinedUses:
         return any(each not in self.installed.sources or self.installed.offers(each, name) for each in modules)
 
     def when(self, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
-        if found.is_annotation:
-            return "maybe"
-        if found.span in certain:
+        if found.span in certain and not (found.is_annotation or found.is_caught):
             return "certainly"
         is_idle = self.reached.is_left(file.path) or self.uncalled.has(file.path, found.span)
         return "never" if is_idle or self.is_in_idle_function(file, found.span) else "maybe"

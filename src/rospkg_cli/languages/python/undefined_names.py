@@ -9,12 +9,13 @@ from collections.abc import Iterable, Iterator
 from ...light_dataclasses import dataclass
 from ...source import Span
 from .file import PythonFile, bindings
+from .guarded_nodes import guarded_nodes
 from .nodes import children_of, nodes_of, nodes_of_kind
 
 GIVEN = frozenset(dir(builtins)) | frozenset(
     "__file__ __name__ __doc__ __package__ __loader__ __spec__ __builtins__ __path__ __cached__ __annotations__".split()
 )
-CATCHES = frozenset({"NameError", "Exception", "BaseException"})
+BROAD = frozenset({"Exception", "BaseException"})
 
 SCOPES = frozenset({
     ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef, ast.ListComp, ast.SetComp, ast.DictComp,
@@ -38,12 +39,15 @@ class UndefinedName:
     """The names that are bound there, without builtins."""
     is_annotation: bool = False
     """Whether it says a type, which Python reads as it defines the function or the class, from 3.14 on never."""
+    is_caught: bool = False
+    """Whether it is in a `try` that catches every exception."""
 
 
 def undefined_names(file: PythonFile, *, everywhere: bool = False) -> Iterator[UndefinedName]:
     """Yield uses of names that no scope around them binds; none where a file may have names that it does not show.
 
-    Everywhere: also in annotations, and in files with star imports, of which whoever asks knows what they bring.
+    Everywhere: also in annotations and where any exception is caught, and in files with star imports, of which whoever
+    asks knows what they bring.
     """
     if file.has_dynamic_names or (not everywhere and any("*" in each.names for each in file.imports)):
         return
@@ -51,10 +55,12 @@ def undefined_names(file: PythonFile, *, everywhere: bool = False) -> Iterator[U
         return
     found = [*names_unseen(file.tree.body, frozenset(file.definitions))]
     annotations = frozenset(annotated(file)) if found else frozenset()
+    caught = frozenset(guarded_nodes(file.tree.body, BROAD)) if found else frozenset()
     for name, known in found:
-        is_annotation = id(name) in annotations
-        if not is_annotation or (everywhere and "annotations" not in file.definitions):
-            yield UndefinedName(name.id, file.span(name), known, is_annotation)
+        each = UndefinedName(name.id, file.span(name), known, id(name) in annotations, id(name) in caught)
+        is_read = not each.is_annotation or "annotations" not in file.definitions
+        if is_read if everywhere else not (each.is_annotation or each.is_caught):
+            yield each
 
 
 def annotated(file: PythonFile) -> Iterator[int]:
@@ -185,7 +191,7 @@ def captured(node: ast.Match) -> Iterator[str]:
 
 
 def catches(handler: ast.ExceptHandler) -> bool:
-    """Return whether an undefined name would be caught."""
-    return handler.type is None or any(
-        isinstance(node, ast.Name) and node.id in CATCHES for node in nodes_of(handler.type)
+    """Return whether an undefined name is expected."""
+    return handler.type is not None and any(
+        isinstance(node, ast.Name) and node.id == "NameError" for node in nodes_of(handler.type)
     )

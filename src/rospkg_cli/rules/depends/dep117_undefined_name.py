@@ -93,7 +93,7 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
         line = f"import {name}" if name in STANDARD and is_module else ""
         edits = import_module(file, line) if line else ()
         fix = Fix(f"add `{line}`", edits, Safety.UNSAFE) if edits else None
-        ends = OF_TYPE if use.found.is_annotation else ENDS[use.when]
+        ends = OF_TYPE if use.found.is_annotation else CAUGHT if use.found.is_caught else ENDS[use.when]
         message = f"`{name}` is neither defined nor imported: {ends}{advice(use, line)}"
         places = tuple(Related(file.path, each.span, "here too") for each in use.others)
         yield Hit(file.path, use.found.span, message, LEVELS[use.when], places, fix)
@@ -106,6 +106,7 @@ ENDS = {
     "never": "the line raises NameError once something calls it, which nothing here does",
 }
 OF_TYPE = "before Python 3.14, which Lyrical has, importing the module raises NameError"
+CAUGHT = "NameError is raised each time, which the `except` around it takes for another failure"
 
 
 def advice(use: UndefinedUse, line: str) -> str:
