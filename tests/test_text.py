@@ -37,6 +37,17 @@ def test_encodings_go_and_come_back(declared: str, codec: str, bom: bytes, newli
     assert read.encode(read.text) == data
 
 
+@pytest.mark.parametrize("name", ["utf_8", "UTF8", "utf-8-sig", "latin_1", "euc_kr", "gbk", "Shift_JIS", "cp949"])
+def test_python_knows_an_encoding_by_several_names(name: str) -> None:
+    assert decode(f"# -*- coding: {name} -*-\nA = 1\n".encode()).text.endswith("A = 1\n")
+
+
+@pytest.mark.parametrize("name", ["rot13", "zip", "idna", "latin-99"])
+def test_what_is_no_encoding_of_text_is_not_read(name: str) -> None:
+    with pytest.raises(UnicodeError, match="is not known here"):
+        decode(f"# coding: {name}\n".encode())
+
+
 def test_ascii_holds_only_ascii() -> None:
     assert decode(b'<?xml version="1.0" encoding="US-ASCII"?><a/>').encoding.lower() == "us-ascii"
     with pytest.raises(UnicodeError):

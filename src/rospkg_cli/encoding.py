@@ -22,6 +22,11 @@ CODING = regex(rb"\A(?:[^\n]*\n)?[ \t\f]*#.*?coding[:=][ \t]*([-\w.]+)")
 
 KNOWN = regex(r"utf-?(8|16(-?[bl]e)?)|us-ascii|ascii|iso-?8859-?\d+|latin-?1|windows-125\d|cp125\d", re.IGNORECASE)
 """The encodings that are read; anything else is one clear finding."""
+IN_PYTHON = regex(
+    KNOWN.pattern + r"|utf-?8-?sig|latin-?\d+|cp-?\d+|gbk|gb-?(2312|18030)|big5|euc-?(kr|jp)|s(hift)?-?jis|koi8-?[ru]",
+    re.IGNORECASE,
+)
+"""Those of Python's sources, with `-` for `_`, which Python takes for the same."""
 
 
 @dataclass(frozen=True)
@@ -70,12 +75,14 @@ def detect_utf16(body: bytes) -> str:
 
 def declared_encoding(body: bytes) -> str:
     """Return the encoding that a header names; raises UnicodeError for an unknown or a wrong one."""
-    found = DECLARED.match(body) or CODING.match(body)
+    in_xml = DECLARED.match(body)
+    found = in_xml or CODING.match(body)
     if found is None:
         return "utf-8"
     name = found.group(1).decode("ascii", "replace")
+    is_known = KNOWN.fullmatch(name) if in_xml else IN_PYTHON.fullmatch(name.replace("_", "-"))
     try:
-        known = codecs.lookup(name).name if KNOWN.fullmatch(name) else ""
+        known = codecs.lookup(name).name if is_known else ""
     except LookupError:
         known = ""
     if not known:

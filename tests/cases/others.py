@@ -88,6 +88,7 @@ IN_FUNCTION = (
 )
 DESCRIBED = "from launch_ros.actions import Node\n\nN = Node(package='turtlesim', executable='a')\n"
 
+TESTED = setup_py("tests_require=['{}'],").replace("    extras_require={'test': ['pytest']},\n", "")
 CASES = {
     "DEP101": (
         python("", setup_DOT_py="import numpy\n" + setup_py()),
@@ -99,6 +100,7 @@ CASES = {
             "  <exec_depend>pyserial</exec_depend>\n",
             "  <build_depend>pyserial</build_depend>\n  <exec_depend>pyserial</exec_depend>\n",
         )),
+        cmake("find_package(OpenCV REQUIRED)\n", "  <exec_depend>opencv</exec_depend>\n"),
         *(cmake(f"find_package(ament_cmake_auto REQUIRED)\n{lines}\n", "  <depend>OpenCV</depend>\n")
         for lines in ("", "ament_auto_find_build_dependencies()",
                       "find_package(OpenCV REQUIRED)\nament_auto_find_build_dependencies()")),
@@ -108,6 +110,10 @@ CASES = {
         *(
             python(f"  <test_depend>{name}</test_depend>\n", test__test_a_DOT_py="import launch\nimport launch_ros\n")
             for name in ("ros_testing", "launch_testing", "who_knows")
+        ),
+        *(
+            python("", test__test_a_DOT_py="import cv2\n", setup_DOT_py=TESTED.format(asks), setup_DOT_cfg=config)
+            for asks, config in (("", ""), ("pytest", ""), ("", "[options]\ntests_require = pytest\n"))
         ),
     ),
     "DEP103": (

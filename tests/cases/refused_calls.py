@@ -18,10 +18,10 @@ def package(lines: str, files: dict[str, str] | None = None) -> Example:
 NODES = plg007.SOURCE.replace("«", "").replace("»", "")
 
 
-def nodes(lines: str, source: str = NODES) -> Example:
+def nodes(lines: str, source: str = NODES, main: str = "") -> Example:
     """A package with nodes of a behavior tree, and what CMake makes of them."""
     text = CMAKE.replace("ament_package", f"{lines}\nament_package")
-    files = {"CMakeLists.txt": text, "package.xml": plg007.NEEDS, "src/wait.cpp": source}
+    files = {"CMakeLists.txt": text, "package.xml": plg007.NEEDS, "src/wait.cpp": source, "src/main.cpp": main}
     return Example(bad=files, good={}, on="ament_cmake")
 
 
@@ -143,6 +143,8 @@ CASES = {
         nodes(SHARED, NODES + "void use(BT::BehaviorTreeFactory & factory) {BT_RegisterNodesFromPlugin(factory);}\n"),
         nodes(SHARED, NODES.replace("BT_REG", "#ifdef WITH_NODES\nBT_REG") + "#endif\n"),
         nodes(f"include(${{team_DIR}}/team.cmake)\n{SHARED}"),
+        nodes(SHARED, main='int main() {BT::BehaviorTreeFactory factory; factory.registerNodeType<Wait>("Wait");}\n'),
+        nodes(SHARED, main='int main() {BT::BehaviorTreeFactory factory; factory.registerFromPlugin("a.so");}\n'),
         nodes(SHARED.replace("MODULE", "STATIC")),
         nodes("add_executable(wait_node src/wait.cpp)\ninstall(TARGETS wait_node DESTINATION lib/my_pkg)"),
     ),

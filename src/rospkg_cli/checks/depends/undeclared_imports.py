@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
@@ -112,6 +113,15 @@ class ImportDependencies:
                 brings = sorted(implied_by([name], IN_TESTS) & found.keys())
                 result.append(UndeclaredImport(name, tuple(places), tuple(brings)))
         return result
+
+    @cached_property
+    def has_pytest(self) -> bool:
+        """Whether `colcon test` may run pytest: for a package of setup.py, where that asks for it (colcon-core 0.6 on).
+
+        It runs unittest elsewhere, which finds no test that is a plain function.
+        """
+        asked = (self.files.readable_text(path) for path in ("setup.py", "setup.cfg") if self.files.exists(path))
+        return self.declared.facts.build_type != "ament_python" or any("pytest" in text for text in asked)
 
     def bringer_in_tests(self, name: str) -> Bringer | None:
         implying = (Bringer(each) for each in sorted(self.declared.names) if name in implied_by([each], IN_TESTS))

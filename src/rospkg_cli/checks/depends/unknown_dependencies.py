@@ -12,6 +12,7 @@ from ...package.manifest import Dependency
 from ...ros.aliases import last_ros1_distro, successors
 from ...ros.distros import Targets
 from .declared_dependencies import DeclaredDependencies
+from .intended_names import key_of_cmake_name
 from .unavailable_on_target import UnavailableName, lacking_distros
 from .wrong_names import WrongDependencyName, is_installable, is_of_python_2, wrong_name
 
@@ -103,7 +104,15 @@ class DependencyNames:
         """Return what is wrong with a name in any case; of one that ROS 1 had, no more than its name elsewhere."""
         if self.is_known(dependency.name) or successors(dependency.name) is not None:
             return None
+        if key := self.key_of_found(dependency.name):
+            return WrongDependencyName("is no rosdep key", key)
         return wrong_name(self.declared, dependency, misspelt=not self.is_of_ros1(dependency.name))
+
+    def key_of_found(self, name: str) -> str | None:
+        """Return the key of what CMake finds by the same name in other letters: `libopencv-dev` of OpenCV."""
+        calls = self.cmake.named("find_package") if self.cmake else ()
+        found = {text for call in calls for text in call.texts[:1] if text != name and text.lower() == name.lower()}
+        return next((key for each in sorted(found) if (key := key_of_cmake_name(each))), None)
 
     def is_known(self, name: str) -> bool:
         """Return whether a package or a key has the name; a key of Python 2 that no Ubuntu has any more has none."""

@@ -18,8 +18,8 @@ from ...rule import rule
     over=ImportDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a declared dependency or colcon brings or may bring it, or package.xml has it in a "
-        "comment"
+        Severity.INFO: "where a declared dependency or colcon brings or may bring it, package.xml has it in a comment, "
+        "or setup.py does not ask for pytest"
     },
     examples=(
         Example(
@@ -43,9 +43,10 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
     ## When it is quiet
     What a declared dependency certainly installs can't be missing, nor can pytest, which colcon needs itself: that is
     one info, which names who brings it. What may come with a declared one is another: with a package that is neither
-    here nor in the table of what is installed with what, anything may come. Left out are optional imports, helpers that
-    no test uses, launch_ros and launch_testing where a declared dependency certainly brings them, and what
-    installed code imports as well (DEP101).
+    here nor in the table of what is installed with what, anything may come. It is an info, too, where setup.py does not
+    ask for pytest: `colcon test` runs unittest then. Left out are optional imports, helpers that no test uses,
+    launch_ros and launch_testing where a declared dependency certainly brings them, and what installed code imports as
+    well (DEP101).
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, where no released package has the name, or where a comment of
@@ -64,12 +65,13 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
         brings = ", ".join(f"`{name}`" for name in missing.also_provides)
         others = f", which brings {brings} as well" if brings else ""
         where = where_absent(declared, *imports.serving(missing), built=True)
+        fails = "`colcon test`" if imports.has_pytest else "pytest, which setup.py does not ask for,"
         message = (
             f"`{missing.name}` is imported by tests and not declared: {where} "
-            f"`colcon test` fails with ModuleNotFoundError; {advice(declared, 'test_depend', missing.name)}{others}"
+            f"{fails} fails with ModuleNotFoundError; {advice(declared, 'test_depend', missing.name)}{others}"
         )
         places = related((place.path, place.span) for place in missing.places)
-        level = Severity.INFO if is_left_out(declared, missing.name) else None
+        level = Severity.INFO if is_left_out(declared, missing.name) or not imports.has_pytest else None
         fix = declaration(declared, "test_depend", missing.name)
         yield Hit(first.path, first.span, message, level, places, fix)
     yield from left_to_others(declared, brought, "imported by tests")

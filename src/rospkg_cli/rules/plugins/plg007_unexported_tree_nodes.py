@@ -61,7 +61,7 @@ def unexported_tree_nodes(libraries: TreeNodeLibraries) -> Iterator[Hit]:
 
     ## When it is quiet
     Where any CMake file or source of the package names `BT_PLUGIN_EXPORT`, where the file itself calls the function,
-    and for programs and static libraries, which may do so.
+    where another source of the package registers nodes itself, and for programs and static libraries, which may do so.
     """
     for each in libraries.unexported():
         add = f"target_compile_definitions({each.target} PRIVATE BT_PLUGIN_EXPORT)"
