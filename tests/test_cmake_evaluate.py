@@ -143,6 +143,22 @@ def test_conditions(condition: str, branches: list[str]) -> None:
     assert echo(f"{before}if({condition})\necho(yes)\nelse()\necho(no)\nendif()") == branches
 
 
+@pytest.mark.parametrize(
+    "condition, said",
+    [
+        ("NOT DEFINED a", ["x"]),
+        ("NOT a", ["x"]),
+        ("NOT DEFINED a AND DEFINED ENV{ROS_VERSION}", ["x"]),
+        ("NOT DEFINED a AND unheard", ["x?"]),
+        ("NOT DEFINED b", ["x?"]),
+    ],
+)
+def test_what_is_asked_for_has_a_value(condition: str, said: list[str]) -> None:
+    """Where `if(NOT DEFINED a)` sets it, it has a value behind the block, whatever was before."""
+    before = "if(unheard)\nset(a x)\nendif()\n"
+    assert echo(f"{before}if({condition})\nset(a x)\nendif()\necho(${{a}})") == said
+
+
 def test_branches_are_united() -> None:
     text = "set(a x)\nset(b x)\nif(unheard)\nlist(APPEND a y)\nset(b y)\nelse()\nset(c z)\nendif()\necho(${a} | ${b} | ${c})"
     assert echo(text) == ["x y? | ∅ | z?"]

@@ -38,13 +38,34 @@ def run_if(interpreter: Interpreter, block: Block) -> None:
         elif how != "fatal":
             ends.append(interpreter.save())
     if live != (False, False):
-        ends.append(before)
+        ends.append(with_defined(before, asked_name(interpreter, block)))
     interpreter.scope.restore(before)
     if not ends:
         raise LeaveError("return" if left else "fatal")
     interpreter.unite(ends)
     for reached in left:
         interpreter.frame = frame_after_return(interpreter.frame, reached)
+
+
+def asked_name(interpreter: Interpreter, block: Block) -> str:
+    """Return the variable that has a value where a block's one branch is not taken: `if(NOT DEFINED name)`."""
+    first, *others = block.branches
+    words = [] if others else interpreter.words(first.command)
+    texts = [word.text for word in words]
+    start = next((n for n in (2, 1) if texts[:n] == ["NOT", "DEFINED"][:n]), 0)
+    name, rest = "".join(texts[start : start + 1]), words[start + 1 :]
+    is_alone = not rest or (texts[start + 1] == "AND" and evaluate(rest[1:], InterpreterContext(interpreter)) is True)
+    return name if start and is_alone else ""
+
+
+def with_defined(state: Snapshot, name: str) -> Snapshot:
+    """Return variables of which one certainly has the value that it may have."""
+    found = next((level[name] for level in state if name in level), ())
+    if len(found) != 1 or not found[0].maybe:
+        return state
+    place = next(at for at, level in enumerate(state) if name in level)
+    changed = {**state[place], name: (replace(found[0], maybe=False),)}
+    return tuple(changed if at == place else level for at, level in enumerate(state))
 
 
 def evaluate_branch(interpreter: Interpreter, branch: Branch, live: Reached) -> Reached:
