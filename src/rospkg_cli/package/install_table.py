@@ -43,6 +43,8 @@ class UnknownPart:
     """The part of a sentence, or the file that would tell."""
     path: str
     span: Span
+    below: str = ""
+    """The one folder of the prefix that it is about; "" where it may be any."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,11 @@ class InstallTable:
 
     def knows(self, what: InstallKind) -> bool:
         return all(each.what != what for each in self.unknown)
+
+    def knows_folder(self, what: InstallKind, folder: str) -> bool:
+        """Return whether all is known that lies in a folder of the prefix."""
+        parts = (f"{each.below}/" for each in self.unknown if each.what == what)
+        return not any(part == "/" or part.startswith(f"{folder}/") or f"{folder}/".startswith(part) for part in parts)
 
     def joined(self, other: InstallTable) -> InstallTable:
         return InstallTable(tuple(dict.fromkeys(self.rows + other.rows)), self.unknown + other.unknown)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 from functools import cached_property
+from typing import Annotated
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...lazy_regex import regex
@@ -16,6 +17,7 @@ from ...package.install_table import InstalledFile, InstallTable
 from ...package.launch.launch_file import LaunchFile
 from ...package.workspace import Workspace
 from ...ros.share_layout import FOLDERS
+from ...unreadable import READABLE
 from ..share_uses import ShareUses
 from ..started_files import is_started
 
@@ -33,12 +35,13 @@ class RuntimeFolders:
     package: CMakePackage
     table: InstallTable
     workspace: Workspace
-    launch_files: tuple[LaunchFile, ...] = ()
+    launch_files: Annotated[tuple[LaunchFile, ...], READABLE] = ()
 
     def uninstalled(self) -> Iterator[str]:
-        """Yield the folders for run time of which nothing is installed; none where install rules are unknown."""
-        for folder in FOLDERS if self.is_clear else ():
-            if self.is_installed(folder) or self.is_named(folder) or not self.useful(folder):
+        """Yield the folders for run time of which nothing is installed, and where install rules are known."""
+        for folder in FOLDERS if self.is_read else ():
+            is_known = self.table.knows_folder("share", f"share/{self.package.cmake.project_name}/{folder}")
+            if not is_known or self.is_installed(folder) or self.is_named(folder) or not self.useful(folder):
                 continue
             if folder not in meant_paths(self.package.cmake):  # which CMK102 tells
                 yield folder
@@ -53,8 +56,9 @@ class RuntimeFolders:
         rows = {row.source: row for row in self.table.rows if row.source in files}
         lost = [path for path in files if path not in rows]
         if len(lost) == 1 and len(files) > FEW and all(path in listed for path in rows):
-            name = posixpath.basename(lost[0])
-            if not any(name in file.source.text for file in self.launch_files) and lost[0] not in self.named_paths:
+            name, text_of = posixpath.basename(lost[0]), self.package.cmake.package_files.readable_text
+            texts = (*map(text_of, files), *(file.source.text for file in self.launch_files))
+            if not any(name in text for text in texts) and lost[0] not in self.named_paths:
                 yield lost[0], next(iter(rows.values()))
 
     @cached_property
@@ -65,9 +69,13 @@ class RuntimeFolders:
     @property
     def is_clear(self) -> bool:
         """Whether all that is installed into the share directory is known."""
+        return self.is_read and self.table.knows("share")
+
+    @property
+    def is_read(self) -> bool:
+        """Whether all install rules are there to be read."""
         cmake = self.package.cmake
-        is_read = cmake.is_complete and cmake.ends_a_package and not cmake.reads_unknown_files
-        return is_read and self.table.knows("share")
+        return cmake.is_complete and cmake.ends_a_package and not cmake.reads_unknown_files
 
     def misplaced_launch_file(self) -> InstalledFile | None:
         """Return the first launch file that is installed, where none is below share/ and the package's name.

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterator
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
-from ...languages.cmake.values import UNKNOWN, Word
+from ...languages.cmake.values import BINARY, UNKNOWN, Word
 from ...lazy_regex import regex
 from ...light_dataclasses import replace
 from ...source import Span
@@ -143,8 +143,12 @@ class CMakeTableBuilder:
         whats = {self.what(f"{place}/x") for place in places if place is not None} if not is_unclear else set(ALL)
         where = items[0] if items else rule.destination_word
         span = where.span if where is not None else rule.call.command.span
+        is_made = (
+            rule.kind != "TARGETS" and not is_unclear and all(is_foreign(each, rule.call.folder) for each in items)
+        )
+        below = (rule.destination or "").rstrip("/") if is_made else ""
         for what in sorted(whats):
-            yield UnknownPart(what, self.why(where), where.path if where else rule.call.path, span)
+            yield UnknownPart(what, self.why(where), where.path if where else rule.call.path, span, below)
 
     def why(self, word: Word | None) -> str:
         raw = " ".join(self.cmake.source_text(word).split()) if word is not None else ""
@@ -169,6 +173,11 @@ class CMakeTableBuilder:
 def lies_outside(word: Word, folder: str) -> bool:
     """Return whether a path leads out of the package or to the build folder: what is there is not looked at."""
     return word.is_known and path_in_package(word.text, folder) is None
+
+
+def is_foreign(word: Word, folder: str) -> bool:
+    """Return whether a path begins outside of the package's own files, however it goes on."""
+    return word.text.startswith(f"{BINARY}/") or lies_outside(word, folder)
 
 
 ALL: tuple[InstallKind, ...] = ("executable", "share", "module", "library", "header", "other")

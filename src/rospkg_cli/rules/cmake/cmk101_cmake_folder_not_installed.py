@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
+from ...checks.cmake.idle_packages import idle_programs
 from ...checks.cmake.share_folders import RuntimeFolders
 from ...edits.cmake_install import install_folder
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
+from ...package.install_table import InstalledFile
 from ...rule import rule
 
 LAUNCH = {
@@ -48,15 +50,16 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     ## What it does
     Finds folders of launch files, parameters, robots, worlds or maps that CMake does not install.
     A folder counts (meshes too) if nothing in it is installed, and launch files that are all installed elsewhere; and
-    one launch file, where a rule lists all others of its folder.
+    one launch file, where a rule lists all others of its folder; and programs in scripts/ or the like, where the
+    package installs nothing at all.
 
     ## Why is this bad?
     The build is green, and at run time there is "file 'robot.launch.py' was not found in the share directory of package
     'my_pkg'": only what `install()` names is installed.
 
     ## When it is quiet
-    Where install rules can't be evaluated, where a macro of another package is called, which may install files, where
-    another command names the folder, and where git ignores its files.
+    Where install rules can't be evaluated (what the build makes hides only its destination), where a macro of another
+    package is called, which may install files, where another command names the folder, and where git ignores its files.
     Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`), it is an info. It is
     one, too, where neither the package nor one of the workspace that depends on it seems to open the folder: it may
     be a leftover.
@@ -70,12 +73,9 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
             f"`{row.source}` is installed as `{row.destination}`: `ros2 launch {name} …` looks in `share/{name}` alone"
         )
         yield Hit(row.path, row.span, f"{into}; write `DESTINATION share/${{PROJECT_NAME}}`")
-    for path, row in folders.left_out():
-        file = path.rpartition("/")[2]
-        what = f"`{path}` is not installed, but the others of its folder are"
-        yield Hit(
-            row.path, row.span, f"{what}: `ros2 launch {name} {file}` does not find it; add it here, or remove it"
-        )
+    yield from (left_out(name, path, row) for path, row in folders.left_out())
+    if programs := idle_programs(package, folders.table):
+        yield Hit(place.path, place.command.span, not_run(name, programs), Severity.INFO)
     for folder in folders.uninstalled():
         files = folders.useful(folder)
         fix = Fix(f"install {folder}/ into share/{name}/{folder}", (install_folder(package.cmake, folder),))
@@ -85,3 +85,17 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
         )
         level = folders.uses.level(folder)
         yield Hit(place.path, place.command.span, message, Severity(level) if level else None, fix=fix)
+
+
+def left_out(name: str, path: str, row: InstalledFile) -> Hit:
+    file = path.rpartition("/")[2]
+    what = f"`{path}` is not installed, but the others of its folder are"
+    message = f"{what}: `ros2 launch {name} {file}` does not find it; add it here, or remove it"
+    return Hit(row.path, row.span, message)
+
+
+def not_run(name: str, programs: Sequence[str]) -> str:
+    folder = programs[0].partition("/")[0]
+    some = f"nothing of `{folder}/` is installed (`{programs[0]}`{' and others' if programs[1:] else ''})"
+    todo = f"add `install(PROGRAMS … DESTINATION lib/${{PROJECT_NAME}})` if `ros2 run {name} …` is to find them"
+    return f"{some}, nor anything else of `{name}`; {todo}"
