@@ -29,7 +29,7 @@ FITTING: dict[str, tuple[str, ...]] = {
     "cmake-unknown-package": ("DEP104", "DEP0", "DEP1", "CMK110", "CMK117"),
     "cmake-unknown-target": ("CMK110", "CMK118", "CMK107"),
     "cmake-unknown-variable": ("CMK",),
-    "cmake-install-destination": ("CMK104", "CMK103", "CMK101", "LCH004"),
+    "cmake-install-destination": ("CMK104", "CMK103", "CMK101", "CMK123", "LCH004"),
     "cmake-install-missing-path": ("CMK102", "CMK123"),
     "cmake-dir-not-installed": ("CMK101", "LCH004", "LCH003", "URD002", "DEP113"),
     "headers-not-installed": ("CMK106",),

@@ -13,6 +13,7 @@ from ...package.cmake.installed_headers import INCLUDES, PLUGINS, PublicHeaders
 from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
+from ...ros.link_targets import MESSAGES
 from ...ros.read_table import rows
 
 BUILD = ("build_depend",)
@@ -37,7 +38,7 @@ class MissingExportDependency:
     is_target: bool
     """Whether the library is exported as a target: what a target is linked with must be there."""
     is_only_loaded: bool
-    """Whether it is a plugin or a component, and no package of the workspace builds against this one."""
+    """Whether it is a plugin or a component, or no header includes it, and no package here builds against this one."""
 
 
 @dataclass(frozen=True)
@@ -46,8 +47,8 @@ class ExportedDependencies:
     workspace: Workspace
 
     def missing(self) -> Iterator[MissingExportDependency]:
-        """Yield each package that an exported library passes on, that an installed header includes, and that users
-        don't find, neither by name nor with another one."""
+        """Yield each package that an exported library passes on and that users don't find, neither by name nor with
+        another one: an installed header includes it, or the library is a target that hands on one of its."""
         cmake = self.headers.package.cmake
         automatic = cmake.named("ament_auto_package", "autoware_ament_auto_package")
         unclear = not cmake.is_complete or cmake.reads_unknown_files or automatic or UNKNOWN in self.exported
@@ -61,11 +62,22 @@ class ExportedDependencies:
         for link in TargetLinks(cmake).all:
             package = self.package_of(link)
             passed = link.is_public and link.target in self.libraries and not link.call.maybe and not link.word.maybe
-            if passed and package in self.needed and package not in self.there[0] | seen | self.of_families:
+            included = package in self.needed
+            needed = included or (link.target in self.targets and self.is_target(package, link))
+            if passed and needed and package not in self.there[0] | seen | self.of_families:
                 seen.add(package)
                 loads = plugins or link.target in components or self.registers_classes(link.target)
-                loaded = loads and not self.is_built_against
+                loaded = (loads or not included) and not self.is_built_against
                 yield MissingExportDependency(package, link.word, link, link.target in self.targets, loaded)
+
+    def is_target(self, package: str, link: TargetLink) -> bool:
+        """Return whether a link hands a target of a package on, which CMake looks for wherever the library is linked.
+
+        `ament_target_dependencies()` does so with packages that have targets.
+        """
+        has_some = any(each != "-" for each in rows("cmake_targets.txt").get(package, ()))
+        of_ros = MESSAGES.fullmatch(package) is not None or has_some
+        return package in self.found & self.declared and (of_ros or not link.package)
 
     @cached_property
     def is_built_against(self) -> bool:
@@ -161,8 +173,11 @@ class ExportedDependencies:
 
         A library of the system is declared under another name, and often found with the package's own find module.
         """
-        declared = {each.name for each in self.headers.package.manifest.dependencies}
-        return self.found & declared & {name for _, _, name in self.headers.included_packages()}
+        return self.found & self.declared & {name for _, _, name in self.headers.included_packages()}
+
+    @cached_property
+    def declared(self) -> frozenset[str]:
+        return frozenset(each.name for each in self.headers.package.manifest.dependencies)
 
     @cached_property
     def found(self) -> frozenset[str]:

@@ -30,6 +30,9 @@ COUNTS = {
 }
 """How many arguments a command wants at least, and which."""
 
+LONGEST = 60
+"""Characters of an argument that a message shows."""
+
 
 @dataclass(frozen=True)
 class RefusedArgument:
@@ -70,7 +73,9 @@ def without_destination(call: EvaluatedCommand) -> Iterator[RefusedArgument]:
     if call.may_have_more or any(UNKNOWN in text or "DEST" in text or text == "TYPE" for text in call.texts):
         return
     kind = call.texts[0]
-    message = f"`install({kind} …)` has no `DESTINATION`: CMake stops; write one, such as `share/${{PROJECT_NAME}}`"
+    shown = " ".join(argument.text for argument in call.command.arguments[1:2])
+    start = f"`install({kind} {shown} …)`" if 0 < len(shown) <= LONGEST else f"`install({kind} …)`"
+    message = f"{start} has no `DESTINATION`: CMake stops; write one, such as `share/${{PROJECT_NAME}}`"
     yield RefusedArgument(call, None, message)
 
 

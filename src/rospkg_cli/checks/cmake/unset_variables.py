@@ -47,6 +47,9 @@ PROJECT = "PROJECT_NAME"
 SHORTEST = 6
 """Letters of a name that the package could have intended for one of its own; two may be wrong from twice that on."""
 
+FEW_WORDS = 2
+"""Words of a name that many names have."""
+
 
 @dataclass(frozen=True)
 class UnsetVariable:
@@ -134,7 +137,8 @@ class UnsetVariables:
         if self.cmake.reads_unknown_files:
             is_slip = name not in self.variables.mentioned and bool(near_names(name, [PROJECT]))
             return PROJECT if is_slip else None
-        return self.of_cmake(name) if call.maybe else self.nearest(name)
+        found = self.of_cmake(name) if call.maybe else self.nearest(name)
+        return found or (self.with_lost_word(name) if call.name == "install" and not call.maybe else None)
 
     def nearest(self, name: str) -> str | None:
         """Return the variable that is intended by one that nothing sets."""
@@ -178,6 +182,15 @@ class UnsetVariables:
         alike = (each for each in self.assigned if digits(each) == digits(name))
         return next(iter(near_names(name, alike, 1 if len(name) < 2 * SHORTEST else 2)), None)
 
+    def with_lost_word(self, name: str) -> str | None:
+        """Return the one variable that the package sets and that is called as an unset one, but for one word."""
+        if self.variables.may_be_set(name) or not self.variables.is_own(name):
+            return None
+        words = name.strip("_").split("_")
+        others = [(each, each.strip("_").split("_")) for each in self.assigned]
+        alike = [each for each, whole in others if lacks_one(words, whole) or lacks_one(whole, words)]
+        return alike[0] if len(alike) == 1 and len(words) > FEW_WORDS else None
+
     @cached_property
     def assigned(self) -> frozenset[str]:
         return frozenset(name for file in self.cmake.files for name in assigned_names(file))
@@ -185,6 +198,11 @@ class UnsetVariables:
     @cached_property
     def variables(self) -> SetVariables:
         return SetVariables(self.cmake)
+
+
+def lacks_one(words: list[str], whole: list[str]) -> bool:
+    """Return whether some words are all others but one."""
+    return len(whole) == len(words) + 1 and any(whole[:n] + whole[n + 1 :] == words for n in range(len(whole)))
 
 
 def is_of_ros(name: str) -> bool:

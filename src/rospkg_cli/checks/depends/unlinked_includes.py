@@ -39,6 +39,8 @@ class UnlinkedInclude:
     span: Span
     is_own_folder: bool
     """Whether the package certainly installs its headers into a folder that nobody else looks into."""
+    bringer: str = ""
+    """The package that may bring it, of which nobody knows what it brings."""
 
 
 @dataclass(frozen=True)
@@ -82,10 +84,11 @@ class UnlinkedIncludes:
         names = self.linked(target.name) if included else None
         if names is None:
             return
-        there = self.closure(names)
-        for name, (file, header, span) in included.items() if there is not None else ():
-            if there is not None and name not in there and not self.has_folder_of(target.name, name):
-                yield UnlinkedInclude(target, name, header, file, span, self.has_own_folder(name))
+        there, is_whole = self.closure(names)
+        bringer = "" if is_whole else next(name for name in sorted(names) if not self.closure([name])[1])
+        for name, (file, header, span) in included.items():
+            if name not in there and not self.has_folder_of(target.name, name):
+                yield UnlinkedInclude(target, name, header, file, span, self.has_own_folder(name), bringer)
 
     def included(self, target: Target) -> Iterator[tuple[str, tuple[str, str, Span]]]:
         """Yield the packages whose headers a target's sources include in any case, each with the places."""
@@ -152,9 +155,9 @@ class UnlinkedIncludes:
         is_known = not link.package and "::" not in text
         return [] if is_known or keys_for_cmake(name) else None
 
-    def closure(self, names: Iterable[str]) -> frozenset[str] | None:
-        """Return some packages, and all that may come with them; None where that is not known of one."""
-        found: set[str] = set()
+    def closure(self, names: Iterable[str]) -> tuple[frozenset[str], bool]:
+        """Return some packages with all that is known to come with them, and whether that is known of each."""
+        found, is_whole = set[str](), True
         waiting, workspace = [*names], self.includes.declared.workspace
         known = workspace.index_of(NeedsOfPackages)
         while waiting:
@@ -163,10 +166,9 @@ class UnlinkedIncludes:
                 continue
             found.add(name)
             needs = known.of(name, workspace)
-            if needs is None:
-                return None
-            waiting += needs
-        return frozenset(found)
+            is_whole &= needs is not None
+            waiting += needs or ()
+        return frozenset(found), is_whole
 
     def has_folder_of(self, target: str, package: str) -> bool:
         """Return whether a command names the include folder of a package for a target, or anything unknown."""

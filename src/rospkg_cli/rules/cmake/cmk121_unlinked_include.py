@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from ...checks.depends.unlinked_includes import UnlinkedIncludes
+from ...checks.depends.unlinked_includes import UnlinkedInclude, UnlinkedIncludes
+from ...checks.enumeration import in_ticks
 from ...example import CMAKE, Example, manifest
-from ...finding import Hit, Severity
+from ...finding import Hit, Related, Severity
 from ...rule import rule
 
 NODE = CMAKE.replace(
@@ -36,7 +37,10 @@ def example(package: str, header: str, linked: str) -> Example:
     "unlinked-include",
     over=UnlinkedIncludes,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where another package's folder of headers may hold them as well"},
+    levels={
+        Severity.INFO: "where another package's folder of headers may hold them as well, or another one that the "
+        "target is linked with may bring them"
+    },
     examples=(
         example("sensor_msgs", "sensor_msgs/msg/image.hpp", "${sensor_msgs_TARGETS}"),
         example("tf2_ros", "tf2_ros/buffer.h", "tf2_ros::tf2_ros"),
@@ -54,14 +58,19 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     at the latest the linker misses the symbols.
 
     ## When it is quiet
-    What a target is linked with brings what it passes on itself, as far as package.xml tells; where one link or one
-    package is not known, nothing is said of the target. Commands for all targets (`include_directories()`), targets of
+    What a target is linked with brings what it passes on itself, as far as package.xml tells; where one link is not
+    known, nothing is said of the target, and where that is not known of one package, all that it may bring is one info.
+    Commands for all targets (`include_directories()`), targets of
     `ament_auto_add_…()` and of tests, includes under `#if`, and calls under a condition are left alone.
 
     ## References
     - [ament_cmake user documentation](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Documentation.html)
     """
+    perhaps: list[UnlinkedInclude] = []
     for each in includes.all():
+        if each.bringer:
+            perhaps.append(each)
+            continue
         ends = 'the build ends with "No such file or directory"'
         if not each.is_own_folder:
             ends = "it builds only where the headers lie in a folder that others share"
@@ -70,3 +79,18 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
             f"add it to `target_link_libraries({each.target.name} …)`"
         )
         yield Hit(each.path, each.span, message, None if each.is_own_folder else Severity.INFO)
+    for target in dict.fromkeys(each.target.name for each in perhaps):
+        yield perhaps_brought([each for each in perhaps if each.target.name == target])
+
+
+def perhaps_brought(found: Sequence[UnlinkedInclude]) -> Hit:
+    """Return one info for all that a target lacks and a package may bring of which nobody knows what it brings."""
+    first, *others = found
+    names = in_ticks(dict.fromkeys(each.package for each in found))
+    are, them = ("are", "them") if others else ("is", "it")
+    message = (
+        f"{names} {are} included, and `{first.target.name}` is not linked with {them}: it builds only while "
+        f"`{first.bringer}` or the like brings the headers; add {them} to its `target_link_libraries()`"
+    )
+    related = [Related(each.path, each.span, f"`{each.header}` is included here") for each in others]
+    return Hit(first.path, first.span, message, Severity.INFO, tuple(related))
