@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.depends.undeclared_test_commands import PROVIDERS
+from rospkg_cli.checks.depends.undeclared_find_package import OF_COMMANDS
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.testing import lint_files
 
@@ -18,7 +18,7 @@ def said(lines: str, body: str = "", build_type: str = "ament_cmake") -> list[st
     return [finding.message for finding in lint_files(files, ["DEP104"]).findings]
 
 
-@pytest.mark.parametrize(("command", "package"), PROVIDERS.items())
+@pytest.mark.parametrize(("command", "package"), OF_COMMANDS.items())
 def test_each_command_names_its_package(command: str, package: str) -> None:
     (message,) = said(f"{command}(test_a test/a.cpp)")
     assert message.startswith(f"`{command}` comes with `{package}`, ")

@@ -35,7 +35,8 @@ class MissingPaths:
             if each.word.text in FOREIGN and not each.word.quoted:
                 continue
             perhaps = each.call.maybe or each.word.maybe
-            if perhaps and (not self.is_judged(each) or id(each.call.command) in self.asked_for):
+            is_unjudged = each.use == "matching" or not self.is_judged(each) if perhaps else False
+            if is_unjudged or (perhaps and id(each.call.command) in self.asked_for):
                 continue
             yield each, not perhaps and not (each.use != "source" and named.made.is_worked_in)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import CMakeFile
@@ -16,6 +17,9 @@ CLONED_BY = {"GIT_REPOSITORY": "git", "HG_REPOSITORY": "mercurial", "SVN_REPOSIT
 """The keywords of CMake's ExternalProject and FetchContent, and the rosdep keys of the programs that clone."""
 
 FETCHES = ("externalproject_add", "fetchcontent_declare")
+RUNS = ("add_custom_command", "add_custom_target")
+PROGRAMS = {each: each for each in ("curl", "git", "unzip", "wget")} | {"hg": "mercurial", "svn": "subversion"}
+"""Programs that fetch or unpack what is built, and that no build tool of ROS brings, with their rosdep keys."""
 ASKS_PKG_CONFIG = ("pkg_check_modules", "pkg_search_module")
 PKG_CONFIG, ENVIRONMENT = "pkg-config", "ros_environment"
 ERRORS = ("FATAL_ERROR", "SEND_ERROR", "ERROR")
@@ -67,6 +71,8 @@ class BuildToolsOfCMake:
             yield from (CLONED_BY[word.text] for word in call.words if word.text in CLONED_BY)
         elif call.name in ASKS_PKG_CONFIG and "REQUIRED" in call.texts:
             yield PKG_CONFIG
+        else:
+            yield from (PROGRAMS[each] for each in programs_of(call) if each in PROGRAMS)
 
     def read_in(self, file: CMakeFile) -> Iterator[BuildTool]:
         """Yield the first variable of ros_environment that a file reads and never asks for (`if(DEFINED ENV{…})`).
@@ -82,6 +88,15 @@ class BuildToolsOfCMake:
                 for variable in VARIABLE.findall(argument.text):
                     read.append(BuildTool(ENVIRONMENT, variable, "build_depend", file.path, argument.span))
         yield from (each for each in read if f"ENV{{{each.what}}}" not in asked or each.what in errors)
+
+
+def programs_of(call: EvaluatedCommand) -> list[str]:
+    """Return the programs without which a command stops CMake, or the build."""
+    texts = call.texts
+    stops = "COMMAND_ERROR_IS_FATAL" in texts if call.name == "execute_process" else call.name in RUNS
+    if stops and "||" not in texts:
+        return [after for before, after in pairwise(texts) if before == "COMMAND"]
+    return list(texts[1:2]) if call.name == "find_program" and "REQUIRED" in texts else []
 
 
 def said_as_error(file: CMakeFile) -> Iterator[str]:

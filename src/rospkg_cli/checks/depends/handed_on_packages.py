@@ -11,7 +11,7 @@ from ...languages.cmake.file import read_file
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.macro_installs import handed_on
-from ...ros.manifest import EXPORTED
+from ...ros.manifest import EXPORTED, RUNS, is_buildtool
 from ...source import Span
 from ...unreadable import UnreadableError
 from .declared_dependencies import DeclaredDependencies
@@ -29,7 +29,7 @@ class HandedOnPackage:
     path: str
     span: Span
     is_certain: bool
-    """Whether it is known of everything that is handed on what comes with it."""
+    """Whether it is known of everything that is handed on what comes with it, and users are known of an export."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +49,27 @@ class HandedOnPackages:
                 if names and name not in seen and self.declared.facts.name != name and not there.intersection(names):
                     seen.add(name)
                     yield HandedOnPackage(names, name, path, span, known)
+        yield from self.exported(seen, FindPackageDependencies(self.declared, self.cmake))
+
+    def exported(self, seen: set[str], needs: FindPackageDependencies) -> Iterator[HandedOnPackage]:
+        """Yield what `ament_export_dependencies()` names and package.xml has for its own build alone.
+
+        What comes with something that users get is there.
+        """
+        tags, declared = RUNS | EXPORTED, self.declared.manifest.dependencies
+        there = self.declared.brought_with(tags)
+        got = {need.name for need in declared if need.tag in tags}
+        for call in self.cmake.named("ament_export_dependencies") if self.declared.is_checked else ():
+            for word in call.words if not (call.maybe or call.folder) else ():
+                names = needs.providers(word.text) if word.is_known and not word.maybe else ()
+                own = tuple(dict.fromkeys(need.name for need in declared if need.name in names))
+                if not own or word.text in seen or not got.isdisjoint(names) or any(map(is_buildtool, own)):
+                    continue
+                seen.add(word.text)
+                bringer = self.declared.bringer_among(names, there)
+                if bringer is None or not bringer.is_certain:
+                    is_used = self.declared.workspace.is_built_against(self.declared.facts.name)
+                    yield HandedOnPackage(own, word.text, word.path, word.span, is_used and bringer is None)
 
     @cached_property
     def handed_on(self) -> tuple[frozenset[str], bool]:

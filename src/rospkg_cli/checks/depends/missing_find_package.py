@@ -14,7 +14,7 @@ from ...ros.names import NameKind
 from ...source import Span
 from ...suggest import near_names
 from .declared_dependencies import DeclaredDependencies
-from .undeclared_includes import IncludeDependencies
+from .undeclared_includes import OF_CLIENT_LIBRARIES, IncludeDependencies
 
 AUTOMATIC = regex(r"ament_auto_find_\w+|(?!find_|ament_|gz_|ign_|nav2_|moveit_)\w*_package\w*")
 """Commands that find packages, or may well do so, such as `autoware_package`."""
@@ -45,7 +45,7 @@ class MissingFindPackages:
     def packages(self) -> Iterator[MissingFindPackage]:
         """Yield each package once: where a target is linked with it, else where its headers are included.
 
-        What certainly comes with a package that is found is left out.
+        What certainly comes with a package that is found is left out, but for links with what is not declared either.
         """
         if self.declared.is_checked and self.is_complete:
             there, known = self.declared.transitive_names_of(self.found)
@@ -60,6 +60,16 @@ class MissingFindPackages:
                 if each.name not in seen and self.is_undeclared(each.name) and not self.has_another_name(each.name):
                     seen.add(each.name)
                     yield replace(each, is_declared=False)
+            told = {name for each in self.includes.packages() for name in (each.cmake, *each.names)}
+            for each in self.linked(maybe=True):
+                is_new = each.name in there and each.name not in self.found | told | {self.declared.facts.name}
+                if is_new and self.is_undeclared(each.name) and not self.is_everywhere(each.name):
+                    told.add(each.name)
+                    yield replace(each, is_declared=False)
+
+    def is_everywhere(self, name: str) -> bool:
+        """Return whether it is of the interfaces that rclcpp or the generators find, or of the tools of ament."""
+        return name in FOUND_WITH_GENERATORS | OF_CLIENT_LIBRARIES or name.startswith(("rosidl_", "ament_"))
 
     @property
     def declared(self) -> DeclaredDependencies:

@@ -10,9 +10,9 @@ from ...package.cmake.find_package import FoundPackage
 OF_CMAKE = frozenset({
     "ALSA", "Armadillo", "BLAS", "BZip2", "Boost", "Bullet", "CUDA", "CUDAToolkit", "CURL", "Curses", "Doxygen",
     "EXPAT", "FLTK", "Freetype", "GDAL", "GLEW", "GLUT", "GSL", "GTK2", "GTest", "Git", "HDF5", "ImageMagick", "JPEG",
-    "Java", "LAPACK", "LibArchive", "LibLZMA", "LibXml2", "Lua", "MPI", "OpenAL", "OpenCL", "OpenGL", "OpenMP",
-    "OpenSSL", "OpenSceneGraph", "OpenThreads", "PNG", "PkgConfig", "Protobuf", "Python", "Python3", "PythonInterp",
-    "PythonLibs", "SDL", "SQLite3", "SWIG", "TIFF", "Threads", "Vulkan", "X11", "XercesC", "ZLIB",
+    "Java", "LAPACK", "LTTngUST", "LibArchive", "LibLZMA", "LibXml2", "Lua", "MPI", "OpenAL", "OpenCL", "OpenGL",
+    "OpenMP", "OpenSSL", "OpenSceneGraph", "OpenThreads", "PNG", "PkgConfig", "Protobuf", "Python", "Python3",
+    "PythonInterp", "PythonLibs", "SDL", "SQLite3", "SWIG", "TIFF", "Threads", "Vulkan", "X11", "XercesC", "ZLIB",
 })  # fmt: skip
 """The packages that modules of CMake itself look for (FindBoost.cmake)."""
 ASKS = ("pkg_check_modules", "pkg_search_module")

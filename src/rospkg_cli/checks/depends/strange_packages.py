@@ -18,6 +18,9 @@ from .undeclared_includes import IncludeDependencies
 OF_INTERFACES = regex(r"[a-z]\w*_(?:msgs|srvs|actions|interfaces)")
 """What packages of interfaces are called, and nothing else."""
 
+BRINGS = regex(r"(?i)_(?:SOURCE|LIST|BINARY)_DIR\b|externalproject|fetchcontent|\badd_library\s*\([^)]*\bALIAS\b")
+"""What a module has that does more than to look for a library of the system."""
+
 BRINGING = ("add_subdirectory", "externalproject_add", "fetchcontent_declare", "ament_vendor")
 """Commands by which a package brings a library itself."""
 
@@ -77,12 +80,15 @@ class StrangePackages:
         return bool(words) and ROS_NAME.fullmatch(name) is not None and not any(e.startswith(first) for e in vendors)
 
     def is_at_hand(self, name: str) -> bool:
-        """Return whether the package itself brings a library, or a module that finds it."""
-        modules = (f"/find{name}.cmake".lower(), f"/{name}config.cmake".lower(), f"/{name}-config.cmake".lower())
-        paths = self.cmake.package_files.paths
+        """Return whether the package itself brings a library, or a module that may do more than find it."""
+        lower, files = name.lower(), self.cmake.package_files
         words = (text.lower() for call in self.cmake.named(*BRINGING) for text in call.texts)
-        is_brought = self.cmake.target(name) is not None or any(name.lower() in word for word in words)
-        return is_brought or any(f"/{path}".lower().endswith(modules) for path in paths)
+        if self.cmake.target(name) is not None or any(lower in word for word in words):
+            return True
+        configs, paths = (f"/{lower}config.cmake", f"/{lower}-config.cmake"), [f"/{each}" for each in files.paths]
+        modules = [path[1:] for path in paths if path.lower().endswith(f"/find{lower}.cmake")]
+        brings = any(BRINGS.search(files.readable_text(path)) for path in modules)
+        return brings or any(path.lower().endswith(configs) for path in paths)
 
     def bringer(self, name: str) -> str | None:
         """Return the package or key that may bring a library, where nothing that is declared does."""
@@ -102,7 +108,7 @@ def names_alike(name: str) -> tuple[str, ...]:
     """Return what a package of ROS, of a vendor or of Debian may be called that brings what CMake finds by a name."""
     lower = name.lower()
     debian, own = lower.replace("_", "-"), lower.replace("-", "_")
-    return (lower, f"{own}_vendor", f"lib{debian}-dev", f"{debian}-dev", f"lib{debian}", f"{own}_core")
+    return (f"{own}_vendor", f"lib{debian}-dev", f"{debian}-dev", lower, f"lib{debian}", f"{own}_core")
 
 
 def unknown_package(name: str, meant: str | None) -> str:

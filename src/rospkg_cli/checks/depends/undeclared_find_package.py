@@ -22,6 +22,19 @@ from .declared_dependencies import DeclaredDependencies
 REPORTED_ELSEWHERE = frozenset({"ament_cmake"})
 """Packages whose absence from package.xml other rules report."""
 
+OF_COMMANDS = {
+    "ament_add_gtest": "ament_cmake_gtest",
+    "ament_add_gtest_executable": "ament_cmake_gtest",
+    "ament_add_gmock": "ament_cmake_gmock",
+    "ament_add_gmock_executable": "ament_cmake_gmock",
+    "ament_add_pytest_test": "ament_cmake_pytest",
+    "ament_add_google_benchmark": "ament_cmake_google_benchmark",
+    "add_launch_test": "launch_testing_ament_cmake",
+    "add_ros_test": "ros_testing",
+    "ament_lint_auto_find_test_dependencies": "ament_lint_auto",
+}
+"""The one package without which each command for tests stops CMake."""
+
 
 @dataclass(frozen=True, slots=True)
 class UndeclaredFindPackage:
@@ -97,13 +110,14 @@ class FindPackageDependencies:
     def is_needed(self, found: FoundPackage) -> bool:
         """Return whether the configuration certainly fails without it."""
         certain = found.word.is_known and not found.word.maybe and not found.call.maybe
-        needed = found.is_required or found.name in self.needed_names
-        return certain and needed and not found.is_quiet and not self.is_reported_elsewhere(found.name)
+        needed = found.is_required or (found.name in self.needed_names and not found.is_quiet)
+        return certain and needed and not self.is_reported_elsewhere(found.name)
 
     @cached_property
     def needed_names(self) -> frozenset[str]:
-        """What a target or an export requires, with or without REQUIRED in find_package."""
-        found = {*self.handed_to_ament}
+        """What a target, an export or a command requires, with or without REQUIRED in find_package."""
+        calls = (call for call in self.cmake.calls if not call.maybe and call.name not in self.cmake.functions)
+        found = {*self.handed_to_ament, *(OF_COMMANDS[call.name] for call in calls if call.name in OF_COMMANDS)}
         for call in self.cmake.named("target_link_libraries"):
             linked = (word.text.partition("::") for word in call.words[1:] if not word.maybe and not call.maybe)
             found |= {package for package, colons, _ in linked if colons}

@@ -9,19 +9,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...ros.implied_dependencies import IN_CMAKE, implied_by
 from .declared_dependencies import DeclaredDependencies
-
-PROVIDERS = {
-    "ament_add_gtest": "ament_cmake_gtest",
-    "ament_add_gtest_executable": "ament_cmake_gtest",
-    "ament_add_gmock": "ament_cmake_gmock",
-    "ament_add_gmock_executable": "ament_cmake_gmock",
-    "ament_add_pytest_test": "ament_cmake_pytest",
-    "ament_add_google_benchmark": "ament_cmake_google_benchmark",
-    "add_launch_test": "launch_testing_ament_cmake",
-    "add_ros_test": "ros_testing",
-    "ament_lint_auto_find_test_dependencies": "ament_lint_auto",
-}
-"""The one package that defines each command."""
+from .undeclared_find_package import OF_COMMANDS
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +36,7 @@ class CommandsForTests:
         brought, known = self.declared.transitive_names_of(found)
         seen = found | brought | self.cmake.functions | implied_by(found | self.declared.names, IN_CMAKE)
         for call in self.cmake.calls:
-            package = PROVIDERS.get(call.name, "")
+            package = OF_COMMANDS.get(call.name, "")
             if not package or call.maybe or {package, call.name} & seen:
                 continue
             seen.add(package)

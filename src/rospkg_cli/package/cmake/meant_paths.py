@@ -19,7 +19,7 @@ def meant_path(cmake: CMake, named: ReferencedPath) -> str | None:
         folders = (path.removesuffix(LISTS) for path in paths if path.endswith(LISTS))
         folder = nearest(named.path.removesuffix(LISTS), folders)
         return None if folder is None else folder + LISTS
-    return nearest(named.path, folders_beside(named, paths) if named.use == "folder" else paths)
+    return nearest(named.path, folders_beside(named, paths) if named.use in ("folder", "matching") else paths)
 
 
 def folders_beside(named: ReferencedPath, paths: Iterable[str]) -> Iterable[str]:

@@ -15,7 +15,8 @@ from .cmake_project import CMake
 from .made_paths import MadePaths
 from .needed_files import needed_files
 
-Use = Literal["source", "install", "folder", "test", "parameters", "subdirectory", "include", "extras"]
+Use = Literal["source", "install", "folder", "test", "parameters", "subdirectory", "include", "extras", "matching"]
+"""Of what is `matching`, CMake 3.25 says nothing: a folder with FILES_MATCHING that is not there."""
 
 
 @dataclass(frozen=True)
@@ -60,11 +61,9 @@ class ReferencedPaths:
                 yield from self.named(words, purpose, call)
         yield from self.read_files()
         for rule in self.cmake.installs:
-            may_lack = (
-                rule.optional or rule.matching
-            )  # CMake 3.25 is silent where a folder with FILES_MATCHING is missing
-            if rule.kind in ("FILES", "PROGRAMS", "DIRECTORY") and not may_lack and rule.call.name in INSTALLERS:
+            if rule.kind in ("FILES", "PROGRAMS", "DIRECTORY") and not rule.optional and rule.call.name in INSTALLERS:
                 use: Use = "folder" if rule.kind == "DIRECTORY" else "install"
+                use = "matching" if rule.matching else use
                 yield from self.named(rule.items, use, rule.call)
 
     def read_files(self) -> Iterator[ReferencedPath]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from ...checks.cmake.missing_path_sentences import PLURAL, consequence
 from ...checks.cmake.missing_paths import MissingPaths
 from ...checks.enumeration import in_ticks
 from ...example import CMAKE, Example, manifest
@@ -37,7 +38,8 @@ EXTRAS = CMAKE.replace("ament_package()", "ament_package(CONFIG_EXTRAS «cmake/m
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is named in a branch that is taken only for some; or CMake runs a program in the "
-        "package's folder, which may write what is installed"
+        "package's folder, which may write what is installed",
+        Severity.INFO: "FILES_MATCHING keeps CMake silent about the folder",
     },
     examples=(
         Example(
@@ -82,7 +84,8 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     Where something makes the path: `configure_file()`, `file(DOWNLOAD …)`, an OUTPUT or BYPRODUCTS, a program that is
     run in its folder or is given it, a generator of sources. Where a .gitignore names it, since a build then writes
     it. Below a submodule that is not checked out. Inside `if(EXISTS …)`, for what is installed inside any condition
-    that can't be evaluated, and with OPTIONAL.
+    that can't be evaluated, and with OPTIONAL. A folder with FILES_MATCHING stops nothing: an info, or a warning where
+    another one is called nearly so.
     """
     for (named, for_everyone), *others in together(package.cmake, MissingPaths(package.cmake).all()):
         paths = list(dict.fromkeys([named.path, *(each.path for each, _ in others)]))
@@ -91,6 +94,8 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
         message = f"{in_ticks(paths)} {do} not exist{near}: {end}"
         related = tuple(Related(each.word.path, each.word.span, "and here") for each, _ in others[:MAX_RELATED])
         level = None if for_everyone else Severity.WARNING
+        if named.use == "matching":
+            level = Severity.WARNING if near else Severity.INFO
         yield Hit(named.word.path, named.word.span, message, level, related=related)
 
 
@@ -109,30 +114,3 @@ def together(cmake: CMake, found: Iterable[tuple[ReferencedPath, bool]]) -> Iter
         if is_one:
             same.setdefault((id(named.call.command), *kind), group)
     return list({id(group): group for group in same.values()}.values())
-
-
-PLURAL = {"folder": "the build stops when it installs (git keeps no empty folder); add files to them, or remove them"}
-
-
-def consequence(named: ReferencedPath) -> str:
-    match named.use:
-        case "source":
-            return 'CMake stops with "Cannot find source file"; name an existing file, or remove it'
-        case "test":
-            return f"`{named.call.name}` stops CMake, since colcon builds with tests on; name an existing test"
-        case "subdirectory":
-            return "`add_subdirectory` stops CMake; name a folder with a CMakeLists.txt"
-        case "include":
-            return "`include` stops CMake; name an existing file"
-        case "extras":
-            return f"`{named.call.name}` stops CMake; name an existing file, or take it out of CONFIG_EXTRAS"
-        case "parameters":
-            return "the build stops, since nothing makes it; name an existing file of parameters"
-        case "folder":
-            return (
-                "the build stops when it installs (git keeps no empty folder); add it with a file in it, or remove it"
-            )
-        case _ if named.call.name.startswith("pluginlib_"):
-            return "CMake stops at once; name an existing plugin description"
-        case _:
-            return "the build stops when it installs; name an existing file, or remove it"

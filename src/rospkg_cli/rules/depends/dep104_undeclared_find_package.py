@@ -60,10 +60,10 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
     ## What it does
     Finds required `find_package()` calls for packages that package.xml does not declare.
     ROS packages are checked, and libraries that have a rosdep key (`Eigen3` is `eigen`). Without REQUIRED the call
-    counts where a target or an export uses the package all the same. A command for tests (`ament_add_gtest()`) counts
-    where its package is neither found nor declared. A name that no one here knows counts where it ends like
-    one of interfaces (`acme_msgs`), where `ament_target_dependencies()` is handed it, or where a package or key is
-    called alike (`GDAL`, `libgdal-dev`).
+    counts where a target, an export or a command for tests needs the package all the same. A command for tests
+    (`ament_add_gtest()`) counts where its package is neither found nor declared. A name that no one here knows counts
+    where it ends like one of interfaces (`acme_msgs`), where `ament_target_dependencies()` is handed it, or where a
+    package or key is called alike (`GDAL`, `libgdal-dev`).
 
     ## Why is this bad?
     It builds where the package happens to be installed, or to be built before. On a clean machine and on the build farm

@@ -56,9 +56,10 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     only as long as another package happens to find this one.
 
     ## When it is quiet
-    What certainly comes with a package that is found is left alone; where that is not known, it is an info. Nothing is
-    said where a command such as `ament_auto_find_build_dependencies()` finds what is declared, where a part of CMake
-    can't be evaluated, or where something is found that may be the same under another name.
+    What certainly comes with a package that is found is left alone; where that is not known, it is an info, and so is a
+    package that a target is linked with, that comes with another one, and that package.xml does not declare either.
+    Nothing is said where a command such as `ament_auto_find_build_dependencies()` finds what is declared, where a part
+    of CMake can't be evaluated, or where something is found that may be the same under another name.
 
     ## Fix safety
     The call is added after the other `find_package()` calls. A target may have to be linked with the package as well.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.handed_on_packages import HandedOnPackages
+from ...checks.depends.required_by_cmake import OF_CMAKE
 from ...edits.undeclared_hits import declaration
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
@@ -19,7 +20,10 @@ EXTRAS = CMAKE.replace("ament_package()", 'ament_package(CONFIG_EXTRAS "cmake/my
     "unexported-find-package",
     over=HandedOnPackages,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where something that is handed on may bring it"},
+    levels={
+        Severity.INFO: "where something that is handed on may bring it, or no package of the workspace is built with "
+        "the one that exports it"
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -43,7 +47,8 @@ def unexported_find_package(packages: HandedOnPackages) -> Iterator[Hit]:
     ## What it does
     Finds packages that CMake files for others require and package.xml does not hand on.
     The files that `ament_package(CONFIG_EXTRAS …)` names run in every package that finds this one. What they require
-    must be a `<build_export_depend>`, a `<buildtool_export_depend>`, or a `<depend>`.
+    must be a `<build_export_depend>`, a `<buildtool_export_depend>`, or a `<depend>`. What
+    `ament_export_dependencies()` names must be one of these or an `<exec_depend>`, where package.xml has it at all.
 
     ## Why is this bad?
     On a clean machine, and on the build farm, the CMake of each package that uses this one stops with "Could not find a
@@ -62,10 +67,12 @@ def unexported_find_package(packages: HandedOnPackages) -> Iterator[Hit]:
     for each in packages.missing():
         name = each.names[0]
         tag = "buildtool_export_depend" if is_buildtool(name) else "build_export_depend"
+        stops = (
+            f"Could NOT find {each.cmake}" if each.cmake in OF_CMAKE else "Could not find a package configuration file"
+        )
         message = (
             f"every package that uses this one requires `{each.cmake}` here, and package.xml does not hand it on: on a "
-            f'clean machine their CMake stops with "Could not find a package configuration file"; add '
-            f"<{tag}>{name}</{tag}>"
+            f'clean machine their CMake stops with "{stops}"; add <{tag}>{name}</{tag}>'
         )
         level = None if each.is_certain else Severity.INFO
         yield Hit(each.path, each.span, message, level, fix=declaration(packages.declared, tag, name))

@@ -41,17 +41,20 @@ def example(lines: str, dependency: str) -> Example:
 def undeclared_build_tool(tools: BuildToolsOfCMake) -> Iterator[Hit]:
     """
     ## What it does
-    Finds git, pkg-config and ros_environment where CMake uses them and package.xml lacks them.
+    Finds git, curl, pkg-config and ros_environment where CMake uses them and package.xml lacks them.
     `ExternalProject_Add()` and `FetchContent_Declare()` clone with git (`GIT_REPOSITORY`), `pkg_check_modules(…
-    REQUIRED …)` runs pkg-config, and `$ENV{ROS_DISTRO}` is set by the package ros_environment.
+    REQUIRED …)` runs pkg-config, `add_custom_command()` and `add_custom_target()` run what fetches or unpacks (`curl`,
+    `git`, `unzip`, `wget`), `find_program(… REQUIRED)` looks for it, and `$ENV{ROS_DISTRO}` is set by the package
+    ros_environment.
 
     ## Why is this bad?
-    Most machines of developers have all three. The build farm, and a container made by `rosdep install`, have what
+    Most machines of developers have them. The build farm, and a container made by `rosdep install`, have what
     package.xml names: there CMake stops, or a condition on `$ENV{ROS_DISTRO}` is false without a word.
 
     ## When it is quiet
     What a declared dependency brings is there, and a variable that is asked for first (`if(DEFINED ENV{ROS_DISTRO})`)
-    may be absent. pkg-config counts only with REQUIRED.
+    may be absent. pkg-config counts only with REQUIRED, and a program of
+    `execute_process()` with COMMAND_ERROR_IS_FATAL.
 
     ## References
     - REP-149, buildtool_depend
@@ -65,4 +68,4 @@ def undeclared_build_tool(tools: BuildToolsOfCMake) -> Iterator[Hit]:
 def sentence(tool: BuildTool) -> str:
     if tool.name == ENVIRONMENT:
         return f"`{tool.name}`, which sets `{tool.what}`, is not declared: on the build farm the variable is empty here"
-    return f"`{tool.what}` runs `{tool.name}`, which is not declared: a machine without it stops the build here"
+    return f"`{tool.what}` needs `{tool.name}`, which is not declared: a machine without it stops the build here"

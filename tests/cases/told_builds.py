@@ -1,0 +1,143 @@
+"""Faults of CMake and package.xml that people repaired in their repositories: neighbours of each, and silences."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest
+
+CORE = {"src/core.cpp": "int core() {return 1;}\n", "include/my_pkg/core.hpp": "int core();\n"}
+TESTED = "if(BUILD_TESTING)\n{}endif()\n"
+ADDED = "  ament_add_gtest(test_core test/test_core.cpp)\n"
+TESTS = {"test/test_core.cpp": "int main() {return 0;}\n"}
+LAUNCH = {"launch/robot.launch.py": "LAUNCH = 1\n", "README.md": "`ros2 launch my_pkg robot.launch.py`\n"}
+MADE = "install(DIRECTORY {} DESTINATION share/${{PROJECT_NAME}}{})\n"
+UNSET = """\
+set(MY_PKG_WORK_FOLDER "lib")
+set(_PX_CORE_PROGRAMS_DIR "lib/my_pkg")
+add_executable(core src/core.cpp)
+install(TARGETS core DESTINATION ${%s})
+"""
+LIBRARY = """\
+find_package(rclcpp REQUIRED)
+find_package(std_msgs REQUIRED)
+add_library(core SHARED src/core.cpp)
+{0}
+install(DIRECTORY include/ DESTINATION include)
+install(TARGETS core EXPORT core_targets DESTINATION lib)
+{1}
+ament_export_dependencies({2})
+"""
+NEEDS = "  <depend>rclcpp</depend>\n  <depend>std_msgs</depend>\n"
+EXPORTS = "ament_export_targets(core_targets)"
+LINKS = "target_link_libraries(core {}rclcpp::rclcpp ${{std_msgs_TARGETS}})"
+HANDS = "ament_target_dependencies(core rclcpp std_msgs)"
+LINKED = """\
+find_package(create_driver REQUIRED)
+find_package(tf2_ros REQUIRED)
+add_executable(node src/node.cpp)
+target_link_libraries(node {})
+"""
+NODE = {"src/node.cpp": "#include <tf2_ros/buffer.h>\nint main() {return 0;}\n"}
+BASE = "  <depend>create_driver</depend>\n  <depend>tf2_ros</depend>\n"
+PROGRAMS = {"scripts/calibrate": "#!/bin/sh\n", "scripts/notes.txt": "nothing\n"}
+MODULE = "find_path(GDAL_INCLUDE_DIRS gdal.h)\n"
+
+
+def package(lines: str, files: dict[str, str], body: str = "") -> Example:
+    """A CMake package with lines before ament_package()."""
+    text = CMAKE.replace("ament_package", lines + "ament_package")
+    files = {"package.xml": manifest(body, "ament_cmake"), **files}
+    return Example(bad={"CMakeLists.txt": text, **files}, good={}, on="ament_cmake")
+
+
+def library(use: str, exports: str = EXPORTS, names: str = "") -> Example:
+    return package(LIBRARY.format(use, exports, names), CORE, NEEDS)
+
+
+def exported(name: str, body: str) -> Example:
+    return package(f"find_package({name} REQUIRED)\nament_export_dependencies({name})\n", {}, body)
+
+
+def node(links: str, body: str = BASE) -> Example:
+    return package(LINKED.format(links), NODE, body)
+
+
+CASES = {
+    "DEP104": (
+        package("find_package(ZLIB REQUIRED QUIET)\n", {}),
+        package("find_package(ZLIB QUIET)\n", {}),
+        package(TESTED.format("  find_package(ament_cmake_gtest)\n" + ADDED), TESTS),
+        package(TESTED.format("  find_package(ament_cmake_gtest QUIET)\n" + ADDED), TESTS),
+        package(
+            TESTED.format(
+                "  find_package(ament_cmake_gtest)\n  if(ament_cmake_gtest_FOUND)\n  " + ADDED + "  endif()\n"
+            ),
+            TESTS,
+        ),
+        package("find_package(LTTngUST REQUIRED)\n", {}),
+        package("find_package(GDAL REQUIRED)\n", {"cmake/FindGDAL.cmake": MODULE}),
+        package("find_package(GDAL REQUIRED)\n", {"cmake/FindGDAL.cmake": MODULE + "set(A ${CMAKE_SOURCE_DIR})\n"}),
+        package("find_package(GDAL REQUIRED)\n", {"cmake/GDALConfig.cmake": MODULE}),
+    ),
+    "DEP107": (
+        package(LIBRARY.format("ament_target_dependencies(core std_srvs)", "", "rclcpp"), CORE, NEEDS),
+        package(LIBRARY.format("ament_target_dependencies(core builtin_interfaces)", "", "rclcpp"), CORE, NEEDS),
+        package(LIBRARY.format("target_link_libraries(core rcutils::rcutils)", "", "rclcpp"), CORE, NEEDS),
+    ),
+    "DEP111": (
+        exported("OpenSSL", "  <build_depend>libssl-dev</build_depend>\n"),
+        exported("OpenSSL", "  <build_depend>libssl-dev</build_depend>\n  <exec_depend>libssl-dev</exec_depend>\n"),
+        exported("OpenSSL", "  <depend>libssl-dev</depend>\n"),
+        exported("OpenSSL", ""),
+        exported("std_msgs", "  <build_depend>std_msgs</build_depend>\n  <exec_depend>sensor_msgs</exec_depend>\n"),
+        exported("std_msgs", "  <build_depend>std_msgs</build_depend>\n  <exec_depend>nobody_knows</exec_depend>\n"),
+        exported("ament_cmake_python", "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n"),
+    ),
+    "DEP114": (
+        package("add_custom_target(get ALL COMMAND wget https://example.com/a.zip)\n", {}),
+        package("add_custom_target(get ALL COMMAND wget https://example.com/a.zip || true)\n", {}),
+        package("add_custom_command(OUTPUT a COMMAND unzip a.zip)\n", {}, "  <build_depend>unzip</build_depend>\n"),
+        package("execute_process(COMMAND git describe)\n", {}),
+        package("execute_process(COMMAND git describe COMMAND_ERROR_IS_FATAL ANY)\n", {}),
+        package("find_program(CURL curl REQUIRED)\n", {}),
+        package("find_program(CURL curl)\n", {}),
+    ),
+    "CMK101": (
+        package(MADE.format("${CMAKE_CURRENT_BINARY_DIR}/maps", "/maps"), LAUNCH),
+        package(MADE.format("${CMAKE_CURRENT_BINARY_DIR}/maps", ""), LAUNCH),
+        package(MADE.format("${CMAKE_CURRENT_BINARY_DIR}/maps", "/launch/maps"), LAUNCH),
+        package(MADE.format("${MAPS}", "/maps"), LAUNCH),
+        package("", PROGRAMS),
+        package("", PROGRAMS, "  <exec_depend>rclpy</exec_depend>\n"),
+        package("install(FILES package.xml DESTINATION share/my_pkg)\n", PROGRAMS),
+        package("", {"scripts/notes.txt": "nothing\n"}),
+    ),
+    "CMK102": (
+        package('install(DIRECTORY launch DESTINATION share/my_pkg FILES_MATCHING PATTERN "*.py")\n', {}),
+        package('install(DIRECTORY lauch DESTINATION share/my_pkg FILES_MATCHING PATTERN "*.py")\n', LAUNCH),
+        package('install(DIRECTORY launch DESTINATION share/my_pkg OPTIONAL FILES_MATCHING PATTERN "*.py")\n', {}),
+        package(
+            'if(WITH)\n  install(DIRECTORY a DESTINATION share/my_pkg FILES_MATCHING PATTERN "*.py")\nendif()\n', {}
+        ),
+    ),
+    "CMK113": (
+        library(HANDS),
+        library(HANDS, names="rclcpp"),
+        library(HANDS, "ament_export_libraries(core)"),
+        library(LINKS.format("")),
+        library(LINKS.format("PUBLIC ")),
+        library(LINKS.format("PRIVATE ")),
+    ),
+    "CMK115": (
+        package(UNSET % "_PX_PROGRAMS_DIR", CORE),
+        package(UNSET % "_PX_CORE_PROGRAMS_BIN_DIR", CORE),
+        package(UNSET % "_PX_OTHER_FOLDER", CORE),
+        package(UNSET % "MY_PKG_FOLDER", CORE),
+    ),
+    "CMK121": (
+        node("create_driver::create_driver"),
+        node("create_driver::create_driver tf2_ros::tf2_ros"),
+        node("create_driver::create_driver acme_base::acme_base"),
+        node("rclcpp::rclcpp"),
+    ),
+    "CMK123": (package("install(DIRECTORY ${SDK}/lib)\n", {}), package("set(SDK sdk)\ninstall(FILES ${SDK}/a)\n", {})),
+}
