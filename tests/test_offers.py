@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.edits.offers import file_command, node_command
+from rospkg_cli.edits.offers import file_command, how_to_have, node_command
 from rospkg_cli.package.package_facts import PackageFacts
 
 OWN = PackageFacts("my_pkg", "my_pkg", "ament_python")
@@ -39,3 +39,10 @@ def test_what_makes_an_executable() -> None:
     written = PackageFacts("my_pkg", "my_pkg", "ament_python", modules=frozenset({"my_pkg", "my_pkg.talker"}))
     assert node_command(written, "talker", OWN) == ""
     assert node_command(written, "hearer", OWN) == "rospkg add node hearer"
+
+
+def test_files_of_the_same_name_are_named_before_a_command() -> None:
+    share = PackageFacts("my_pkg", "my_pkg", "ament_python", share_files=frozenset({"a/b.yaml", "config/c/robot.yaml"}))
+    assert how_to_have(share, "config/robot.yaml", OWN) == "correct the path: there is `config/c/robot.yaml`"
+    assert how_to_have(share, "config/b.txt", OWN) == "add it, or correct the path"
+    assert how_to_have(share, "config/x.yaml", OWN) == "`rospkg add params config/x` adds it, or correct the path"

@@ -2,12 +2,28 @@
 
 from __future__ import annotations
 
+import posixpath
+
+from ..checks.enumeration import in_ticks
 from ..lazy_regex import regex
 from ..package.package_facts import PackageFacts
 from ..ros.manifest import PACKAGE_NAME
 
+MAX_ALIKE = 3
 LAUNCH = regex(r"launch/(?P<name>[A-Za-z0-9][\w-]*[._]launch\.(?:py|xml|yaml))")
 PARAMS = regex(r"(?P<name>(?:config|params?|cfg)/[A-Za-z0-9][\w-]*)\.yaml")
+
+
+def how_to_have(facts: PackageFacts, path: str, own: PackageFacts) -> str:
+    """Return what to do about a share file that a package does not have: where others of its name are, how it is made.
+
+    `own` is the package in which a command is typed.
+    """
+    end = f"/{posixpath.basename(path)}"
+    if alike := sorted(each for each in facts.share_files if each.endswith(end))[:MAX_ALIKE]:
+        return f"correct the path: there {'are' if alike[1:] else 'is'} {in_ticks(alike)}"
+    made = file_command(facts, path, own)
+    return f"`{made}` adds it, or correct the path" if made else "add it, or correct the path"
 
 
 def file_command(facts: PackageFacts, path: str, own: PackageFacts) -> str:

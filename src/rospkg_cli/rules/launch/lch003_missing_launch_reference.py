@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.launch.idle_actions import level_at
 from ...checks.launch.missing_references import LaunchContext, MissingReference
 from ...checks.launch.relative_parameter_files import is_for_nodes, relative_parameter_files
-from ...edits.offers import file_command
+from ...edits.offers import how_to_have
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.launch.file_references import ReferenceKind
@@ -131,9 +131,8 @@ def message(scope: LaunchContext, missing: MissingReference, why: str) -> str:
 
 
 def hint(scope: LaunchContext, missing: MissingReference) -> str:
-    """Return what to do: the near path, else how the file is made."""
+    """Return what to do: the near path, else another one or how the file is made."""
     if missing.better_path:
         return f"did you mean `{missing.better_path}`?"
     facts = scope.workspace.named(missing.package)
-    command = file_command(facts, missing.path, scope.package) if facts else ""
-    return f"`{command}` adds it, or correct the path" if command else "add it, or correct the path"
+    return how_to_have(facts, missing.path, scope.package) if facts else "add it, or correct the path"
