@@ -281,3 +281,21 @@ def test_no_expression_makes_it_fall_over(text: str) -> None:
         f"import os, glob\na = 'A'\ndef f(x=1, *y, **z):\n    return x\nx = {text}\nfor i in {text}:\n    y = [i]"
     )
     assert found.get("a") is not None
+
+
+@pytest.mark.parametrize(
+    "joined, parts",
+    [
+        ("share('p'), 'maps', name + '.yaml'", ["?", "/maps/", "?", ".yaml"]),
+        ("'maps', f'{name}.yaml', 'b'", ["maps/", "?", ".yaml/b"]),
+        ("share('p'), '/maps', f'{name}.yaml'", ["/maps/", "?", ".yaml"]),
+        ("share('p'), 'maps/', f'/{name}.yaml'", ["/", "?", ".yaml"]),
+        ("share('p'), name", None),
+        ("share('p'), 5", None),
+    ],
+)
+def test_paths_that_are_known_in_part(joined: str, parts: list[str] | None) -> None:
+    head = "import os\nfrom ament_index_python.packages import get_package_share_directory as share\n"
+    found = evaluate(f"{head}name = os.environ['NAME']\nx = os.path.join({joined})\n").get("x")
+    texts = [p.text if isinstance(p, Text) else "?" for p in found.parts] if isinstance(found, PartialText) else None
+    assert texts == parts

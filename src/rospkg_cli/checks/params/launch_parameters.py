@@ -16,6 +16,7 @@ from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
 from ...suggest import near_names
 from .declaring_packages import ParameterContext
+from .handed_on import may_hand_on
 from .mistyped_blocks import WILD, MistypedBlock, last, mistyped_blocks
 
 MAX_DEPTH = 5
@@ -153,8 +154,8 @@ class LaunchParameters:
         given = [each for each in self.node_arguments if file in each.files]
         texts = [launch.source.text for launch in self.launches if not any(each.launch is launch for each in given)]
         name = file.path.rpartition("/")[2]
-        alone = all(each.name and each.node.is_certain and not each.launch.includes for each in given)
-        return alone and not any(name in text for text in texts)
+        alone = all(each.name and each.node.is_certain for each in given) and not any(name in text for text in texts)
+        return alone and not any(may_hand_on(each.launch, name, self.workspace) for each in given)
 
     def missing(self) -> Iterator[tuple[NodeArguments, list[DeclaredParameter]]]:
         """Yield each node with the parameters that its code declares without a default and that are not set."""

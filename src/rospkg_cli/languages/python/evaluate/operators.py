@@ -121,28 +121,36 @@ def is_path(value: Value) -> bool:
 
 
 def path_join(parts: list[Value], span: Span, *, path: bool = False) -> Value | None:
-    """Return the parts joined as os.path.join does it; only the first one may be unknown.
+    """Return the parts joined as os.path.join does it; the first may be unknown, others in part.
 
     For paths that are joined with `/`, the second part may be a call.
     """
     if path and len(parts) == 2 and isinstance(parts[0], PartialText) and isinstance(parts[1], Call):
         return join_texts([parts[0], Text(span, "/"), parts[1]], span, path=True)
-    texts = [part.text for part in parts[1:] if isinstance(part, Text)]
-    size = sum(map(len, texts), len(texts)) + (len(parts[0].text) if parts and isinstance(parts[0], Text) else 0)
     spend(len(parts) * ITEM)
-    if not parts or len(texts) != len(parts) - 1 or size > MAX_TEXT:
+    size = sum(len(part.text) + 1 for part in parts if isinstance(part, Text))
+    if not parts or size > MAX_TEXT or not all(isinstance(part, Text | PartialText) for part in parts[1:]):
         return None
     spend(size)
-    first = parts[0]
-    if isinstance(first, Text):
-        found = posixpath.join(first.text, *texts)
+    if all(isinstance(part, Text) for part in parts):
+        found = posixpath.join(*(part.text for part in parts if isinstance(part, Text)))
         return Text(span, normalized_path(found) if path else found, is_path=path)
-    if not isinstance(first, Call | PartialText | Unknown | AttributeValue):
+    if not isinstance(parts[0], Text | Call | PartialText | Unknown | AttributeValue):
         return None
-    rest = posixpath.join("/", *texts) if texts else ""
-    if any(text.startswith("/") for text in texts):
-        return Text(span, rest, is_path=path)
-    return join_texts([first, Text(span, rest)], span, path=path)
+    return join_texts(joined_parts(parts, span), span, path=path)
+
+
+def joined_parts(parts: list[Value], span: Span) -> list[Value]:
+    """Return the parts with slashes between them; what comes before an absolute one is left out."""
+    found: list[Value] = []
+    for part in parts:
+        start = part.parts[0] if isinstance(part, PartialText) and part.parts else part
+        if isinstance(start, Text) and start.text.startswith("/"):
+            found = []
+        elif found and not (isinstance(found[-1], Text) and found[-1].text.endswith("/")):
+            found.append(Text(span, "/"))
+        found.append(part)
+    return found
 
 
 def normalized_path(text: str) -> str:
