@@ -152,3 +152,23 @@ def test_what_is_no_python(text: str, at: str, grammar: bool) -> None:
     found = caught.value.unreadable
     assert text[found.span.start :].startswith(at)
     assert found.grammar is grammar
+
+
+@pytest.mark.parametrize(
+    "condition, expected",
+    [
+        ("platform.system() in ['Linux', 'Darwin']", (False, True)),
+        ("platform.system().lower() != 'windows'", (False, True)),
+        ("os.name == 'nt'", (True, False)),
+        ("sys.platform.startswith('linux')", (False, True)),
+        ("not sys.platform == 'linux2'", (True, False)),
+        ("'win' in sys.platform", (True, False)),
+        ("sys.platform == name", (True, True)),
+        ("sys.version_info > (3, 8)", (True, True)),
+        ("platform.machine() == 'aarch64'", (True, True)),
+        ("'linux' in names", (False, False)),
+    ],
+)
+def test_what_linux_imports_is_not_optional(condition: str, expected: tuple[bool, bool]) -> None:
+    file = read(f"if {condition}:\n    import a\nelse:\n    import b\n")
+    assert tuple(each.is_optional for each in file.imports) == expected

@@ -23,6 +23,10 @@ def constant_truth(test: ast.expr, names: Mapping[str, bool]) -> bool | None:
             return (
                 is_equal is isinstance(operator, ast.Eq) if asks_for_ros(asked) and str(value) in ("1", "2") else None
             )
+        case ast.Compare(left=ast.Constant(value="ROS_VERSION"), ops=[operator], comparators=[asked]) if is_environ(
+            asked
+        ):
+            return True if isinstance(operator, ast.In) else False if isinstance(operator, ast.NotIn) else None
         case ast.UnaryOp(op=ast.Not(), operand=operand):
             inside = constant_truth(operand, names)
             return None if inside is None else not inside
@@ -46,6 +50,12 @@ def asks_for_ros(value: ast.expr) -> bool:
                 asks_for_ros(each) or (isinstance(each, ast.Constant) and each.value in ROS_VERSION) for each in named
             )
     return False
+
+
+def is_environ(value: ast.expr) -> bool:
+    return (
+        value.attr if isinstance(value, ast.Attribute) else value.id if isinstance(value, ast.Name) else ""
+    ) == "environ"
 
 
 def unreached_nodes(body: Iterable[ast.AST], names: Mapping[str, bool]) -> Iterator[int]:

@@ -12,6 +12,7 @@ from ...light_dataclasses import dataclass, replace
 from ...source import Source, Span
 from .constant_truth import constant_truth
 from .dynamic_names import has_dynamic_names
+from .linux_truth import holds_on_linux
 from .nodes import children_of, nodes_of
 from .syntax import PythonSyntax, parse
 
@@ -92,9 +93,13 @@ class PythonFile(PythonSyntax):
                     yield from self.imports_in(node.body if always else node.orelse, under)
                 case ast.If():
                     typing = under.is_for_typing or is_type_checking(node.test)
-                    optional = under.is_optional or depends_on_platform(node.test)
-                    inner = Import("", (), 0, under.span, optional, typing, under.is_local)
-                    other = Import("", (), 0, under.span, optional, under.is_for_typing, under.is_local)
+                    on_linux = holds_on_linux(node.test)
+                    optional = [
+                        under.is_optional or (depends_on_platform(node.test) and on_linux is not runs)
+                        for runs in (True, False)
+                    ]
+                    inner = Import("", (), 0, under.span, optional[0], typing, under.is_local)
+                    other = Import("", (), 0, under.span, optional[1], under.is_for_typing, under.is_local)
                     for branch, holds in ((node.body, inner), (node.orelse, other)):
                         for each in self.imports_in(branch, holds):
                             yield each.optional() if each.module.partition(".")[0] in asked(node.test) else each

@@ -5,7 +5,8 @@ from __future__ import annotations
 from ...languages.python.evaluate.values import Call, Text
 
 HARMLESS = frozenset(
-    ("setuptools", "distutils", "os", "sys", "pathlib", "glob", "io", "codecs", "re", "platform", "warnings")
+    "setuptools distutils os sys pathlib glob io codecs re platform warnings xml json yaml datetime time collections "
+    "itertools functools importlib fnmatch string textwrap catkin_pkg ast math".split()
 )
 """Modules whose functions make no file that would be installed, but for what WRITES names."""
 

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Callable
 from typing import Any
 
+from ..constant_truth import constant_truth
 from ..nodes import nodes_of
 from .conversion import is_equal
 from .endless_loops import rounds_of
@@ -85,6 +86,8 @@ class CompoundStatements(SimpleStatements):
 
     def do_If(self, node: ast.If, scope: Namespace) -> Flow:
         verdict = truth(self.evaluate(node.test, scope))
+        if verdict is None:
+            verdict = constant_truth(node.test, {})
         if verdict is not None:
             return self.execute(node.body if verdict else node.orelse, scope)
         why = f"{self.quoted(self.span(node.test))} can't be evaluated"
