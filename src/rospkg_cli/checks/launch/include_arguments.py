@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.launch.file_references import FileReference, references_in
+from ...package.launch.file_references import FileReference, first_in
 from ...package.launch.launch_file import Include
 from ...package.launch.launch_signature import LaunchSignature
 from ...ros.known_launch_files import known_arguments
@@ -42,7 +42,7 @@ class IncludeContext:
         """Yield the unknown and the missing arguments of includes, as far as the included file is known."""
         for include in self.scope.file.includes if not (self.scope.file.is_ros1 or self.scope.is_unused_test) else ():
             folder = self.scope.file.path.rpartition("/")[0]
-            named = next(references_in(include.file, folder, "include"), None)
+            named = first_in(include.file, folder)
             if named is not None and (target := self.target(named)) is not None:
                 package, signature = target
                 yield from self.mismatches_of(include, package, signature)

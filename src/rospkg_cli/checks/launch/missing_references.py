@@ -13,7 +13,7 @@ from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of
 from ...package.install_table import InstallTable
-from ...package.launch.file_references import FileReference, ReferenceKind
+from ...package.launch.file_references import OPEN, FileReference, ReferenceKind
 from ...package.launch.launch_file import DeclaredArgument, LaunchFile
 from ...package.launch.ros1 import is_named_ros1
 from ...package.package_facts import PackageFacts
@@ -23,6 +23,7 @@ from ...source import Span
 from ...suggest import slips
 from ...unreadable import UnreadableError
 from ..closest_path import closest_path
+from .open_paths import fits_nothing, meant
 from .unset_configurations import LaunchConfigurations
 
 DOUBLED = regex(r"((?:\.[a-z][a-z0-9]*)+)\1$")
@@ -56,8 +57,8 @@ class MissingReference:
 
     @property
     def stops_launch(self) -> bool:
-        """Whether the launch itself opens it."""
-        return self.use in ("include", "open") and not self.is_well_known
+        """Whether the launch itself certainly opens it."""
+        return self.use in ("include", "open") and not self.is_well_known and OPEN not in self.path
 
 
 @dataclass(frozen=True)
@@ -123,8 +124,9 @@ class LaunchContext:
     def missing(self) -> Iterator[MissingReference]:
         """Yield each file that is named and missing, once."""
         found: dict[tuple[str, str], list[MissingReference]] = {}
-        for named in self.file.paths if not (self.file.is_ros1 or self.is_unused_test) else ():
-            missing = self.missing_at(named) if not self.file.catches_missing(named.span) else None
+        for named in self.file.every_path if not (self.file.is_ros1 or self.is_unused_test) else ():
+            ask = self.unfitting if named.is_open else self.missing_at
+            missing = ask(named) if not self.file.catches_missing(named.span) else None
             if missing is not None:
                 found.setdefault((missing.package, missing.path), []).append(missing)
         for first, *others in found.values():
@@ -151,6 +153,15 @@ class LaunchContext:
             return None
         state, better_path = self.state(facts, named.path)
         return MissingReference(named.span, facts.name, named.path, state, named.use, better_path)
+
+    def unfitting(self, named: FileReference) -> MissingReference | None:
+        """Return a file of which a part is not known, where none can be meant."""
+        own = named.package == self.package.name
+        facts = self.package if own else self.workspace.named(named.package)
+        if facts is None or not fits_nothing(named, facts, self.files, own=own):
+            return None
+        better = meant(named.path, facts.share_files)
+        return MissingReference(named.span, facts.name, named.path, "absent", named.use, better)
 
     def slip_at(self, named: FileReference, facts: PackageFacts) -> MissingReference | None:
         """Return a file whose name is a slip of one that is installed beside it, where others may be installed too."""

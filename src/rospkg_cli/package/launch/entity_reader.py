@@ -173,7 +173,7 @@ def launch_file(source: Source, frontend: Frontend, root: Entity, problems: list
         tuple(visitor.commands),
         tuple(found for text in visitor.texts for found in text.substitutions()),
         tuple(visitor.assigned),
-        paths=tuple(dict.fromkeys(visitor.paths(posixpath.dirname(source.path)))),
+        every_path=tuple(dict.fromkeys(visitor.paths(posixpath.dirname(source.path)))),
         events=xml_events(root),
         is_ros1=is_named_ros1(source.path) or is_ros1(root),
         root=root,

@@ -32,6 +32,10 @@ OUTPUT_FILE = regex(
 """What is likely written or fetched when the launch runs."""
 
 
+OPEN = "…"
+"""Stands in a path for a part that only the launch knows."""
+
+
 @dataclass(frozen=True, slots=True)
 class FileReference:
     span: Span
@@ -43,6 +47,11 @@ class FileReference:
     use: ReferenceKind = "file"
     has_slash: bool = True
     """Whether a slash is between the share directory and the path."""
+
+    @property
+    def is_open(self) -> bool:
+        """Whether a part of the path is not known."""
+        return OPEN in self.path
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,9 +75,10 @@ def references_in(
     *,
     is_command: bool = False,
 ) -> Iterator[FileReference]:
-    """Yield the files that a text of a launch file in `folder` names, as far as they are known.
+    """Yield the files that a text of a launch file in `folder` names.
 
-    `defaults` are those of the arguments by their names.
+    A part that is not known is `…` in a share directory; elsewhere the file is left out. `defaults` are those of the
+    arguments by their names.
     """
     for at, part in enumerate(text.parts):
         here = use_in_command(text, at) if is_command else use
@@ -85,6 +95,11 @@ def references_in(
                 yield from local_reference(written, folder, here)
             elif written is not None and part.arguments:
                 yield from package_reference(part, literal_of(part.arguments[0].parts, defaults), written, here)
+
+
+def first_in(text: LaunchText, folder: str) -> FileReference | None:
+    """Return the file that an include names, as far as it is known."""
+    return next((each for each in references_in(text, folder, "include") if not each.is_open), None)
 
 
 def use_in_command(text: LaunchText, at: int) -> ReferenceKind:
@@ -110,7 +125,7 @@ def package_reference(
 def local_reference(
     written: JoinedPath | None, folder: str, use: ReferenceKind, skip: int = 0
 ) -> Iterator[FileReference]:
-    if written is not None and written.text.startswith("/"):
+    if written is not None and written.text.startswith("/") and OPEN not in written.text:
         path = normal_path(f"{folder}/{written.text[skip:].lstrip('/')}")
         if is_file(path, is_read=use == "include"):
             yield FileReference(written.span, "", path, "default" if written.by_default else use)
@@ -132,12 +147,14 @@ def is_file(path: str, *, is_read: bool = False) -> bool:
 
 
 def literal_of(parts: Sequence[Literal | Substitution], defaults: Mapping[str, str]) -> JoinedPath | None:
-    """Return the path that some parts begin with, and its span; None where a part of it is unknown."""
+    """Return the path that some parts begin with, and its span; `…` is for what is unknown in it."""
     found, spans, by_default = "", [], False
     for part in parts:
         text = part.text if isinstance(part, Literal) else default_of(part, defaults)
         if text is None:
-            return None
+            found += OPEN
+            spans.append(part.span)
+            continue
         by_default |= isinstance(part, Substitution)
         end = END.search(text)
         piece = text[: end.start()] if end else text

@@ -93,8 +93,8 @@ class LaunchFile:
     """Every substitution, also those inside of others."""
     assigned: tuple[LaunchText, ...] = ()
     """Names of launch configurations that the file sets itself."""
-    paths: tuple[FileReference, ...] = ()
-    """The files that it names."""
+    every_path: tuple[FileReference, ...] = ()
+    """The files that it names, those included of which a part is not known."""
     is_complete: bool = True
     """False where parts of the file could not be evaluated: there may be more of everything."""
     is_ros1: bool = False
@@ -148,6 +148,11 @@ class LaunchFile:
         if not self.is_complete or self.events is None:
             return False
         return all(event.name or event.kind not in ("open", "declare", "define", "include") for event in self.events)
+
+    @cached_property
+    def paths(self) -> tuple[FileReference, ...]:
+        """The files that it names."""
+        return tuple(each for each in self.every_path if not each.is_open)
 
     @cached_property
     def set_configurations(self) -> frozenset[str]:

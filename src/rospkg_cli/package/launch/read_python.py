@@ -45,7 +45,7 @@ def read_python_launch(file: PythonFile, folder: SandboxFilesystem) -> LaunchFil
         commands=tuple(map(command_of, [*of.get("ExecuteProcess", ()), *of.get("ExecuteLocal", ())])),
         substitutions=tuple(found for call in calls if (found := substitution(call)) is not None),
         assigned=assigned,
-        paths=tuple(file_references(calls, posixpath.dirname(file.source.path), bare, defaults)),
+        every_path=tuple(file_references(calls, posixpath.dirname(file.source.path), bare, defaults)),
         is_complete=not evaluator.gave_up,
         has_entry_point=any(has_name(file, evaluator, name) for name in ENTRIES),
         events=python_events(evaluator),

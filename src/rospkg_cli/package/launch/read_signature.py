@@ -9,7 +9,7 @@ from ...files import ReaderInput
 from ...lazy_regex import regex
 from ...ros.imports import STANDARD
 from ..install_table import InstallTable
-from .file_references import references_in
+from .file_references import first_in
 from .launch_classes import HOMES, SOURCES
 from .launch_file import DeclaredArgument, LaunchFile
 from .launch_signature import LaunchSignature
@@ -35,7 +35,7 @@ def signature_of(file: LaunchFile, places: frozenset[str]) -> LaunchSignature:
     folder, text = posixpath.dirname(file.path), file.source.text
     declared = [argument.name.literal for argument in file.arguments]
     used = [use.arguments[0].literal if use.arguments else None for use in file.configurations()]
-    included = [next(references_in(include.file, folder, "include"), None) for include in file.includes]
+    included = [first_in(include.file, folder) for include in file.includes]
     named = NAMED_USE.findall(text)
     unknown_imports = {each.module.partition(".")[0] for each in file.imports} - KNOWN - STANDARD
     has_substitutions = "allow_substs" in text  # then a file of parameters may ask for anything
