@@ -241,3 +241,16 @@ def test_a_copy_of_a_parameter_file_that_was_left_behind() -> None:
     assert message.startswith("`count` is missing here, and `")
     copy["src/bringup/config/talker.yaml"] += "    count: 1\n"
     assert not messages({**theirs, **copy}, "PRM008")
+
+
+@pytest.mark.parametrize(
+    "broken", [{"launch/b.launch.py": "def f(:\n"}, {"config/b.yaml": "a:\n  ros__parameters: [\n"}]
+)
+def test_a_file_that_cannot_be_read_silences_only_what_it_may_explain(broken: dict[str, str]) -> None:
+    given = INLINE.replace("verbose", "verbos")
+    assert len(messages({**package(xml(given)), **broken}, "PRM007")) == 1
+    assert len(messages(package(xml(given)), "PRM008")) == 1
+    assert messages({**package(xml(given)), **broken}, "PRM008") == []
+    block = package(xml(FILE), "talke:\n  ros__parameters:\n    rate: 1.0\n")
+    assert len(messages(block, "PRM003")) == 1
+    assert messages({**block, **broken}, "PRM003") == []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
+from typing import Annotated
 
 from ...languages.yaml.nodes import ScalarNode, YamlNode
 from ...languages.yaml.nodes import SequenceNode as YamlSequence
@@ -15,6 +16,7 @@ from ...package.params.parameter_file import NodeBlock, Parameter, ParameterFile
 from ...package.params.scalar_types import type_of
 from ...package.workspace import Workspace
 from ...suggest import near_names, same_words, slips
+from ...unreadable import READABLE
 
 OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
 EVERYWHERE = ("qos_overrides.", "bond_")
@@ -93,7 +95,7 @@ class IncompleteBlock:
 class ParameterContext:
     """The parameter files of a package, and what its code and that of its neighbours declares."""
 
-    files: tuple[ParameterFile, ...]
+    files: Annotated[tuple[ParameterFile, ...], READABLE]
     package: PackageFacts
     workspace: Workspace
 

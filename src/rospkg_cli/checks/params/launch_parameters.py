@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import cached_property
+from typing import Annotated
 
 from ...light_dataclasses import dataclass
+from ...package.file_role import role_of
 from ...package.install_table import InstallTable
 from ...package.launch.launch_file import LaunchedNode, LaunchFile
 from ...package.launch.text import LaunchText, Literal, Substitution
@@ -15,11 +17,13 @@ from ...package.params.declared_parameter import DeclaredParameter
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
 from ...suggest import near_names
+from ...unreadable import READABLE, Unreadable
 from .declaring_packages import ParameterContext
 from .handed_on import may_hand_on
 from .mistyped_blocks import WILD, MistypedBlock, last, mistyped_blocks
 
 MAX_DEPTH = 5
+ENDINGS = (".yaml", ".yml")
 SHARE = "\0share"
 
 
@@ -62,11 +66,17 @@ class NodeArguments:
 
 @dataclass(frozen=True)
 class LaunchParameters:
-    files: tuple[ParameterFile, ...]
-    launches: tuple[LaunchFile, ...]
+    files: Annotated[tuple[ParameterFile, ...], READABLE]
+    launches: Annotated[tuple[LaunchFile, ...], READABLE]
     table: InstallTable | None
     package: PackageFacts
     workspace: Workspace
+    unreadable: tuple[Unreadable, ...] = ()
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether all launch files and parameter files can be read: else another may start a node, or be for it."""
+        return not any(role_of(each.path) == "launch" or each.path.endswith(ENDINGS) for each in self.unreadable)
 
     @cached_property
     def node_arguments(self) -> tuple[NodeArguments, ...]:

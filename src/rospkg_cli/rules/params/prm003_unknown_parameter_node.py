@@ -88,6 +88,8 @@ def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.
     """
+    if not launched.is_whole:
+        return
     for file, block, given in launched.misnamed():
         key = block.key.text
         name = given.name or ""

@@ -63,6 +63,6 @@ def ambiguous_number(launched: LaunchParameters) -> Iterator[Hit]:
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; https://yaml.org/type/float.html
     """
-    for file in launched.files:
+    for file in launched.files if launched.is_whole else ():
         faults = number_faults(file, is_read_by_python=launched.is_read_by_python(file))
         yield from hits(file.path, faults)

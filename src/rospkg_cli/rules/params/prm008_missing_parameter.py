@@ -96,6 +96,8 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
     one whose declaration lies behind a condition, or has a default. Lists of plugins in a file that is called as being
     for Foxy or another unsupported distribution had other names there.
     """
+    if not scope.launched.is_whole:
+        return
     for given, missing in scope.launched.missing():
         started = given.node.executable or given.node.plugin
         if started is not None:
