@@ -111,7 +111,7 @@ FITTING: dict[str, tuple[str, ...]] = {
     "urdf-unknown-link": ("URD",),
     "urdf-missing-include": ("URD002", "DEP106"),
     "urdf-absolute-path": ("URD002", "LCH003"),
-    "python-missing-module": ("DEP101", "IDL011", "SET"),
+    "python-missing-module": ("DEP101", "DEP109", "DEP110", "IDL011", "SET"),
     "python-undefined-name": ("LCH013", "SET309", "DEP117"),
     "cpp-interface-header": ("IDL", "DEP108", "DEP105", "CMK201"),
     "plugin-xml-missing": ("XML306", "PLG", "CMK102"),

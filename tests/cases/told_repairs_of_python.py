@@ -6,6 +6,7 @@ from rospkg_cli.example import SETUP_PY, Example
 from rospkg_cli.rules.setup import set302_package_not_installed as set302
 
 from .setups import MAIN, python
+from .shown_imports import MIXED, MIXED_CMAKE
 
 BOTH = """\
 import os
@@ -38,6 +39,34 @@ def for_both(condition: str) -> Example:
     return python({"setup.py": BOTH.format(condition, lines), **speech, "my_pkg/speech/words.py": "A = 1\n"})
 
 
+def of_cmake(line: str) -> Example:
+    """A package of CMake that imports two modules of its own, of which it has no file."""
+    files = {**MIXED, "CMakeLists.txt": MIXED_CMAKE.replace("ament_package", f"{line}\nament_package")}
+    text = "from .config.loaders import A\nimport my_pkg.nothing_alike\n"
+    return Example(on="", bad={**files, "my_pkg/talker.py": text, "src/core.cpp": "int i;\n"}, good={})
+
+
+def moved(*packages: str) -> Example:
+    """A package that imports a module which other packages of the workspace have."""
+    files = {f"a/{path}": each for path, each in MIXED.items()}
+    for name in packages:
+        files |= {
+            f"{name}/{path.replace('my_pkg', name)}": each.replace("my_pkg", name) for path, each in MIXED.items()
+        }
+        files |= {f"{name}/{name}/config/__init__.py": "", f"{name}/{name}/config/loader.py": "A = 1\n"}
+    return Example(on="", bad={**files, "a/my_pkg/talker.py": "from .config.loader import A\n"}, good={})
+
+
+MAKING = (
+    "",
+    "add_library(core SHARED src/core.cpp)",
+    "pybind11_add_module(core src/core.cpp)",
+    "configure_file(a.in a.py)",
+    "add_custom_target(core ALL COMMAND a)",
+    "include(${MODULES}/a.cmake)",
+)
+
 CASES = {
+    "DEP109": (*map(of_cmake, MAKING), moved("other"), moved("other", "third")),
     "SET302": tuple(map(for_both, ASKING)),
 }

@@ -11,6 +11,7 @@ from ...languages.python.alias_span import alias_span
 from ...languages.python.file import Import, PythonFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
+from ...package.cmake.cmake_project import CMake
 from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
@@ -24,6 +25,11 @@ from ..run_imports import RunImports
 
 REQUIREMENTS = regex(r"requirements[^/]*\.txt")
 README = regex(r"README[^/]*")
+MAKES = regex(
+    r"add_custom_\w+|execute_process|configure_file|externalproject_\w+|fetchcontent_\w+|set_(?:target_)?propert\w+"
+    r"|.*(?:pybind|nanobind|python3?_add|generate_(?!interfaces)|protobuf|swig|cython|boost_python|_py_|qt).*"
+)
+"""Commands that may make a Python module, or a file that is one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +46,10 @@ class MissingOwnName:
     is_module: bool
     """Whether Python looks for a module and nothing else."""
     is_local: bool
+    module: str = ""
+    """The whole of what is imported, where that is a module further down."""
+    elsewhere: str = ""
+    """The module of the same name in another package of the workspace, where there is one."""
     is_reached: bool = True
     """Whether what the package starts, launches or tests imports the file, as far as it can be known."""
 
@@ -55,11 +65,18 @@ class OwnImports:
     table: InstallTable
     installed: InstalledModules
     reached: ReachedModules
+    cmake: CMake | None = None
 
     @cached_property
-    def is_generated_of(self) -> bool:
-        """Whether CMake builds it: a module without a file may be compiled."""
-        return self.facts.build_type != "ament_python"
+    def may_be_made(self) -> bool:
+        """Whether CMake may make a module that has no file: it compiles or writes some, or not all of it is known."""
+        if self.facts.build_type == "ament_python":
+            return False
+        if self.cmake is None or not self.cmake.is_complete or self.cmake.reads_unknown_files:
+            return True
+        return any(MAKES.fullmatch(call.name) for call in self.cmake.calls) or any(
+            not source for source in self.installed.sources.values()
+        )
 
     def wrong(self) -> Iterator[MissingOwnName]:
         """Yield the imports of modules and names that the workspace's packages do not have."""
@@ -87,16 +104,22 @@ class OwnImports:
         if missing is not None:
             package, name = missing
             near = nearest(name, self.installed.below(package))
-            if name not in KINDS and (near or not self.is_generated_of):
-                yield MissingOwnName(
-                    file.path, part_span(file, each, module, name), package, name, near, True, each.is_local
-                )
+            if name not in KINDS and (near or not self.may_be_made):
+                span, whole = part_span(file, each, module, name), module if module != f"{package}.{name}" else ""
+                other = "" if near else self.elsewhere(module)
+                yield MissingOwnName(file.path, span, package, name, near, True, each.is_local, whole, other)
         elif module in self.installed.sources:
             for name in each.names:
                 if name in ("*", *KINDS) or name.startswith("__") or self.installed.offers(module, name):
                     continue
                 near = nearest(name, self.offered(module))
                 yield MissingOwnName(file.path, alias_span(file, each, name), module, name, near, False, each.is_local)
+
+    def elsewhere(self, module: str) -> str:
+        """Return the one module of the workspace that has the same name within its package."""
+        within = module.partition(".")[2]
+        found = [name for each in self.workspace.packages if (name := f"{each.name}.{within}") in each.modules]
+        return found[0] if len(found) == 1 else ""
 
     def offered(self, module: str) -> list[str]:
         """Return the names that a module may be asked for."""

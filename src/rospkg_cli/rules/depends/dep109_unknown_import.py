@@ -50,18 +50,19 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
 
     ## When it is quiet
     For optional imports and under `TYPE_CHECKING`, in files that nothing installs, where the module may be compiled or
-    generated (also where git ignores it), where it lies in a folder that is not installed, where a module has a
-    `__getattr__` or an unknown star import, and where the package changes `sys.path`. A module that no entry point and
-    no other file of the package names or imports is a warning: others may import it, or nobody.
+    generated (a command of CMake may do so, or git ignores it), where it lies in a folder that is not installed, where
+    a module has a `__getattr__` or an unknown star import, and where the package changes `sys.path`. A module that no
+    entry point and no other file of the package names or imports is a warning: others may import it, or nobody.
 
     ## Fix safety
     The intended name is a guess.
     """
     for wrong, *others in same_names(imports.wrong()):
         level = Severity.WARNING if is_uncertain(wrong) else None
-        what = f"there is no module `{wrong.package}.{wrong.name}`" if wrong.is_module else absence(imports, wrong)
+        what = missing_module(wrong) if wrong.is_module else absence(imports, wrong)
         error = "ModuleNotFoundError" if wrong.is_module else "ImportError"
-        advice = f"; did you mean `{wrong.near}`?" if wrong.near else ""
+        meant = wrong.near or wrong.elsewhere
+        advice = f"; did you mean `{meant}`?" if meant else ""
         fix = None
         each = (wrong, *others)
         written = [one for one in each if imports.files.source(one.path).slice(one.span) == wrong.name]
@@ -83,6 +84,11 @@ def same_names(found: Iterable[MissingOwnName]) -> Iterable[list[MissingOwnName]
     for each in sorted(found, key=is_uncertain):
         by_name.setdefault((each.package, each.name), []).append(each)
     return by_name.values()
+
+
+def missing_module(wrong: MissingOwnName) -> str:
+    below = f", where `{wrong.module}` would be" if wrong.module else ""
+    return f"there is no module `{wrong.package}.{wrong.name}`{below}"
 
 
 def absence(imports: OwnImports, wrong: MissingOwnName) -> str:
