@@ -12,7 +12,7 @@ from ...gitignore import folders_above
 from ...leftovers import is_build_output, is_never_source
 from ...tree import Tree
 
-REPOSITORY_MARKS = (".git",), (".github", ".gitlab-ci.yml")
+REPOSITORY_MARKS = (".git",), (".github", ".gitlab-ci.yml", ".gitmodules", ".circleci", ".travis.yml")
 """Files in the root of a repository, by how sure they are: an export without .git has those that its host reads.
 
 A copy of another repository has these as well, in the midst of one with a .git.

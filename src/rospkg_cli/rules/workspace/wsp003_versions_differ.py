@@ -34,8 +34,8 @@ def versions_differ(workspace: Workspace) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages whose version differs from that of most packages of their repository.
-    A repository is the folder with the nearest `.git` (or `.github`, `.gitlab-ci.yml`) above them; packages outside of
-    one are left alone.
+    A repository is the folder with the nearest `.git` (or `.github`, `.gitlab-ci.yml` and the like) above them;
+    packages outside of one are left alone.
 
     ## Why is this bad?
     All packages of a repository are released together: bloom stops with "Two packages have different version numbers".
