@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.empty_operands import EmptyOperand, EmptyOperands
 from ...checks.cmake.mistyped_values import MistypedValues
 from ...checks.cmake.refused_arguments import refused_calls
 from ...example import CMAKE, Example
@@ -40,7 +41,11 @@ def cmake(lines: str) -> str:
     "refused-arguments",
     over=CMakePackage,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "under a condition that can't be evaluated, or CMake goes on with another value"},
+    levels={
+        Severity.WARNING: "under a condition that can't be evaluated, or CMake goes on with another value, or a "
+        "condition compares what is empty for some",
+        Severity.INFO: "what it compares is set wherever ROS is set up",
+    },
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake(INCLUDED.format("«").replace("src)", "src»)")), **SOURCE},
@@ -71,7 +76,8 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
     It knows `target_include_directories()` and its like without `PUBLIC`, `PRIVATE` or `INTERFACE`,
     `install(FILES …)` without a destination or with a keyword of another form, `target_link_libraries(x SHARED …)`,
     and commands that are given too few arguments, such as `pluginlib_export_plugin_description_file()`. It also finds
-    `flase`, and `${CMAKE_CURRENT_SOURCE_DIR}scripts` where the slash is missing.
+    `flase`, `${CMAKE_CURRENT_SOURCE_DIR}scripts` where the slash is missing, and operands of conditions that may be
+    empty and stand without quotes: `$ENV{ROS_DISTRO}`, `${CMAKE_BUILD_TYPE}`.
 
     ## Why is this bad?
     CMake stops at once, or the build does when it links or installs: CMake takes a keyword that a command does not know
@@ -79,7 +85,8 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Where an argument is a variable that can't be evaluated, for a command that the package defines itself, and for a
-    target, file or folder that is called like the keyword.
+    target, file or folder that is called like the keyword. For an operand that a file sets or asks for
+    (`if(DEFINED ENV{NAME})`), and one of ROS where package.xml names ros_environment.
     """
     for each in refused_calls(package.cmake):
         place = each.word.span if each.word else each.call.command.name_span
@@ -87,3 +94,11 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
         yield Hit(each.call.path, place, each.message, level)
     for value in MistypedValues(package.cmake).all():
         yield Hit(value.call.path, value.span, value.message, Severity.WARNING)
+    for operand in EmptyOperands(package).all():
+        level = Severity.INFO if operand.is_mostly_set else Severity.WARNING
+        yield Hit(operand.path, operand.argument.span, without_quotes(operand), level)
+
+
+def without_quotes(operand: EmptyOperand) -> str:
+    text = operand.argument.text
+    return f'where `{text}` is empty, the condition lacks an argument and CMake stops; write it in quotes: `"{text}"`'
