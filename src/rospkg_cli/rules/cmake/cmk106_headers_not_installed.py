@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.exported_headers import ExportedHeaders
+from ...checks.cmake.told_folders import ToldFolders, UntoldFolder
+from ...checks.enumeration import in_ticks
 from ...edits.cmake_commands import remove
 from ...edits.cmake_install import install_headers
 from ...example import CMAKE, Example
@@ -59,7 +61,8 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     ## What it does
     Finds packages that export a library or include directories and install no headers.
     Only packages that have headers in `include/` are checked. It also finds `install(DIRECTORY include DESTINATION
-    include)`, which makes a folder in the folder.
+    include)`, which makes a folder in the folder, and headers in `include/my_pkg/` where users are told of `include`
+    alone (`$<INSTALL_INTERFACE:…>`, INCLUDES DESTINATION, `ament_export_include_directories()`).
 
     ## Why is this bad?
     This package builds. Another one that links the library stops with "No such file or directory" at the first
@@ -68,16 +71,11 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     ## When it is quiet
     Where an install rule or CMake itself can't be evaluated, in `ament_auto_package()`, for a plugin that exports only
     targets, and as soon as one header is installed. Plugins and components are loaded and not linked: an info, where no
-    package of the workspace builds against this one.
+    package of the workspace builds against this one; so are headers in a folder that no user is told of.
     """
     headers = exported.headers
     package = headers.package
-    if package.is_ament and (doubled := exported.in_doubled_folder()):
-        word, place = doubled
-        message = f"the headers land in `{place}/`: who uses `{package.facts.name}` stops at the first `#include`"
-        is_quiet = exported.are_of_plugins or not exported.may_be_used or not headers.exports
-        level = Severity.INFO if is_quiet and not exported.is_built_against else None
-        yield Hit(word.path, word.span, f"{message}; install `include/`, with a slash", level)
+    yield from misplaced(exported) if package.is_ament else ()
     if not package.is_ament or not headers.are_uninstalled():
         return
     call = headers.exports[0]
@@ -99,3 +97,24 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     fix = Fix("install the headers", (install_headers(package.cmake),))
     level = Severity.INFO if exported.are_of_plugins else None
     yield Hit(call.path, call.command.span, message, level, fix=fix)
+
+
+def misplaced(exported: ExportedHeaders) -> Iterator[Hit]:
+    """Yield headers that are installed where no user looks for them."""
+    headers = exported.headers
+    if doubled := exported.in_doubled_folder():
+        word, place = doubled
+        name = headers.package.facts.name
+        message = f"the headers land in `{place}/`: who uses `{name}` stops at the first `#include`"
+        is_quiet = exported.are_of_plugins or not exported.may_be_used or not headers.exports
+        level = Severity.INFO if is_quiet and not exported.is_built_against else None
+        yield Hit(word.path, word.span, f"{message}; install `include/`, with a slash", level)
+    elif untold := ToldFolders(headers).untold():
+        level = Severity.INFO if exported.are_of_plugins or not exported.is_built_against else None
+        yield Hit(untold.row.path, untold.row.span, not_told(untold), level)
+
+
+def not_told(each: UntoldFolder) -> str:
+    told = f"users are told of {in_ticks(each.told)} alone" if each.told else "no command tells users of it"
+    stops = f"`#include <{each.header}>` stops in packages that use this one"
+    return f"the headers land in `{each.folder}/`, and {told}: {stops}; export `{each.folder}`"

@@ -1,0 +1,71 @@
+"""The folders of headers that users of a package are told of, against those into which it installs them (CMK106)."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.values import PREFIX, UNKNOWN
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.cmake.installed_headers import INCLUDES, PublicHeaders
+from ...package.install_table import InstalledFile
+
+INTERFACE = regex(r"\$<INSTALL_INTERFACE:([^<>]*)>")
+AUTOMATIC = ("ament_auto_package", "autoware_ament_auto_package")
+GENERATES = ("rosidl_generate_interfaces", "generate_parameter_library", "generate_export_header")
+"""Commands that tell of include/ and the package's name by themselves, or put headers of their own there."""
+TELLING = (*INCLUDES, "target_include_directories", "install", "set_target_properties", "set_property")
+OURS = "include"
+"""The folder of the prefix that others tell of as well."""
+
+
+@dataclass(frozen=True, slots=True)
+class UntoldFolder:
+    row: InstalledFile
+    header: str
+    """As users include it."""
+    folder: str
+    told: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class ToldFolders:
+    headers: PublicHeaders
+
+    def untold(self) -> UntoldFolder | None:
+        """Return the folder in which all headers of include/ are to be found, where users are told of others alone."""
+        cmake = self.headers.package.cmake
+        is_known = cmake.is_complete and not cmake.reads_unknown_files and self.headers.table.knows("header")
+        if not is_known or not self.headers.exports or cmake.named(*AUTOMATIC, *GENERATES) or cmake.functions:
+            return None
+        told = [text for call in cmake.named(*TELLING) for text in told_by(call)]
+        rows = [row for row in self.headers.table.rows if row.source in self.headers.offered]
+        bases = {base_of(row) for row in rows}
+        folder = bases.pop() if len(bases) == 1 else ""
+        if not folder or folder == OURS or any(row.maybe for row in rows) or any(UNKNOWN in text for text in told):
+            return None
+        found = tuple(dict.fromkeys(posixpath.normpath(text) for text in told))
+        return None if folder in found else UntoldFolder(rows[0], rows[0].source.partition("/")[2], folder, found)
+
+
+def base_of(row: InstalledFile) -> str:
+    """Return the folder from which users include a header by its path below include/; "" where there is none."""
+    path = row.source.partition("/")[2]
+    return row.destination.removesuffix(f"/{path}") if row.destination.endswith(f"/{path}") else ""
+
+
+def told_by(call: EvaluatedCommand) -> Iterator[str]:
+    """Yield the folders below the prefix that a command tells users of; UNKNOWN where that can't be evaluated."""
+    texts = call.texts
+    if call.name in INCLUDES:
+        yield from (text.removeprefix(f"{PREFIX}/") for text in texts)
+    elif call.name == "install":
+        at = texts.index("INCLUDES") + 2 if "INCLUDES" in texts else len(texts)
+        yield from (text.removeprefix(f"{PREFIX}/") for text in texts[at:])
+        yield from (UNKNOWN for text in texts if text == "FILE_SET")
+    else:
+        for text in texts:
+            yield from (each.removeprefix(f"{PREFIX}/") for each in INTERFACE.findall(text))
+            yield from (UNKNOWN for _ in text[:1] if UNKNOWN in text)
