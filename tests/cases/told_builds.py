@@ -30,6 +30,14 @@ NEEDS = "  <depend>rclcpp</depend>\n  <depend>std_msgs</depend>\n"
 EXPORTS = "ament_export_targets(core_targets)"
 LINKS = "target_link_libraries(core {}rclcpp::rclcpp ${{std_msgs_TARGETS}})"
 HANDS = "ament_target_dependencies(core rclcpp std_msgs)"
+TOLD = """\
+add_library(core SHARED src/core.cpp)
+target_include_directories(core PUBLIC $<INSTALL_INTERFACE:{1}>)
+install(DIRECTORY include/ DESTINATION {0})
+install(TARGETS core EXPORT core_targets DESTINATION lib)
+ament_export_targets(core_targets)
+{2}
+"""
 LINKED = """\
 find_package(create_driver REQUIRED)
 find_package(tf2_ros REQUIRED)
@@ -59,6 +67,15 @@ def exported(name: str, body: str) -> Example:
 
 def node(links: str, body: str = BASE) -> Example:
     return package(LINKED.format(links), NODE, body)
+
+
+TALKER = "class Talker {};\n"
+MAIN = "int main() {return 0;}\n"
+PLAIN = "add_executable(talker src/talker.cpp)"
+
+
+def program(lines: str, text: str, *others: str) -> Example:
+    return package(f"{lines}\n", {"src/talker.cpp": text, **dict.fromkeys(others, MAIN)})
 
 
 CASES = {
@@ -119,6 +136,24 @@ CASES = {
             'if(WITH)\n  install(DIRECTORY a DESTINATION share/my_pkg FILES_MATCHING PATTERN "*.py")\nendif()\n', {}
         ),
     ),
+    "CMK106": (
+        *(
+            package(TOLD.format(place, told, exported), CORE)
+            for place, told, exported in (
+                ("include/my_pkg", "include", ""),
+                ("include/my_pkg", "include/my_pkg", ""),
+                ("include", "include/my_pkg", ""),
+                ("include/my_pkg", "${WHERE}", ""),
+                ("include/my_pkg", "include", "ament_export_include_directories(include/my_pkg)"),
+                (
+                    "include/my_pkg",
+                    "include",
+                    "install(TARGETS core DESTINATION lib INCLUDES DESTINATION include/my_pkg)",
+                ),
+                ("include/my_pkg", "include", "ament_auto_package()"),
+            )
+        ),
+    ),
     "CMK113": (
         library(HANDS),
         library(HANDS, names="rclcpp"),
@@ -139,5 +174,44 @@ CASES = {
         node("create_driver::create_driver acme_base::acme_base"),
         node("rclcpp::rclcpp"),
     ),
-    "CMK123": (package("install(DIRECTORY ${SDK}/lib)\n", {}), package("set(SDK sdk)\ninstall(FILES ${SDK}/a)\n", {})),
+    "CMK125": (
+        program(PLAIN, TALKER),
+        program(PLAIN, TALKER, "src/main.cpp"),
+        program(PLAIN, TALKER, "src/main.cpp", "src/other.cpp"),
+        program("add_executable(talker src/talker.cpp src/main.cpp)", TALKER, "src/main.cpp"),
+        program(f"{PLAIN}\ntarget_sources(talker PRIVATE src/main.cpp)", TALKER, "src/main.cpp"),
+        program("add_executable(talker src/talker.cpp sdk/sdk.cpp)", TALKER),
+        program("add_executable(talker src/talker.cpp sdk/sdk.cpp)", TALKER, "src/main.cpp"),
+        program(f"{PLAIN}\ntarget_link_libraries(talker ${{SDK}})", TALKER),
+        program(f"{PLAIN}\ntarget_link_libraries(talker ${{SDK}})", TALKER, "src/main.cpp"),
+        program(f"{PLAIN}\ntarget_link_libraries(talker gtest_main)", TALKER),
+        program("add_executable(talker src/talker.cpp ${MORE})", TALKER, "src/main.cpp"),
+        program(PLAIN, TALKER + "RUN_NODE(Talker)\n"),
+        program(PLAIN, TALKER + "RCLCPP_COMPONENTS_REGISTER_NODE(Talker)\n"),
+        program(PLAIN, TALKER + '#include "main.hpp"\n', "src/main.hpp"),
+        program(
+            "add_library(core src/main.cpp)\nadd_executable(talker src/talker.cpp)\ntarget_link_libraries(talker core)",
+            TALKER,
+            "src/main.cpp",
+        ),
+        program("if(WITH)\n  add_executable(talker src/talker.cpp)\nendif()", TALKER),
+    ),
+    "CMK123": (
+        *(
+            package(f"{before}if({condition})\nendif()\n", {}, body)
+            for before, condition, body in (
+                ("", '$ENV{ROS_DISTRO} STREQUAL "humble"', ""),
+                ("", '"$ENV{ROS_DISTRO}" STREQUAL "humble"', ""),
+                ("", '$ENV{ROS_DISTRO} STREQUAL "humble"', "  <build_depend>ros_environment</build_depend>\n"),
+                ("if(NOT DEFINED ENV{ACME})\nendif()\n", "$ENV{ACME} STREQUAL x", ""),
+                ("", "A AND $ENV{ACME} STREQUAL x", ""),
+                ("", "${CMAKE_BUILD_TYPE} MATCHES Debug", ""),
+                ("if(NOT CMAKE_BUILD_TYPE)\nendif()\n", "${CMAKE_BUILD_TYPE} MATCHES Debug", ""),
+                ("", "${ACME} STREQUAL x", ""),
+            )
+        ),
+        package("if(WIN32)\n  if(${CMAKE_BUILD_TYPE} MATCHES Debug)\n  endif()\nendif()\n", {}),
+        package("install(DIRECTORY ${SDK}/lib)\n", {}),
+        package("set(SDK sdk)\ninstall(FILES ${SDK}/a)\n", {}),
+    ),
 }

@@ -26,7 +26,7 @@ def example(package: str, header: str, linked: str) -> Example:
         bad={
             "CMakeLists.txt": text.replace("{linked}", ""),
             "package.xml": manifest(body, "ament_cmake"),
-            "src/node.cpp": f"#include <rclcpp/rclcpp.hpp>\n#include <«{header}»>\n",
+            "src/node.cpp": f"#include <rclcpp/rclcpp.hpp>\n#include <«{header}»>\nint main() {{return 0;}}\n",
         },
         good={"CMakeLists.txt": text.replace("{linked}", f" {linked}")},
     )

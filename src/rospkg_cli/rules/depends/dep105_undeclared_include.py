@@ -18,6 +18,7 @@ NODE = CMAKE.replace(
 
 
 BUILD_ENDS, CMAKE_STOPS = 'the build ends with "No such file or directory"', "CMake, which requires it, stops"
+MAIN = "int main() {return 0;}\n"
 
 
 @rule(
@@ -32,7 +33,10 @@ BUILD_ENDS, CMAKE_STOPS = 'the build ends with "No such file or directory"', "CM
     examples=(
         Example(
             on="ament_cmake",
-            bad={"CMakeLists.txt": NODE, "src/node.cpp": "#include <«std_msgs/msg/string.hpp»>\n"},
+            bad={
+                "CMakeLists.txt": NODE,
+                "src/node.cpp": "#include <«std_msgs/msg/string.hpp»>\nint main() {return 0;}\n",
+            },
             good={"package.xml": manifest("  <depend>std_msgs</depend>\n", "ament_cmake")},
             fix=Safety.SAFE,
         ),
