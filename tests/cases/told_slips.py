@@ -116,4 +116,34 @@ RENAMED = tuple(
         ("arm_bringup", "a"),
     )
 )
-CASES = {"LCH014": (*COMMAS, ADDED, JOINED, OBJECTS), "LCH018": TWICE, "URD002": MODELLED, "DEP106": RENAMED}
+CONTROLLERS = """\
+controller_manager:
+  ros__parameters:
+    a:
+      type: parallel_gripper_controller/GripperActionController
+    b:
+      type: parallel_gripper_action_controller/GripperActionController
+    c:
+      type: joint_trajectory_controllers/JointTrajectoryController
+    d:
+      type: my_diff_drive_controller/DiffDriveController
+    e:
+      type: diff_drive/DiffDriveController
+    f:
+      type: gripper_controllers/GripperActionController
+planner_server:
+  ros__parameters:
+    planner_plugins: [a, b]
+    a:
+      plugin: nav2_smac/SmacPlannerHybrid
+    b:
+      plugin: nav2_regulated_pure_pursuit::RegulatedPurePursuitController
+"""
+PLUGINS = Example(on="config", bad={"config/robot.yaml": CONTROLLERS}, good={})
+CASES = {
+    "LCH014": (*COMMAS, ADDED, JOINED, OBJECTS),
+    "LCH018": TWICE,
+    "URD002": MODELLED,
+    "DEP106": RENAMED,
+    "PLG003": (PLUGINS,),
+}

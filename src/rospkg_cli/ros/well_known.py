@@ -62,7 +62,19 @@ def wrong_plugin(name: str) -> WrongName | None:
     found = sorted(
         same or (each for each in alike if split(each)[1] in near), key=lambda each: ("::" in each) != ("::" in name)
     )
+    if not alike:  # the package's name stands for the first name of its plugins
+        found = [each for each in rows(TABLE, "plugins").get(prefix, ()) if split(each)[1] == tail]
+        return WrongName(found[0], False) if len(found) == 1 else None
     return WrongName(found[0], False) if len({split(each)[1] for each in found}) == 1 else None
+
+
+def plugins_of_class(name: str) -> list[str]:
+    """Return the plugins of the same class whose first names are a letter off that of a name, or have all its words."""
+    first, tail = split(name)
+    words = frozenset(first.split("_"))
+    found = [each for each in every_plugin() if split(each)[1] == tail and len(words) > 1]
+    alike = near_names(first, {split(each)[0] for each in found}, 1)
+    return sorted(each for each in found if split(each)[0] in alike or words < frozenset(split(each)[0].split("_")))
 
 
 def closest(name: str, names: frozenset[str] | set[str]) -> list[str]:

@@ -12,7 +12,7 @@ from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts, Plugin, PluginUse
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
-from ...ros.well_known import WrongName, wrong_plugin
+from ...ros.well_known import WrongName, plugins_of_class, wrong_plugin
 from ...suggest import near_names
 from .exported_classes import tail
 
@@ -97,14 +97,21 @@ class PluginReferences:
                 yield WrongPlugin(user, use, wrong)
 
     def slip(self, user: PackageFacts, use: PluginUse) -> WrongName | None:
-        """Return the name of a plugin with the package that its user depends on, where only that one is near."""
-        first, slash, rest = use.name.partition("/")
+        """Return the name of a plugin with the package that its user depends on, where only that one is near.
+
+        Else that of the only well-known plugin of the class whose package is near, or has all words of the first name.
+        """
+        first, rest = SEPARATOR.split(use.name)[0], use.name.partition("/")[2]
         needed = {each.name for each in user.dependencies}
         kind = self.workspace.kind_of(first)
-        if not slash or first in needed or kind in (NameKind.PACKAGE, NameKind.KEY) or first == user.name:
+        if first in needed or kind in (NameKind.PACKAGE, NameKind.KEY) or first in (user.name, use.name):
             return None
         near = [each for each in near_names(first, needed, 1) if re.sub(r"\d", "", each) != re.sub(r"\d", "", first)]
-        return WrongName(f"{near[0]}/{rest}", False) if len(near) == 1 else None
+        if rest and len(near) == 1:
+            return WrongName(f"{near[0]}/{rest}", False)
+        same = plugins_of_class(use.name)
+        found = [each for each in same if ("::" in each) == ("::" in use.name)] or same
+        return WrongName(found[0], False) if len(found) == 1 else None
 
     def is_owned(self, first: str) -> bool:
         """Return whether the name of a described plugin begins with a piece."""
