@@ -97,6 +97,7 @@ CASES = {
     ),
     "DEP107": (
         package(LIBRARY.format("ament_target_dependencies(core std_srvs)", "", "rclcpp"), CORE, NEEDS),
+        package(LIBRARY.format("ament_target_dependencies(core rcutils rcpputils)", "", "rclcpp"), CORE, NEEDS),
         package(LIBRARY.format("ament_target_dependencies(core builtin_interfaces)", "", "rclcpp"), CORE, NEEDS),
         package(LIBRARY.format("target_link_libraries(core rcutils::rcutils)", "", "rclcpp"), CORE, NEEDS),
     ),
@@ -137,6 +138,7 @@ CASES = {
         ),
     ),
     "CMK106": (
+        package(TOLD.format("include/my_pkg", "include", ""), {**CORE, "include/core/more.hpp": "int more();\n"}),
         *(
             package(TOLD.format(place, told, exported), CORE)
             for place, told, exported in (

@@ -42,7 +42,8 @@ class ToldFolders:
             return None
         told = [text for call in cmake.named(*TELLING) for text in told_by(call)]
         rows = [row for row in self.headers.table.rows if row.source in self.headers.offered]
-        bases = {base_of(row) for row in rows}
+        name = self.headers.package.facts.name
+        bases = {base_of(row, name) for row in rows}
         folder = bases.pop() if len(bases) == 1 else ""
         if not folder or folder == OURS or any(row.maybe for row in rows) or any(UNKNOWN in text for text in told):
             return None
@@ -50,10 +51,14 @@ class ToldFolders:
         return None if folder in found else UntoldFolder(rows[0], rows[0].source.partition("/")[2], folder, found)
 
 
-def base_of(row: InstalledFile) -> str:
-    """Return the folder from which users include a header by its path below include/; "" where there is none."""
+def base_of(row: InstalledFile, package: str) -> str:
+    """Return the folder from which users include a header by its path below include/; "" where there is none.
+
+    That path has to begin with the package's name: else users may put it before the path.
+    """
     path = row.source.partition("/")[2]
-    return row.destination.removesuffix(f"/{path}") if row.destination.endswith(f"/{path}") else ""
+    is_known = path.startswith(f"{package}/") and row.destination.endswith(f"/{path}")
+    return row.destination.removesuffix(f"/{path}") if is_known else ""
 
 
 def told_by(call: EvaluatedCommand) -> Iterator[str]:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from ...checks.depends.missing_find_package import MissingFindPackages
+from ...checks.depends.missing_find_package import MissingFindPackage, MissingFindPackages
+from ...checks.enumeration import in_ticks
 from ...edits.cmake_find import add_find_package_among
 from ...edits.manifest import add_dependency
 from ...example import CMAKE, Example, manifest
-from ...finding import Fix, Hit, Safety, Severity
+from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
 
 DECLARED = manifest("  <depend>geometry_msgs</depend>\n", "ament_cmake")
@@ -64,8 +65,11 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     ## Fix safety
     The call is added after the other `find_package()` calls. A target may have to be linked with the package as well.
     """
-    cmake = missing.includes.cmake
-    for each in missing.packages():
+    cmake, found = missing.includes.cmake, list(missing.packages())
+    brought = [each for each in found if each.may_be_transitive and not each.is_declared]
+    if brought[1:]:
+        yield in_one(brought)
+    for each in found if not brought[1:] else (each for each in found if each not in brought):
         line = f"find_package({each.name} REQUIRED)"
         ends = "it builds only while another package brings it" if each.may_be_transitive else "the build stops"
         tag = "test_depend" if each.testing else "depend"
@@ -76,3 +80,15 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
             edits = (*edits, add_dependency(missing.declared.manifest, tag, each.name))
         fix = Fix(f"add {line}", edits, Safety.UNSAFE) if edits else None
         yield Hit(each.path, each.span, message, Severity.INFO if each.may_be_transitive else None, fix=fix)
+
+
+def in_one(brought: Sequence[MissingFindPackage]) -> Hit:
+    """Return one info for all that targets are linked with and that other packages bring."""
+    first, *others = brought
+    names = in_ticks([each.name for each in brought])
+    message = (
+        f"CMake never looks for {names}, and package.xml does not declare them, but targets are linked "
+        "with them: it builds only while other packages bring them; find and declare them"
+    )
+    related = tuple(Related(each.path, each.span, f"`{each.name}`: {each.usage}") for each in others)
+    return Hit(first.path, first.span, message, Severity.INFO, related)
