@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import SETUP_PY, Example
+from rospkg_cli.example import SETUP_PY, Example, manifest
 from rospkg_cli.rules.setup import set302_package_not_installed as set302
 
 from .setups import MAIN, python
 from .shown_imports import MIXED, MIXED_CMAKE
 
+ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
+LAUNCHES = "from glob import glob\n" + SETUP_PY.replace(
+    ENTRY,
+    f"{ENTRY}        ('share/' + package_name + '/launch', glob('launch/*')),\n"
+    "        ('share/' + package_name + '/config', glob('config/*')),\n",
+)
 BOTH = """\
 import os
 import xml.etree.ElementTree as ET
@@ -66,7 +72,70 @@ MAKING = (
     "include(${MODULES}/a.cmake)",
 )
 
+HEAD = "from launch import LaunchDescription\nfrom launch_pal.include_utils import include_launch_py_description\n"
+INCLUDE = """
+
+def generate_launch_description():
+    return LaunchDescription([include_launch_py_description({}, {})])
+"""
+INCLUDED = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+
+
+def generate_launch_description():
+    return LaunchDescription([DeclareLaunchArgument('mood')])
+"""
+INCLUDES = (
+    ("'nav2_bringup'", "['launch', 'bringup_launch.py']"),
+    ("pkg_name='my_pkg'", "paths=['launch', 'absent.launch.py']"),
+    ("'my_pkg'", "['launch', 'b.launch.py'], launch_arguments={'mode': 'fast'}.items()"),
+    ("'my_pkg'", "parts"),
+)
+NEEDS = "  <exec_depend>launch_pal</exec_depend>\n  <exec_depend>launch</exec_depend>\n{}"
+
+
+def including(package: str, parts: str) -> Example:
+    """A launch file that includes one by a function of launch_pal."""
+    files = {"launch/a.launch.py": HEAD + INCLUDE.format(package, parts), "setup.py": LAUNCHES}
+    files["launch/b.launch.py"] = INCLUDED
+    return python({**files, "package.xml": manifest(NEEDS.format(""))})
+
+
+TYPES = """\
+joy_teleop:
+  ros__parameters:
+    lift:
+      type: action
+      interface_type: {}
+      # interface_type: nav2_msgs/action/Wait
+"""
+JOY = """\
+<launch>
+  <node pkg="joy_teleop" exec="joy_teleop"><param from="$(find-pkg-share my_pkg)/config/joy.yaml"/></node>
+</launch>
+"""
+
+
+def told(interface: str, *needs: str, launch: str = JOY) -> Example:
+    """Parameters of joy_teleop, which names what it sends by its type."""
+    listed = "".join(f"  <exec_depend>{each}</exec_depend>\n" for each in ("joy_teleop", "launch_xml", *needs))
+    files = {"config/joy.yaml": TYPES.format(interface), "launch/joy.launch.xml": launch, "setup.py": LAUNCHES}
+    return python({**files, "package.xml": manifest(listed)})
+
+
 CASES = {
+    "DEP103": tuple(including(*each) for each in INCLUDES),
+    "LCH003": tuple(including(*each) for each in INCLUDES),
+    "LCH015": tuple(including(*each) for each in INCLUDES),
+    "DEP106": (
+        told("teleop_tools_msgs/action/Increment"),
+        told("teleop_tools_msgs/action/Increment", "teleop_tools_msgs"),
+        told("'nav2_msgs/action/Spin' # once"),
+        told("nav2_msgs/action/Spin", launch="<launch/>\n"),
+        told("my_own_msgs/msg/Mode"),
+        told("Mode"),
+    ),
     "DEP109": (*map(of_cmake, MAKING), moved("other"), moved("other", "third")),
     "SET302": tuple(map(for_both, ASKING)),
 }

@@ -1,4 +1,4 @@
-"""Packages whose share directory parameter files look for: `$(find-pkg-share nav2_bt_navigator)/…`."""
+"""Packages that parameter files name: `$(find-pkg-share nav2_bt_navigator)/…`, `interface_type: std_srvs/srv/Empty`."""
 
 from __future__ import annotations
 
@@ -9,6 +9,10 @@ from ...lazy_regex import regex
 from ...source import Span
 
 FINDS = regex(r"(?m)^[^#\n]*?\$\(find-pkg-(?:share|prefix)\s+([A-Za-z]\w*)\s*\)")
+TYPES = regex(
+    r"(?m)^[ \t-]*(?:interface|message|service|action)_type[ \t]*:[ \t]*"
+    r"['\"]?(([a-z][a-z0-9_]*)/(?:msg|srv|action)/[A-Z]\w*)['\"]?[ \t]*(?:#.*)?$"
+)
 SUFFIXES = (".yaml", ".yml")
 
 
@@ -19,3 +23,12 @@ def found_by_parameters(files: PackageFiles) -> Iterator[tuple[str, str, Span]]:
         if "$(find-pkg-" in text:
             for found in FINDS.finditer(text):
                 yield found[1], path, Span(*found.span(1))
+
+
+def typed_by_parameters(files: PackageFiles) -> Iterator[tuple[str, str, str, Span]]:
+    """Yield the package of each type of interface that a node is told to load, with the type, its path and place."""
+    for path in files.paths:
+        text = files.readable_text(path) if path.endswith(SUFFIXES) else ""
+        if "_type:" in text:
+            for found in TYPES.finditer(text):
+                yield found[2], found[1], path, Span(*found.span(1))

@@ -21,7 +21,7 @@ from ..launch.package_references import every_reference
 from ..urdf.opened_robots import OpenedRobots
 from ..urdf.xacro_calls import CONDITIONS, ancestors
 from .declared_dependencies import DeclaredDependencies
-from .found_by_parameters import found_by_parameters
+from .found_by_parameters import found_by_parameters, typed_by_parameters
 from .opened_parameters import OpenedParameters
 from .spawned_blocks import block_of, types_beside
 from .undeclared_launch_packages import LaunchDependencies
@@ -34,6 +34,8 @@ LOADS_PLUGINS = regex(
 ARGUMENT = regex(r"\s*\$\(arg\s+(\w+)\s*\)\s*")
 LOADED_BY_OWN = frozenset({"slam_toolbox"})
 """Packages whose plugins their own node alone loads: where that is not installed, nothing looks for them."""
+LOADS_TYPES = frozenset({"joy_teleop"})
+"""Packages whose nodes load interfaces by the names in their parameters."""
 GENERATED = frozenset({"msg", "srv", "action"})
 RUN = frozenset({"depend", "exec_depend"})
 
@@ -65,7 +67,7 @@ class RobotUses:
         found: dict[str, list[RobotUse]] = {}
         if self.declared.is_checked:
             reported = self.launch.missing(tests=False)
-            for name, use in (*self.references(), *self.found_by_parameters(), *self.plugins()):
+            for name, use in (*self.references(), *self.found_by_parameters(), *self.typed(), *self.plugins()):
                 if name not in reported and not self.declared.has([name]):
                     found.setdefault(name, []).append(use)
         return merged_navigation(found)
@@ -99,6 +101,14 @@ class RobotUses:
             is_known = self.declared.workspace.kind_of(name) is NameKind.PACKAGE
             if path not in launches and is_known and self.is_used(path):
                 yield name, RobotUse(path, span, "and its files are named here", "they are not found", True)
+
+    def typed(self) -> Iterator[tuple[str, RobotUse]]:
+        """Yield the packages of interfaces that installed parameter files tell a node to load by their names."""
+        for name, interface, path, span in typed_by_parameters(self.launch.files):
+            if self.declared.workspace.kind_of(name) is NameKind.PACKAGE and self.is_used(path):
+                is_optional = not (LOADS_TYPES & self.started) or not self.parameters.may_have(path)
+                usage = f"and its type `{interface}` is named here"
+                yield name, RobotUse(path, span, usage, "the node can't load it", is_optional)
 
     def is_off(self, path: str) -> bool:
         """Return whether robots of the package include a file, and each only where an argument asks for it."""

@@ -23,6 +23,7 @@ from ...languages.python.evaluate.values import (
 from ...languages.python.file import PythonFile
 from ...source import Span
 from .evaluated_launch import SubstitutionUse
+from .include_helpers import KNOWN as HELPERS
 from .launch_classes import class_of, is_substitution
 from .substitution_tracking import SubstitutionTracker
 
@@ -100,8 +101,9 @@ PATHS = {
     "os.environ.get": with_default,
     "os.getenv": with_default,
     "str": as_text,
+    **HELPERS,
 }
-"""What makes a path that others are joined to, and what gives it back."""
+"""What makes a path that others are joined to, what gives it back, and what includes a file."""
 
 
 class LaunchEvaluator(SubstitutionTracker):

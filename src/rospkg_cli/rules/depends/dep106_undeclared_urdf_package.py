@@ -56,8 +56,9 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     ## What it does
     Finds undeclared packages that robots, worlds, RViz configs and parameter files need.
     Installed files need packages whose files they name (`package://…`, `$(find …)`) and whose plugins they name
-    (`nav2_navfn_planner::NavfnPlanner`). What parameter files look for (`$(find-pkg-share …)`) is an info. Parameter
-    files of tests need a test_depend where launch files start what loads plugins.
+    (`nav2_navfn_planner::NavfnPlanner`), and parameter files those of `interface_type: std_srvs/srv/Empty`. What
+    parameter files look for (`$(find-pkg-share …)`) is an info. Parameter files of tests need a test_depend where
+    launch files start what loads plugins.
 
     ## Why is this bad?
     It works where the package happens to be installed. On a clean machine `rosdep install` skips what package.xml does
