@@ -34,7 +34,7 @@ def codes(files: dict[str, str]) -> list[str]:
         (second(manifest(NEEDS, "ament_cmake"), "ament_python"), ["XML303"]),
         (second(manifest(NEEDS, "ament_cmake"), "catkin", "$ROS_VERSION == 1"), ["LCH002"]),
         (manifest(NEEDS, "ament_python"), ["XML304"]),
-        (manifest(NEEDS, "cmake"), ["LCH002"]),
+        (manifest(NEEDS, "cmake"), ["LCH002", "XML304"]),
     ],
 )
 def test_executables_of_a_package_of_cmake(text: str, told: list[str]) -> None:
