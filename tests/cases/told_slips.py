@@ -140,10 +140,44 @@ planner_server:
       plugin: nav2_regulated_pure_pursuit::RegulatedPurePursuitController
 """
 PLUGINS = Example(on="config", bad={"config/robot.yaml": CONTROLLERS}, good={})
+STARTED = python(
+    *(
+        f"ExecuteProcess(cmd={each})"
+        for each in (
+            "[ExecutableInPackage(executable='taker', package='my_pkg'), '-v']",
+            "[ExecutableInPackage('talker', 'my_pkg')]",
+            "[ExecutableInPackage('talker', unknown)]",
+            "[ExecutableInPackage('rvi2', 'rviz2')]",
+            "['ros2', 'run', 'my_pkg', 'taker']",
+            "['ros2', 'run', 'my_pkg', 'talker', '-v']",
+            "['ros2', 'run', '--debug', 'my_pkg', 'taker']",
+            "['ros2', 'run', 'rviz2', 'rvi2']",
+            "['ros2 run my_pkg taker'], shell=True",
+            "['ros2 run my_pkg tal', a], shell=True",
+            "['ros2', 'run', 'my_pkg', 'deep']",
+            "['ros2', 'launch', 'my_pkg', 'taker']",
+        )
+    )
+)
+PROGRAMS = Example(
+    bad={
+        **STARTED.bad,
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package",
+            "install(PROGRAMS scripts/talker DESTINATION lib/${PROJECT_NAME})\n"
+            "install(PROGRAMS scripts/deep DESTINATION lib/${PROJECT_NAME}/more)\nament_package",
+        ),
+        "package.xml": manifest("", "ament_cmake"),
+        "scripts/talker": "#!/bin/sh\n",
+        "scripts/deep": "#!/bin/sh\n",
+    },
+    good={},
+)
 CASES = {
     "LCH014": (*COMMAS, ADDED, JOINED, OBJECTS),
     "LCH018": TWICE,
     "URD002": MODELLED,
     "DEP106": RENAMED,
     "PLG003": (PLUGINS,),
+    "LCH002": (PROGRAMS,),
 }

@@ -17,6 +17,7 @@ from ..fault import Level
 from ..older_distribution import OlderDistribution
 from .idle_actions import level_at
 from .missing_references import LaunchContext
+from .named_programs import named_programs
 
 PROGRAM = regex(r"[^.]+(\.(py|sh|bash|pl|rb|js))?")
 
@@ -40,6 +41,15 @@ class ExecutableUse:
     """Another package that installs one of this name."""
     entry: str = ""
     """The executable that is a function of the module of this name."""
+    is_command: bool = False
+    """Whether `ros2 run` starts it, which looks into folders of lib/<package> as well."""
+
+    @property
+    def ends(self) -> str:
+        """What happens: part of a sentence."""
+        if self.is_command:
+            return 'the process ends with "No executable found"'
+        return f"the launch stops with \"executable '{self.executable}' not found on the libexec directory\""
 
     @property
     def suggestion(self) -> str | None:
@@ -97,12 +107,15 @@ class NodeExecutables:
     def nodes(self) -> Iterator[ExecutableUse]:
         """Yield what is started of packages of the workspace, under literal names; a component is no program."""
         file = self.scope.file
-        for package, executable, node in file.programs():
-            facts, span = self.scope.workspace.named(package), executable.span
+        for each in named_programs(file):
+            facts, span = self.scope.workspace.named(each.package), each.executable.span
             if facts is not None:
-                plain = file.source.slice(span) == executable.literal
-                level, why = level_at(file, node.span)
-                yield ExecutableUse(file.path, span, executable.literal or "", plain, facts, level, why)
+                name = each.executable.literal or ""
+                level, why = level_at(file, each.span)
+                if each.is_command and not level:
+                    level, why = "warning", "and the launch goes on"
+                is_plain = file.source.slice(span) == name
+                yield ExecutableUse(file.path, span, name, is_plain, facts, level, why, is_command=each.is_command)
 
     def unknown_executables(self) -> Iterator[ExecutableUse]:
         """Yield the nodes whose package installs no such executable anywhere; slips alone where not all are known.
@@ -116,6 +129,7 @@ class NodeExecutables:
             facts, name = node.facts, node.executable
             known = name in node.startable | facts.misplaced_executables or facts.may_write(name)
             is_told = facts.knows("executables") or bool(slips(name, node.startable))
+            known |= node.is_command and bool(node.in_folder)
             if is_told and not known and not posixpath.isabs(name):
                 yield replace(node, sister=self.sister(node), entry=self.entry(node))
 
@@ -123,12 +137,12 @@ class NodeExecutables:
         """Yield the nodes of well-known packages that are not here, under a name that these do not have."""
         file, workspace = self.scope.file, self.scope.workspace
         seen: set[Span] = set()  # a loop starts one node several times
-        for package, executable, node in file.programs() if not self.scope.is_unused_test else ():
-            name = executable.literal or ""
-            wrong = wrong_name("programs", package, name) if workspace.named(package) is None else None
-            if wrong is not None and executable.span not in seen:
-                seen.add(executable.span)
-                yield WellKnownUse(package, executable, name, wrong, *level_at(file, node.span))
+        for each in named_programs(file) if not self.scope.is_unused_test else ():
+            name, is_here = each.executable.literal or "", workspace.named(each.package) is not None
+            wrong = None if is_here or each.is_command else wrong_name("programs", each.package, name)
+            if wrong is not None and each.executable.span not in seen:
+                seen.add(each.executable.span)
+                yield WellKnownUse(each.package, each.executable, name, wrong, *level_at(file, each.span))
 
     def blank(self) -> Iterator[tuple[LaunchText, str]]:
         """Yield the executables and packages of nodes that hold nothing, and packages with a blank at an end."""

@@ -35,7 +35,7 @@ FILES = {
     over=NodeExecutables,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the condition is false by default, or an old distribution had the name",
+        Severity.WARNING: "the condition is false by default, `ros2 run` starts it, or an old distribution had it",
         Severity.INFO: "the node is never added to the launch description, or the repository is for that distribution",
     },
     examples=(
@@ -55,9 +55,9 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     ## What it does
     Finds nodes in launch files whose executable nothing installs.
     The node is of this package, or of another package of the workspace, and is neither a console_script nor a target or
-    script that CMake installs. A node without a package is looked for on the PATH, where only what packages put into
-    `bin/` is. Of packages that everybody uses it knows what they install: it says what is a letter or two away from
-    that, and what only distributions had that are no longer supported.
+    script that CMake installs; a command of `ros2 run` and `ExecutableInPackage` are looked at likewise. A node without
+    a package is looked for on the PATH, where only what packages put into `bin/` is. Of packages that everybody uses it
+    knows what they install: it says what is a letter or two away, and what only old distributions had.
 
     ## Why is this bad?
     The launch stops with "executable 'taker' not found on the libexec directory".
@@ -74,8 +74,8 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     """
     for node, *others in by_name(started.unknown_executables()):
         start = f"`{node.facts.name}` installs no executable `{node.executable}`"
-        ends = f"the launch stops with \"executable '{node.executable}' not found on the libexec directory\""
-        told = {None: f"{start}: {ends}", "warning": f"{start}: {ends}, {node.why}", "info": f"{start}, {node.why}"}
+        whole = f"{start}: {node.ends}"
+        told = {None: whole, "warning": f"{whole}, {node.why}", "info": f"{start}, {node.why}"}
         level = Severity(node.level) if node.level else None
         message = f"{told[node.level]}; {hint(node, started.scope.package)}"
         again = tuple(Related(each.path, each.span, "and here") for each in others)
