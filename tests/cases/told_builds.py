@@ -78,6 +78,14 @@ def program(lines: str, text: str, *others: str) -> Example:
     return package(f"{lines}\n", {"src/talker.cpp": text, **dict.fromkeys(others, MAIN)})
 
 
+STRING = "#include <std_msgs/msg/string.hpp>\n"
+
+
+def switched(defines: str, text: str) -> Example:
+    """A program that includes a header under a condition."""
+    return program(f"{defines}\n{PLAIN}", text.format(STRING) + MAIN)
+
+
 CASES = {
     "DEP104": (
         package("find_package(ZLIB REQUIRED QUIET)\n", {}),
@@ -94,6 +102,18 @@ CASES = {
         package("find_package(GDAL REQUIRED)\n", {"cmake/FindGDAL.cmake": MODULE}),
         package("find_package(GDAL REQUIRED)\n", {"cmake/FindGDAL.cmake": MODULE + "set(A ${CMAKE_SOURCE_DIR})\n"}),
         package("find_package(GDAL REQUIRED)\n", {"cmake/GDALConfig.cmake": MODULE}),
+    ),
+    "DEP105": (
+        switched("add_definitions(-DON_ROS)", "#ifdef ON_ROS\n{}#endif\n"),
+        switched("add_compile_definitions(ON_ROS=1)", "#if defined(ON_ROS)\n{}#endif\n"),
+        switched(
+            "add_definitions(-DON_ROS)", "#ifndef MY_PKG_NODE\n#define MY_PKG_NODE\n#if ON_ROS\n{}#endif\n#endif\n"
+        ),
+        switched("add_definitions(-DON_ROS)", "#ifdef ON_ROS\n#else\n{}#endif\n"),
+        switched("add_definitions(-DON_ROS)", "#ifndef ON_ROS\n{}#endif\n"),
+        switched("add_definitions(-DON_ROS)", "#ifdef ON_ROS\n#ifdef WITH\n{}#endif\n#endif\n"),
+        switched("add_definitions(-DON_ROS)", "#if ON_ROS > 1\n{}#endif\n"),
+        switched("if(WITH)\n  add_definitions(-DON_ROS)\nendif()", "#ifdef ON_ROS\n{}#endif\n"),
     ),
     "DEP107": (
         package(LIBRARY.format("ament_target_dependencies(core std_srvs)", "", "rclcpp"), CORE, NEEDS),

@@ -9,7 +9,8 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cpp.common_includes import common_includes
-from ...languages.cpp.file import CppFile
+from ...languages.cpp.defined_conditions import is_under_defined
+from ...languages.cpp.file import CppFile, IncludeDirective
 from ...languages.cpp.lexer import TOKEN
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -101,7 +102,7 @@ class IncludeDependencies:
             always = always_included(source)
             for each in source.includes if role != "aside" else ():
                 folder, slash, _ = each.path.partition("/")
-                is_certain = not each.is_conditional or folder in always
+                is_certain = not each.is_conditional or folder in always or self.is_switched_on(source, each)
                 if (slash or keys_of_header(each.path)) and is_certain and not self.is_own(each.path):
                     names, cmake = self.providers(each.path)
                     if names and source.path not in self.guarded and self.outside.isdisjoint((folder, *names)):
@@ -110,6 +111,18 @@ class IncludeDependencies:
         for (role, names, cmake), uses in sorted(found.items(), key=lambda item: item[0][0] == "test"):
             if role != "test" or ("run", names, cmake) not in found:
                 yield IncludedPackage(names, cmake, role, tuple(uses))
+
+    def is_switched_on(self, source: CppFile, include: IncludeDirective) -> bool:
+        """Return whether the conditions around an include ask for macros that CMake defines for all targets."""
+        macros = self.macros
+        return bool(macros) and is_under_defined(source.source.text, include.span.start, macros)
+
+    @cached_property
+    def macros(self) -> frozenset[str]:
+        calls = self.cmake.named("add_definitions", "add_compile_definitions")
+        words = (word for call in calls if not (call.maybe or call.folder or call.testing) for word in call.words)
+        texts = (word.text for word in words if word.is_known and not word.maybe)
+        return frozenset(text.removeprefix("-D").partition("=")[0] for text in texts if not text.endswith("=0"))
 
     @cached_property
     def outside(self) -> frozenset[str]:
