@@ -173,6 +173,24 @@ PROGRAMS = Example(
     },
     good={},
 )
+LIMITS = """\
+default_velocity_scaling_factor: 0.1
+joint_limits:
+  base:
+    mix_position: -0.1
+    has_velocity_limit: true
+    max_velocity: 1.0
+  arm:
+    mix_position: -0.1
+    min_velocity: 0.1
+    own_limit: 1.0
+  leg:
+    max_positions: 1.0
+    max_position: 1.0
+"""
+JOINTS = tuple(
+    Example(on="config", bad={f"config/{name}.yaml": LIMITS}, good={}) for name in ("my_joint_limits", "my_limits")
+)
 CASES = {
     "LCH014": (*COMMAS, ADDED, JOINED, OBJECTS),
     "LCH018": TWICE,
@@ -180,4 +198,5 @@ CASES = {
     "DEP106": RENAMED,
     "PLG003": (PLUGINS,),
     "LCH002": (PROGRAMS,),
+    "PRM007": JOINTS,
 }

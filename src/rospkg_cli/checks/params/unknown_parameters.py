@@ -6,6 +6,7 @@ from ...light_dataclasses import dataclass
 from ...package.params.parameter_file import ParameterFile
 from .declaring_packages import ParameterContext
 from .forgotten_declarations import ForgottenDeclarations
+from .joint_limits import JointLimits, MistypedLimit
 from .known_given import KnownNodes
 from .launched_names import LaunchedNames
 from .parameter_file_use import ParameterFileUses
@@ -24,6 +25,7 @@ class UnknownParameters:
     launched: LaunchedNames
     known: KnownNodes
     uses: ParameterFileUses
+    joints: JointLimits
 
     def unknown_reads(self) -> list[UnknownRead]:
         """Return what code gets and nothing declares, each place once."""
@@ -48,3 +50,9 @@ def undeclared(read: UnknownRead) -> str:
     if read.more:
         ends, hint = ends.replace("for it is", "for them is"), "declare them"
     return f"nothing declares the parameter{'s' if read.more else ''} {named}: {ends}; {hint}"
+
+
+def unread(limit: MistypedLimit) -> str:
+    """Return what comes of a misspelt limit of a joint."""
+    meant = " or ".join(f"`{name}`" for name in limit.meant)
+    return f"no limit of a joint is called `{limit.name}`: the value is dropped; did you mean {meant}?"

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.params.declaring_packages import ParameterGroup, given_type
 from ...checks.params.launched_names import SIM_TIME, mistyped_sim_time, unknown_to_known
-from ...checks.params.unknown_parameters import UnknownParameters, undeclared
+from ...checks.params.unknown_parameters import UnknownParameters, undeclared, unread
 from ...edits.plain_names import only_plain_names
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -82,9 +82,9 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     Finds values for parameters that no code declares, where a similar name is declared.
     The package that declares the other parameters of the block declares the similar one, and the block does not give
     it. Names in launch files are compared with what the node's package declares; `wheels` is for `number_of_wheels`
-    there. Well-known packages are known without their sources, and `use_sim_time` is of every node. In code
-    `get_parameter` is checked likewise: the file declares a similar name without getting it, or it makes its node, and
-    the name stands nowhere else in the code of the package.
+    there. Well-known packages are known without their sources, and `use_sim_time` is of every node; so are the names in
+    `joint_limits.yaml`. In code `get_parameter` is checked likewise: the file declares a similar name without getting
+    it, or it makes its node, and the name stands nowhere else in the code of the package.
 
     ## Why is this bad?
     The value is dropped, and the node runs with its default; or it stops, or a variable is never set.
@@ -115,6 +115,9 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     for path, span, name in mistyped_sim_time(scope.known.launched):
         message = f"no node has a parameter `{name}`: the value is dropped, and the node runs on the wall clock"
         yield Hit(path, span, f"{message}; write `{SIM_TIME}`")
+    for limit in scope.joints.mistyped():
+        others = tuple(Related(limit.path, span, "and here") for span in limit.others)
+        yield Hit(limit.path, limit.span, unread(limit), related=others)
     for read in scope.unknown_reads():
         others = tuple(Related(read.path, span, "and this one") for _, span in read.more)
         level = Severity.ERROR if read.throws and read.suggestion else None
