@@ -72,6 +72,15 @@ MAKING = (
     "include(${MODULES}/a.cmake)",
 )
 
+COPIED: tuple[tuple[str, dict[str, str]], ...] = (
+    ("from their_pkg.words import A\n", {}),
+    ("from their_pkg.words import *\n", {}),
+    ("from their_pkg.words import B\n", {}),
+    ("import their_pkg.words\nfrom their_pkg import core\n", {}),
+    ("from numpy.words import A\n", {}),
+    ("from their_pkg.words import A\n", {"requirements.txt": "their_pkg\n"}),
+    ("try:\n    from their_pkg.words import A\nexcept ImportError:\n    A = 1\n", {}),
+)
 HEAD = "from launch import LaunchDescription\nfrom launch_pal.include_utils import include_launch_py_description\n"
 INCLUDE = """
 
@@ -124,7 +133,15 @@ def told(interface: str, *needs: str, launch: str = JOY) -> Example:
     return python({**files, "package.xml": manifest(listed)})
 
 
+def beside(destination: str) -> Example:
+    """A module that data_files install, and that nobody imports as one of the package."""
+    entry = f"        ('{destination}', ['my_pkg/readers/reader.py']),\n"
+    files = {"setup.py": SETUP_PY.replace(ENTRY, ENTRY + entry), "my_pkg/readers/reader.py": "import serial\n"}
+    return python({**files, "my_pkg/talker.py": f"from readers.reader import serial\n\n\n{MAIN}"})
+
+
 CASES = {
+    "DEP101": (beside("lib/my_pkg/readers"), beside("share/my_pkg/readers")),
     "DEP103": tuple(including(*each) for each in INCLUDES),
     "LCH003": tuple(including(*each) for each in INCLUDES),
     "LCH015": tuple(including(*each) for each in INCLUDES),
@@ -136,6 +153,11 @@ CASES = {
         told("my_own_msgs/msg/Mode"),
         told("Mode"),
     ),
-    "DEP109": (*map(of_cmake, MAKING), moved("other"), moved("other", "third")),
+    "DEP109": (
+        *(python({"my_pkg/talker.py": text, "my_pkg/words.py": "A = 1\n", **files}) for text, files in COPIED),
+        *map(of_cmake, MAKING),
+        moved("other"),
+        moved("other", "third"),
+    ),
     "SET302": tuple(map(for_both, ASKING)),
 }

@@ -65,6 +65,8 @@ CASES = {
         ),
         talker("def main(): ...\n", test__test_words="def test_words():\n    assert modes\n"),
         talker("def main(): ...\n", tools__plot="print(modes)\n"),
+        talker("def main(): ...\n", launch__helper="print(modes)\n"),
+        talker("def main(): ...\n", launch__start="if __name__ == '__main__':\n    print(modes)\n"),
         python({**WORDS, "my_pkg/talker.py": "print(modes)\n"}),
         Example(
             on="ament_cmake",

@@ -59,7 +59,8 @@ class UndefinedUses:
 
     def all(self) -> Iterator[UndefinedUse]:
         for role, file in self.run.files:
-            if role != "aside" and OF_LAUNCH.isdisjoint(file.functions):  # those are told by LCH013
+            is_launched = role == "launch" and "__main__" in file.source.text
+            if role != "aside" and OF_LAUNCH.isdisjoint(file.functions) and not is_launched:  # LCH013 tells those
                 yield from self.of(file, is_test=role == "test")
 
     def of(self, file: PythonFile, *, is_test: bool) -> Iterator[UndefinedUse]:

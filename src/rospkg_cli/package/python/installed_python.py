@@ -8,8 +8,9 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...unreadable import UnreadableError
-from ..install_table import InstallTable
+from ..install_table import InstalledFile, InstallTable
 
+PROGRAMS_FOLDER = "lib/"
 PROGRAMS = regex(r"\binstall\s*\(\s*PROGRAMS\b([^)]*)\)", re.IGNORECASE)
 PYTHON_PACKAGE = regex(r"\bament_python_install_package\s*\(([^)]*)", re.IGNORECASE)
 IMPORT = regex(r"^[ \t]*(?:from|import)\b[^#\n]*", re.MULTILINE)
@@ -23,7 +24,7 @@ class InstalledPython:
         self.files = files
         self.is_known = table is not None and table.knows("module") and table.knows("executable")
         rows = table.rows if table else ()
-        self.sources = frozenset(row.source for row in rows if row.what in ("module", "executable"))
+        self.sources = frozenset(row.source for row in rows if row.what in ("module", "executable") or is_beside(row))
         self.shared = frozenset(row.source for row in rows if row.what == "share")
 
     def has(self, path: str) -> bool:
@@ -106,3 +107,8 @@ class InstalledPython:
     def packages(self) -> bool:
         """Whether Python packages are installed at all."""
         return bool(PYTHON_PACKAGE.search(self.cmake))
+
+
+def is_beside(row: InstalledFile) -> bool:
+    """Return whether a file is installed below the folder of programs, where Python finds it as their module."""
+    return row.source.endswith(".py") and row.destination.startswith(PROGRAMS_FOLDER)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from ...checks.depends.former_names import former_names
 from ...checks.depends.own_imports import MissingOwnName, OwnImports
 from ...example import Example, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -22,7 +23,10 @@ GOOD = {"my_pkg/talker.py": "from my_pkg.speech import GREETING" + MAIN.format("
     "unknown-import",
     over=OwnImports,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it is in a function, which may not be called, or nothing imports the module"},
+    levels={
+        Severity.WARNING: "it is in a function, which may not be called, or nothing imports the module",
+        Severity.INFO: "another package may have the module, and this one has one of its name",
+    },
     examples=(
         Example(
             bad={**SPEECH, "my_pkg/talker.py": "from my_pkg.«speach» import GREETING" + MAIN.format("GREETING")},
@@ -43,7 +47,8 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
     """
     ## What it does
     Finds imports of a module, or of a name, that the package itself does not have.
-    Modules of other packages of the workspace count where one of a near name is there.
+    Modules of other packages of the workspace count where one of a near name is there. What nothing known has, and
+    this package has by its own name, is an info: it may be left from a copy.
 
     ## Why is this bad?
     The build does not look: it is green, and the node ends with ModuleNotFoundError or ImportError when it starts.
@@ -71,6 +76,11 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
             fix = Fix(f"write `{wrong.near}`", edits, Safety.UNSAFE)
         places = tuple(Related(other.path, other.span, "here too") for other in others)
         yield Hit(wrong.path, wrong.span, f"{what}: the import raises {error}{advice}", level, places, fix)
+    for former in former_names(imports):
+        module = former.each.module
+        what = f"nothing known has a module `{module}`, and this package has `{former.own}`"
+        message = f"{what}: the import raises ModuleNotFoundError where nobody brings it; write `{former.own}`"
+        yield Hit(former.file.path, former.each.span, message, Severity.INFO)
 
 
 def is_uncertain(wrong: MissingOwnName) -> bool:

@@ -1,0 +1,44 @@
+"""Imports by a name that nothing known has, of modules that the package has itself: it was copied, or renamed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.python.file import Import, PythonFile
+from ...light_dataclasses import dataclass
+from ...ros.interfaces import KINDS
+from .own_imports import OwnImports
+
+
+@dataclass(frozen=True, slots=True)
+class FormerName:
+    """An import, and the own module that it would be."""
+
+    file: PythonFile
+    each: Import
+    own: str
+
+
+def former_names(imports: OwnImports) -> Iterator[FormerName]:
+    """Yield the imports of modules by another first name, where all that is imported by that is there."""
+    by_top: dict[str, list[FormerName | None]] = {}
+    for file, each in imports.run.certain:
+        top, _, within = each.module.partition(".")
+        if not each.level and top and within.partition(".")[0] not in KINDS:
+            own = own_module(imports, each, within)
+            by_top.setdefault(top, []).append(FormerName(file, each, own) if own else None)
+    for top, uses in by_top.items():
+        found = [use for use in uses if use is not None]
+        if len(found) == len(uses) and is_unknown(imports, top):
+            yield from (use for use in found if not imports.changes_path(use.file))
+
+
+def own_module(imports: OwnImports, each: Import, within: str) -> str:
+    """Return the one own module that has all that is imported; "" where there is none."""
+    found = [f"{top}.{within}" for top in sorted(imports.installed.tops) if within]
+    found = [module for module in found if imports.has_all(each, module)]
+    return found[0] if len(found) == 1 else ""
+
+
+def is_unknown(imports: OwnImports, top: str) -> bool:
+    return imports.table.knows("module") and not imports.is_found(top) and not imports.is_from_pip(top)
