@@ -78,6 +78,8 @@ def program(lines: str, text: str, *others: str) -> Example:
     return package(f"{lines}\n", {"src/talker.cpp": text, **dict.fromkeys(others, MAIN)})
 
 
+POINTS = {"src/talker.cpp": "#include <pcl/point_types.h>\n" + MAIN}
+RCLCPP = "  <depend>rclcpp</depend>\n"
 STRING = "#include <std_msgs/msg/string.hpp>\n"
 
 
@@ -116,6 +118,18 @@ CASES = {
         switched("if(WITH)\n  add_definitions(-DON_ROS)\nendif()", "#ifdef ON_ROS\n{}#endif\n"),
     ),
     "DEP107": (
+        *(
+            package(f"find_package(rclcpp REQUIRED)\n{more}{PLAIN}\n", POINTS, f"  <depend>{key}</depend>\n{RCLCPP}")
+            for more, key in (
+                ("", "libpcl-all-dev"),
+                ("find_package(pcl_conversions REQUIRED)\n", "libpcl-all-dev"),
+                ("find_package(PCL REQUIRED)\n", "libpcl-all-dev"),
+                ("include_directories(${PCL_INCLUDE_DIRS})\n", "libpcl-all-dev"),
+                ("ament_auto_find_build_dependencies()\n", "libpcl-all-dev"),
+                ("include(${WHERE}/all.cmake)\n", "libpcl-all-dev"),
+                ("", "std_msgs"),
+            )
+        ),
         package(LIBRARY.format("ament_target_dependencies(core std_srvs)", "", "rclcpp"), CORE, NEEDS),
         package(LIBRARY.format("ament_target_dependencies(core rcutils rcpputils)", "", "rclcpp"), CORE, NEEDS),
         package(LIBRARY.format("ament_target_dependencies(core builtin_interfaces)", "", "rclcpp"), CORE, NEEDS),

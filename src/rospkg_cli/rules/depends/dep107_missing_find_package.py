@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ...checks.depends.missing_find_package import MissingFindPackage, MissingFindPackages
+from ...checks.depends.undeclared_includes import IncludedPackage
+from ...checks.depends.unfound_libraries import unfound_libraries
 from ...checks.enumeration import in_ticks
 from ...edits.cmake_find import add_find_package_among
 from ...edits.manifest import add_dependency
@@ -50,7 +52,8 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     Finds ROS packages that CMake uses without a `find_package()`.
     Targets are linked with the package or interfaces depend on it, whether it is declared or not, or headers of a
     declared one are included. Packages that come with one that is found are left alone, and so is everything where a
-    command such as `ament_auto_find_build_dependencies()` finds what is declared.
+    command such as `ament_auto_find_build_dependencies()` finds what is declared. Of libraries with a folder of headers
+    of their own (Eigen, OpenCV, PCL), declared ones are told that no CMake file has a word of, in such packages too.
 
     ## Why is this bad?
     CMake stops ("was not found before", "target … was not found"), or the compiler does not see the headers; it builds
@@ -69,6 +72,8 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     brought = [each for each in found if each.may_be_transitive and not each.is_declared]
     if brought[1:]:
         yield in_one(brought)
+    if libraries := list(unfound_libraries(missing.includes)):
+        yield not_found(libraries)
     for each in found if not brought[1:] else (each for each in found if each not in brought):
         line = f"find_package({each.name} REQUIRED)"
         ends = "it builds only while another package brings it" if each.may_be_transitive else "the build stops"
@@ -91,4 +96,18 @@ def in_one(brought: Sequence[MissingFindPackage]) -> Hit:
         "with them: it builds only while other packages bring them; find and declare them"
     )
     related = tuple(Related(each.path, each.span, f"`{each.name}`: {each.usage}") for each in others)
+    return Hit(first.path, first.span, message, Severity.INFO, related)
+
+
+def not_found(libraries: Sequence[IncludedPackage]) -> Hit:
+    """Return one info for all libraries that are declared and included, and that another package finds."""
+    first, names = libraries[0].uses[0], [each.cmake for each in libraries]
+    message = (
+        f"CMake never looks for {in_ticks(names)}, but `{first.header}` is included here: it builds only while another "
+        f"package brings the folder of headers; add {in_ticks(f'find_package({name} REQUIRED)' for name in names)}"
+    )
+    related = tuple(
+        Related(each.uses[0].path, each.uses[0].span, f"`{each.uses[0].header}` is included here")
+        for each in libraries[1:]
+    )
     return Hit(first.path, first.span, message, Severity.INFO, related)
