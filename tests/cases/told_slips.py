@@ -191,6 +191,25 @@ joint_limits:
 JOINTS = tuple(
     Example(on="config", bad={f"config/{name}.yaml": LIMITS}, good={}) for name in ("my_joint_limits", "my_limits")
 )
+ENTRY = "- ros_topic_name: /a\n  gz_topic_name: /b\n  ros_type_name: {}\n  gz_type_name: gz.msgs.Twist\n  {}\n"
+TYPES = (
+    ("geometry_msgs::msg::Twist", ""),
+    ("geometry_msgs/Twist", "direction: ROS_TO_GZ"),
+    ("geometry_msgs.msg.Twist", "direction: ROS_TO_IGNITION"),
+    ("geometry_msgs/msg/Twist", "direction: gz_to_ros"),
+    ("geometry_msg/msg/Twist", "lazy: true"),
+    ("geometry_msgs/msg/Twst", "topic_name: /c"),
+    ("own_msgs/msg/Twist", "direction: $(var direction)"),
+)
+BRIDGE = Example(
+    on="config",
+    bad={
+        "config/bridge.yaml": "".join(ENTRY.format(*each) for each in TYPES),
+        "config/other.yaml": "ros_type_name: a::B\n",
+        "config/more.yaml": "- ros_type_name: std_msgs::msg::Bool\n- 5\n",
+    },
+    good={},
+)
 CASES = {
     "LCH014": (*COMMAS, ADDED, JOINED, OBJECTS),
     "LCH018": TWICE,
@@ -199,4 +218,5 @@ CASES = {
     "PLG003": (PLUGINS,),
     "LCH002": (PROGRAMS,),
     "PRM007": JOINTS,
+    "LCH019": (BRIDGE,),
 }

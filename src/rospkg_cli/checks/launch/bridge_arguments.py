@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...lazy_regex import regex
 from ...package.launch.text import LaunchText, Literal
+from ...package.workspace import Workspace
 from ...ros.core_messages import CORE_MESSAGES
 from ...ros.interface_fields import known_interfaces
 from ...ros.names import NameKind
@@ -33,15 +34,14 @@ def bridge_faults(scope: LaunchContext) -> Iterator[Fault]:
 def type_faults(scope: LaunchContext, argument: LaunchText, part: Literal) -> Iterator[Fault]:
     as_written = scope.file.source.slice(part.span) == part.text
     for match in TYPE.finditer(part.text):
-        for group, better in wrong_groups(scope, match.group(1), match.group(2), match.group(3)):
+        for group, better in wrong_groups(scope.workspace, match.group(1), match.group(2), match.group(3)):
             start, end = match.span(group)
             span = Span(part.span.start + start, part.span.start + end) if as_written else argument.span
             yield Fault(span, f"there is no `{match.group()[1:]}`: {HARM}; did you mean `{better}`?")
 
 
-def wrong_groups(scope: LaunchContext, package: str, kind: str | None, name: str) -> Iterator[tuple[int, str]]:
+def wrong_groups(workspace: Workspace, package: str, kind: str | None, name: str) -> Iterator[tuple[int, str]]:
     """Yield which part of a type is wrong, and what is near: of several the first."""
-    workspace = scope.workspace
     facts = workspace.named(package)
     if facts is None and workspace.kind_of(package) is not NameKind.PACKAGE:
         known = {*CORE_MESSAGES, *(each.name for each in workspace.packages if each.interfaces)}

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.bridge_arguments import bridge_faults
-from ...checks.launch.missing_references import LaunchContext
+from ...checks.launch.bridge_configs import Bridges
 from ...edits.fault_hits import hits
 from ...example import Example, manifest
-from ...finding import Hit, Severity
+from ...finding import Hit, Safety, Severity
 from ...rule import rule
 
 BAD = """\
@@ -16,31 +16,51 @@ BAD = """\
   <node pkg="ros_gz_bridge" exec="parameter_bridge" args="/clock@«rosgraph_msg»/msg/Clock[gz.msgs.Clock"/>
 </launch>
 """
+CONFIG = """\
+- topic_name: chatter
+  ros_type_name: «"std_msgs::msg::String"»
+  gz_type_name: gz.msgs.StringMsg
+  direction: GZ_TO_ROS
+"""
 NEEDED = "  <exec_depend>ros2launch</exec_depend>\n  <exec_depend>ros_gz_bridge</exec_depend>\n"
 
 
 @rule(
     "LCH019",
     "unknown-bridge-type",
-    over=LaunchContext,
+    over=Bridges,
     severity=Severity.WARNING,
     examples=(
         Example(
             bad={"package.xml": manifest(NEEDED), "launch/a.launch.xml": BAD},
             good={"launch/a.launch.xml": BAD.replace("«rosgraph_msg»", "rosgraph_msgs")},
         ),
+        Example(
+            on="config",
+            bad={"config/bridge.yaml": CONFIG},
+            good={"config/bridge.yaml": CONFIG.replace('«"std_msgs::msg::String"»', '"std_msgs/msg/String"')},
+            fix=Safety.SAFE,
+        ),
     ),
 )
-def unknown_bridge_type(scope: LaunchContext) -> Iterator[Hit]:
+def unknown_bridge_type(bridges: Bridges) -> Iterator[Hit]:
     """
     ## What it does
-    Finds misspelt types in the arguments of `parameter_bridge` of ros_gz_bridge.
-    An argument is `topic@package/msg/Type`, and what stands for Gazebo behind `@`, `[` or `]`.
+    Finds misspelt types in the arguments of `parameter_bridge` of ros_gz_bridge, and in its config files.
+    An argument is `topic@package/msg/Type`, and what stands for Gazebo behind `@`, `[` or `]`. In a config file a type
+    has to be written so as well; a direction that the bridge does not know is told, too, and `topic_name` beside
+    `ros_topic_name` or `gz_topic_name`.
 
     ## Why is this bad?
     The bridge says that it knows no such pair of types, and goes on without the topic.
 
     ## When it is quiet
     A package that may exist is believed, and so is a type of it that is near none of its known ones.
+
+    ## Fix safety
+    `std_msgs::msg::String` becomes `std_msgs/msg/String`, which names the same.
     """
-    yield from hits(scope.file.path, bridge_faults(scope))
+    for scope in bridges.scopes:
+        yield from hits(scope.file.path, bridge_faults(scope))
+    for path, fault in bridges.config_faults():
+        yield from hits(path, [fault])
