@@ -31,7 +31,8 @@ def imports(text: str, body: str = "", path: str = "my_pkg/node.py") -> list[str
         "try:\n    import cv2\nexcept:\n    pass\n",
         "import contextlib\nwith contextlib.suppress(ImportError):\n    import cv2\n",
         "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import cv2\n",
-        "import sys\nif sys.platform == 'win32':\n    import serial\nelse:\n    import numpy\n",
+        "import sys\nif sys.platform == 'win32':\n    import serial\nelse:\n    import os\n",
+        "import platform\nif platform.machine() == 'aarch64':\n    import serial\nelse:\n    import numpy\n",
         "from . import cv2\nfrom .numpy import x\n",
         "import my_pkg.cv2\n",
         "import beside\n",
@@ -46,6 +47,11 @@ def test_imports_that_need_no_declaration(text: str) -> None:
 
 def test_a_lazy_import_is_needed_as_any_other() -> None:
     assert imports("def run():\n    import cv2\n    return cv2\n") == ["python3-opencv"]
+
+
+def test_what_linux_imports_is_needed() -> None:
+    text = "import sys\nif sys.platform == 'win32':\n    import serial\nelse:\n    import numpy\n"
+    assert imports(text) == ["python3-numpy"]
 
 
 def test_a_vendored_copy_is_the_packages_own() -> None:
