@@ -79,7 +79,7 @@ def test_a_rule_that_raises_is_3_and_the_others_go_on(package: Path) -> None:
         "    return dataclasses.replace(real(code), check=broken) if code == 'RPK001' else real(code)\n"
         "worker.rule_by_code = patched\n"
         "from rospkg_cli.engine.run.rule_inputs import InputBuilder as B; B.of = lambda self, kind, of=B.of: "
-        "[types.SimpleNamespace(skipped=False)] if kind.__name__ == 'Unreadable' else of(self, kind)\n"
+        "[types.SimpleNamespace(skipped=False, path='')] if kind.__name__ == 'Unreadable' else of(self, kind)\n"
         "sys.argv = ['rospkg', 'lint', '--format', 'json', *sys.argv[1:]]; sys.exit(main())"
     )
     command = [sys.executable, "-c", code]

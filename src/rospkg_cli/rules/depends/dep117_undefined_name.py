@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.own_members import is_own_member
 from ...checks.depends.undefined_uses import UndefinedUse, UndefinedUses
 from ...edits.python_imports import import_module
 from ...example import Example, manifest, scripts, setup_py
@@ -115,5 +116,7 @@ def advice(use: UndefinedUse, line: str) -> str:
         return f"; add `{line}`"
     if use.home:
         return f"; add `from {use.home} import {name}`"
+    if is_own_member(use.file, name, use.found.span):
+        return f"; did you mean `self.{name}`?"
     near = nearest(name, use.found.known)
     return f"; did you mean `{near}`?" if near else ""
