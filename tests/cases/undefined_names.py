@@ -29,7 +29,8 @@ STRAIGHT = (
     "def main(): ...\n\n\ndef idle():\n    print(modes)\n",
     "class Talker(Node):\n    def idle(self):\n        print(modes)\n\n\ndef main():\n    Talker()\n",
     "class Talker:\n    CENTER = 5\n\n    def __init__(self):\n        self.mode = CENTER\n        say(mode)\n\n"
-    "    def say(self): ...\n\n    @staticmethod\n    def still():\n        print(CENTER)\n\n\ndef main():\n    Talker()\n",
+    "    def say(self): ...\n\n    @staticmethod\n    def still():\n        print(CENTER)\n\n\n"
+    "def main():\n    Talker()\n",
     "def main(text: Text, *others: 'Others') -> Speech:\n    mode: Mode = text\n    print(mode)\n",
     "from __future__ import annotations\n\n\ndef main(text: Text): ...\n",
     "class Talker:\n    mode: Mode = 1\n\n\ndef main(): ...\n",
