@@ -55,6 +55,8 @@ planner_server:
       plugin: stomp_moveit/StompSmoothingAdapter
     h:
       plugin: nav2_navfn_planner::navfnplanner
+    i:
+      plugin: nav2_recoveries/Wait
 """
 YAML = Example(
     on="config",

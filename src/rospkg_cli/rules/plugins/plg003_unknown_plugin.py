@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ...checks.plugins.unknown_plugins import PluginReferences, UnknownPlugin, WrongPlugin
+from ...checks.plugins.unknown_plugins import PluginReferences, UnknownPlugin
 from ...edits.plain_names import only_plain_names
+from ...edits.well_known_plugins import same_renames, well_known
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.workspace import Workspace
@@ -82,7 +83,7 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     The name is changed only with `--unsafe-fixes`: the description may be what is wrong.
     """
     references = PluginReferences(workspace)
-    yield from map(well_known, references.misspelt())
+    yield from map(well_known, same_renames(references.misspelt()))
     for unknown, *others in same_names(references.unknown()):
         if unknown.user.folder in workspace.selected:
             yield at_use(unknown, others)
@@ -96,17 +97,6 @@ def same_names(found: Iterable[UnknownPlugin]) -> Iterable[list[UnknownPlugin]]:
     for each in found:
         by_name.setdefault((each.user.folder, each.use.name), []).append(each)
     return by_name.values()
-
-
-def well_known(unknown: WrongPlugin) -> Hit:
-    use, wrong = unknown.use, unknown.wrong
-    path, now = unknown.user.at(use.path), "it is called" if wrong.is_removed else "write"
-    more = " in any supported distribution" if wrong.is_removed else ""
-    hint = f"; {now} `{wrong.better}`" + (" now" if wrong.is_removed else "") if wrong.better else ""
-    message = f"no plugin is called `{use.name}`{more}: what loads it stops{hint}"
-    fix = Fix(f"write `{wrong.better}`", (Edit(path, use.span, wrong.better),), Safety.UNSAFE)
-    level = Severity.INFO if wrong.is_removed else None
-    return Hit(path, use.span, message, level, fix=only_plain_names(fix, wrong.better) if wrong.better else None)
 
 
 def at_use(unknown: UnknownPlugin, others: Iterable[UnknownPlugin]) -> Hit:

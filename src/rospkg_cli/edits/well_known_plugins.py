@@ -1,0 +1,39 @@
+"""From misspelt or former names of well-known plugins to what a rule says and offers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from ..checks.enumeration import in_ticks
+from ..checks.plugins.unknown_plugins import WrongPlugin
+from ..finding import Edit, Fix, Hit, Related, Safety, Severity
+from ..lazy_regex import regex
+from .plain_names import only_plain_names
+
+SEPARATOR = regex(r"/|::")
+
+
+def same_renames(found: Iterable[WrongPlugin]) -> Iterable[list[WrongPlugin]]:
+    """Return misspelt plugins one by one, and those that one package of a former name had together."""
+    by_cause: dict[object, list[WrongPlugin]] = {}
+    for each in found:
+        cause = SEPARATOR.split(each.use.name)[0] if each.wrong.is_removed else each.use
+        by_cause.setdefault((each.user.folder, cause), []).append(each)
+    return by_cause.values()
+
+
+def well_known(every: Sequence[WrongPlugin]) -> Hit:
+    unknown, others = every[0], every[1:]
+    use, wrong = unknown.use, unknown.wrong
+    path, now = unknown.user.at(use.path), "it is called" if wrong.is_removed else "write"
+    more = " in any supported distribution" if wrong.is_removed else ""
+    hint = f"; {now} `{wrong.better}`" + (" now" if wrong.is_removed else "") if wrong.better else ""
+    names = {each.use.name for each in others} - {use.name}
+    alike = f" (so with {in_ticks(sorted(names))})" if names else ""
+    message = f"no plugin is called `{use.name}`{more}: what loads it stops{hint}{alike}"
+    places = tuple(Related(each.user.at(each.use.path), each.use.span, "here too") for each in others)
+    better = {each.wrong.better for each in every}
+    edits = tuple(Edit(each.user.at(each.use.path), each.use.span, each.wrong.better or "") for each in every)
+    fix = None if "" in better or None in better else Fix(f"write `{wrong.better}`", edits, Safety.UNSAFE)
+    level = Severity.INFO if wrong.is_removed else None
+    return Hit(path, use.span, message, level, places, only_plain_names(fix, *map(str, better)) if fix else None)
