@@ -113,6 +113,7 @@ CASES = {
         instead("Drives my robot", "The my_pkg package."),
         instead(">Ada<", ">TODO<"),
         instead("Apache-2.0", "TODO"),
+        instead("<license>Apache-2.0</license>", "<license>MIT</license>\n  <license>TODO</license>"),
         Example(bad={"package.xml": PLAIN.replace("Apache-2.0", "TODO"), "LICENSE": None}, good={}),
         *(
             Example(bad={"src/my_pkg/package.xml": PLAIN.replace("Apache-2.0", "TODO"), name: "MIT\n"}, good={}, on="")

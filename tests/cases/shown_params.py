@@ -187,7 +187,8 @@ def got_elsewhere(*calls: str) -> Example:
 
 CASES = {
     "PRM002": (
-        values("a: 1", "a: 1", "b: {c: 1}", "b: {d: 1}", "e.f: 1", "e: {f: 2}", "g: 1", "g: '1'", "h: [1]", "h: [1]"),
+        values("a: 1", "a: 1", "b: {c: 1}", "b: {d: 1}", "e.f: 1", "e: {f: 2}", "g: 1", "g: '1'", "h: [1]", "h: [1]",
+               "i: False", "i: false", "j: False", "j: true", "k: 0", "k: false"),
         config(NODE + "    a: 1\ntalker:\n  ros__parameters:\n    a: 1\n---\n" + NODE + "    a: 2\n"),
         config(NODE + "    a: 1\n/talker:\n  ros__parameters:\n    a: 2\n/**:\n  ros__parameters:\n    a: 3\n"),
     ),

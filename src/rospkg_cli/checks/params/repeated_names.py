@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
 from ...package.params.parameter_file import Parameter, ParameterFile, below, is_key
-from ...package.params.scalar_types import type_of
+from ...package.params.scalar_types import TRUE, type_of
 from ...source import Span
 from ..fault import Fault
 
@@ -51,7 +51,12 @@ def repetition(key: ScalarNode, first: ScalarNode, values: tuple[YamlNode, YamlN
 def are_equal(one: YamlNode, other: YamlNode) -> bool:
     """Return whether two scalars or lists have one value and type."""
     if isinstance(one, ScalarNode) and isinstance(other, ScalarNode):
-        return (one.text, type_of(one)) == (other.text, type_of(other))
+        return type_of(one) == type_of(other) and (one.text == other.text or are_equal_truths(one, other))
     if isinstance(one, SequenceNode) and isinstance(other, SequenceNode) and len(one.items) == len(other.items):
         return all(map(are_equal, one.items, other.items))
     return False
+
+
+def are_equal_truths(one: ScalarNode, other: ScalarNode) -> bool:
+    """Return whether two booleans are the same, as `False` and `false` are."""
+    return type_of(one) == type_of(other) == "bool" and (one.text in TRUE) is (other.text in TRUE)

@@ -66,9 +66,10 @@ def placeholder_metadata(package: ManifestAndFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Descriptions, names and addresses of a template harm no build and no release: without a license that is left they
-    are an info. Text around a `TODO`, addresses that are not a template's, and packages of ROS 1, which catkin builds,
-    are left alone. In a folder for what nobody uses any more (`_legacy`, `deprecated`, `old`, `backup`) placeholders
-    are infos. A line with an ignore comment of its own is told apart from the others, unless the finding lies there.
+    are an info, and so is a license beside another one that is named. Text around a `TODO`, addresses that are not a
+    template's, and packages of ROS 1, which catkin builds, are left alone. In a folder for what nobody uses any more
+    (`_legacy`, `deprecated`, `old`, `backup`) placeholders are infos. A line with an ignore comment of its own is told
+    apart from the others, unless the finding lies there.
     """
     manifest = package.manifest
     for element in manifest.all("description"):
@@ -92,16 +93,19 @@ def also(others: list[LeftLine]) -> str:
     return f"; {', '.join(names)} and {last} are a template's too" if names else f"; {last} is a template's too"
 
 
+UNKNOWN_LICENSE, WANTED_LICENSE = "it does not say who may use the package", "name a license by its SPDX id"
+
+
 def licenses(package: ManifestAndFiles) -> Iterator[LeftLine]:
     manifest = package.manifest
+    has_one = any(each.text and not TODO.fullmatch(each.text) for each in manifest.all("license"))
     for element in manifest.all("license"):
         if TODO.fullmatch(element.text):
             text = license_text(package.files)
-            harm = (
-                f"`{text}` says more, and tools read this line" if text else "it does not say who may use the package"
-            )
-            message = f"the license is `{element.text}`: {harm}; name a license by its SPDX id"
-            yield LeftLine(manifest.span(element), message, f"the license `{element.text}`", is_grave=True)
+            harm = f"`{text}` says more, and tools read this line" if text else UNKNOWN_LICENSE
+            harm, todo = ("another line names one", "remove this one") if has_one else (harm, WANTED_LICENSE)
+            message = f"the license is `{element.text}`: {harm}; {todo}"
+            yield LeftLine(manifest.span(element), message, f"the license `{element.text}`", is_grave=not has_one)
 
 
 def is_for_ros1(manifest: Manifest) -> bool:
