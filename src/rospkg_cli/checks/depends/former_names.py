@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from ...languages.python.file import Import, PythonFile
 from ...light_dataclasses import dataclass
 from ...ros.interfaces import KINDS
+from ...suggest import slips
 from .own_imports import OwnImports
 
 
@@ -31,6 +32,20 @@ def former_names(imports: OwnImports) -> Iterator[FormerName]:
         found = [use for use in uses if use is not None]
         if len(found) == len(uses) and is_unknown(imports, top):
             yield from (use for use in found if not imports.changes_path(use.file))
+
+
+def mistyped_tops(imports: OwnImports, told: Collection[FormerName]) -> Iterator[FormerName]:
+    """Yield the imports of modules by a slip of the first name that this package's own have: `mmy_pkg` for `my_pkg`.
+
+    Whether the own module has what is imported is another question, asked once the name is right.
+    """
+    seen = {(former.file.path, former.each.span) for former in told}
+    for file, each in imports.run.certain:
+        top, dot, within = each.module.partition(".")
+        near = slips(top, imports.installed.tops) if top and not each.level else []
+        is_new = len(near) == 1 and (file.path, each.span) not in seen
+        if is_new and is_unknown(imports, top) and not imports.changes_path(file):
+            yield FormerName(file, each, near[0] + dot + within)
 
 
 def own_module(imports: OwnImports, each: Import, within: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ...checks.depends.former_names import former_names
+from ...checks.depends.former_names import former_names, mistyped_tops
 from ...checks.depends.own_imports import MissingOwnName, OwnImports
 from ...example import Example, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -48,7 +48,7 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
     ## What it does
     Finds imports of a module, or of a name, that the package itself does not have.
     Modules of other packages of the workspace count where one of a near name is there. What nothing known has, and
-    this package has by its own name, is an info: it may be left from a copy.
+    this package has by its own name, is an info: it may be left from a copy. So is a slip of the package's own name.
 
     ## Why is this bad?
     The build does not look: it is green, and the node ends with ModuleNotFoundError or ImportError when it starts.
@@ -76,11 +76,15 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
             fix = Fix(f"write `{wrong.near}`", edits, Safety.UNSAFE)
         places = tuple(Related(other.path, other.span, "here too") for other in others)
         yield Hit(wrong.path, wrong.span, f"{what}: the import raises {error}{advice}", level, places, fix)
-    for former in former_names(imports):
-        module = former.each.module
-        what = f"nothing known has a module `{module}`, and this package has `{former.own}`"
-        message = f"{what}: the import raises ModuleNotFoundError where nobody brings it; write `{former.own}`"
-        yield Hit(former.file.path, former.each.span, message, Severity.INFO)
+    former = list(former_names(imports))
+    for typo in mistyped_tops(imports, former):
+        top, own = (name.partition(".")[0] for name in (typo.each.module, typo.own))
+        message = f"nothing known has a module `{top}`: the import raises ModuleNotFoundError; did you mean `{own}`?"
+        yield Hit(typo.file.path, typo.each.span, message, Severity.INFO)
+    for one in former:
+        what = f"nothing known has a module `{one.each.module}`, and this package has `{one.own}`"
+        message = f"{what}: the import raises ModuleNotFoundError where nobody brings it; write `{one.own}`"
+        yield Hit(one.file.path, one.each.span, message, Severity.INFO)
 
 
 def is_uncertain(wrong: MissingOwnName) -> bool:
