@@ -107,8 +107,9 @@ CASES = {
         ),
         *(
             python({**set002.PACKAGE, "setup.cfg": set002.WRONG.replace("lib/your_pkg", folder)})
-            for folder in ("lib", "scripts", "bin", "lib/my_pkg/tools", "$x", "lib/my_pkg/")
+            for folder in ("lib", "scripts", "bin", "lib/my_pkg/tools", "$x", "lib/my_pkg/", "share/my_pkg/scripts")
         ),
+        python({**set002.PACKAGE, "my_pkg/talker.py": MAIN, "setup.cfg": set002.WRONG.replace("lib", "share")}),
         python({**set002.PACKAGE, "setup.cfg": set002.WRONG.replace("lib/your_pkg", "bin"), **STARTS_IT}),
         python({**set002.PACKAGE, "setup.cfg": set002.WRONG.replace("$base/lib/your_pkg", "/usr/bin"), **STARTS_IT}),
     ),

@@ -18,7 +18,7 @@ from .linked_build import linking_file
 from .python_package import PythonPackage
 
 SCRIPT_OPTIONS = (("develop", "script_dir"), ("install", "install_scripts"))
-BELOW_BASE = regex(r"\$(?:base|\{base\})/(?P<folder>[^/$%]+|lib/[^/$%]+)/*")
+BELOW_BASE = regex(r"\$(?:base|\{base\})/(?P<folder>[^/$%]+|lib/[^/$%]+|share/[^$%]+?)/*")
 TOOLS = "bin"
 LINKS = frozenset({"symlink", "symlink_to", "link", "hardlink_to"})
 """Functions of `os` and methods of `pathlib.Path` that make links."""
@@ -50,8 +50,8 @@ class ScriptDir:
     def wrong(self) -> tuple[tuple[str, str, SetupText | None], ...]:
         """The options that install nodes outside of lib/<package>: section, key, value; None where it is missing.
 
-        A value outside of `$base`, or deeper in it, is taken to be intended, so is the package name of setup.py, and
-        `bin` for tools that are no nodes.
+        A value outside of `$base`, or deeper in it, is taken to be intended, but for `share/…`, where no program is
+        looked for; so is the package name of setup.py, and `bin` for tools that are no nodes.
         """
         found: list[tuple[str, str, SetupText | None]] = []
         name = self.package.setup.setup_text("name")

@@ -27,7 +27,8 @@ HALF = "«[develop]»\nscript_dir=$base/lib/my_pkg\n"
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "only `[develop]` is wrong, which `colcon build --symlink-install` alone reads, or only "
-        "`[install]`, where the repository is built that way"
+        "`[install]`, where the repository is built that way",
+        Severity.INFO: "they go below `share`, and none runs a node: other packages may start them by their path",
     },
     examples=(
         Example(bad={**PACKAGE, "setup.cfg": WRONG}, good={"setup.cfg": SETUP_CFG}, fix=Safety.SAFE),
@@ -54,10 +55,11 @@ def wrong_script_dir(home: ScriptDir) -> Iterator[Hit]:
     `colcon build --symlink-install`, `[install]` by every other build.
 
     ## When it is quiet
-    Where the value is no folder below `$base`, and for `$base/bin`, which is for command line tools, unless a launch
-    file starts one of them or the other option says `lib/<package>`. Where setup.py makes links or has a command of its
-    own that installs scripts (`cmdclass`), neither `bin` nor a missing option is reported. Where no executable runs a
-    node, a missing option is none, unless the other one says `lib/<package>`.
+    Where the value is no folder below `$base`, or a deep one (but for those below `share`), and for `$base/bin`, which
+    is for command line tools, unless a launch file starts one of them or the other option says `lib/<package>`. Where
+    setup.py makes links or has a command of its own that installs scripts (`cmdclass`), neither `bin` nor a missing
+    option is reported. Where no executable runs a node, a missing option is none, unless the other one says
+    `lib/<package>`.
     """
     name = home.package.name
     wanted = f"$base/lib/{name}"
@@ -68,8 +70,10 @@ def wrong_script_dir(home: ScriptDir) -> Iterator[Hit]:
                 f"`{key}` puts executables into `{value.text}`{when}: `ros2 run {name} …` and launch files look in "
                 f"`lib/{name}`; write `{wanted}`"
             )
-            fix = Fix(f"write `{wanted}`", (replace_value(value, wanted),))
-            yield Hit(value.path, value.shown, message, level, fix=fix)
+            is_apart = "/share/" in value.text and not home.nodes
+            safety = Safety.UNSAFE if is_apart else Safety.SAFE
+            fix = Fix(f"write `{wanted}`", (replace_value(value, wanted),), safety)
+            yield Hit(value.path, value.shown, message, Severity.INFO if is_apart else level, fix=fix)
     missing = [(section, key) for section, key, value in home.wrong if value is None]
     if missing and home.cfg is not None:
         shown = " and ".join(f"`[{section}] {key}`" for section, key in missing)
