@@ -179,3 +179,80 @@ def test_launch_files_of_a_package_that_is_here_are_those_of_its_sources() -> No
 def test_a_package_that_nobody_has_is_perhaps_another(package: str, ends: str) -> None:
     texts = in_python(f"Node(package='{package}', executable='e')", code="DEP103")
     assert any(text.endswith(ends) for text in texts)
+
+
+LOCAL = "LogInfo(msg=LaunchConfiguration('{}', default='5'))"
+
+
+@pytest.mark.parametrize(
+    "used, declared, more, levels",
+    [
+        ("use_sim_time", "use_sim_tim", "", ["warning"]),
+        ("use_sim_time", "use_sim_tim", ", launch.actions.IncludeLaunchDescription('/opt/a.launch.py')", ["info"]),
+        ("use_sim_time", "use_sim_tim", ", LogInfo(msg=LaunchConfiguration('use_sim_tim'))", []),
+        ("use_sim_time", "use_sim_tim", ", LogInfo(msg='use_sim_time')", []),
+        ("use_sim_time", "use_sim_time", "", []),
+        ("use_sim_time", "use_clock", "", []),
+        ("robot_1", "robot_2", "", []),
+        ("gui", "gut", "", []),
+    ],
+)
+def test_a_default_that_hides_a_slip(used: str, declared: str, more: str, levels: list[str]) -> None:
+    action = f"DeclareLaunchArgument('{declared}'), {LOCAL.format(used)}{more}"
+    found = in_python(action, code="LCH008")
+    assert [each.partition(":")[0] for each in found] == levels
+    assert all(f"`{used}`" in each and f"`{declared}`" in each for each in found)
+
+
+IN_CLASS = """\
+import launch
+from launch.actions import DeclareLaunchArgument, LogInfo, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+
+
+class Pipeline:
+    def __init__(self, context):
+        self.rate = LaunchConfiguration("rate").perform(context)
+        self.mode = LaunchConfiguration("{used}"{default}).perform(context).lower() == "true"
+
+
+def launch_setup(context):
+    return [LogInfo(msg={made}(context).rate)]
+
+
+def generate_launch_description():
+    given = [DeclareLaunchArgument("rate"), {declared}]
+    return launch.LaunchDescription([*given, OpaqueFunction(function=launch_setup)])
+"""
+DECLARED = 'DeclareLaunchArgument("use_depth_mode_cuda")'
+
+
+@pytest.mark.parametrize(
+    "used, declared, default, made, found",
+    [
+        ("other", "", "", "Pipeline", 1),
+        ("rate", "", "", "Pipeline", 0),
+        ("other", "", ", default='x'", "Pipeline", 0),
+        ("other", "", "", "str", 0),
+        ("other", "unknown()", "", "Pipeline", 0),
+        ("use_depth_mode_ptv3", f"unknown(), {DECLARED}", "", "Pipeline", 1),
+        (
+            "use_depth_mode_ptv3",
+            f"unknown(), {DECLARED}, LogInfo(msg=LaunchConfiguration('use_depth_mode_cuda'))",
+            "",
+            "str",
+            0,
+        ),
+        ("ros_namespace", "", "", "Pipeline", 0),
+    ],
+)
+def test_what_a_class_uses(used: str, declared: str, default: str, made: str, found: int) -> None:
+    text = IN_CLASS.format(used=used, declared=declared, default=default, made=made)
+    told = said("launch/a.launch.py", text, "LCH008")
+    assert [each.startswith(f"info: no file declares the launch argument `{used}`") for each in told] == [True] * found
+
+
+def test_a_slip_that_another_file_declares_as_well_is_none() -> None:
+    text = HEAD.format(f"DeclareLaunchArgument('use_sim_tim'), {LOCAL.format('use_sim_time')}")
+    other = {"src/my_pkg/launch/b.launch.py": HEAD.format("DeclareLaunchArgument('use_sim_tim')")}
+    assert said("launch/a.launch.py", text, "LCH008", **other) == []

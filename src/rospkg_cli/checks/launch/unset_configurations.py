@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from collections import Counter
 from collections.abc import Iterator
 from functools import cached_property
 from typing import Annotated, Literal
 
+from ...languages.python.file import PythonFile
+from ...languages.python.nodes import nodes_of_kind
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
@@ -46,6 +49,10 @@ class UnsetConfiguration:
     """Whether Python looks it up in a dict."""
     may_be_included: bool = False
     """Whether a file that is included before, and is not here, may set it; none of the workspace does."""
+    has_default: bool = False
+    """Whether it has a default, which is what it always is."""
+    is_guess: bool = False
+    """Whether the use may never run, or another name may be meant."""
 
 
 @dataclass(frozen=True)
@@ -74,9 +81,11 @@ class LaunchConfigurations:
 
     def unset(self) -> Iterator[UnsetConfiguration]:
         """Yield each name once, where it is first used."""
-        told = list(self.certainly_unset())
-        yield from told
-        yield from (each for each in self.slips() if each.name not in {one.name for one in told})
+        told: set[str] = set()
+        for each in (*self.certainly_unset(), *self.slips(), *self.unset_in_classes()):
+            if each.name not in told:
+                told.add(each.name)
+                yield each
 
     def certainly_unset(self) -> Iterator[UnsetConfiguration]:
         """Yield what is unset in a file that is all known, as those are that include it."""
@@ -102,9 +111,10 @@ class LaunchConfigurations:
         return not declared or is_elsewhere
 
     def slips(self) -> Iterator[UnsetConfiguration]:
-        """Yield what a file that is not all known uses under a name of its own, one letter from an argument of no use.
+        """Yield what a file that is not all known uses under a name of its own, like that of an argument of no use.
 
-        Neither name stands anywhere else in the file, and no launch file here has the one that is used.
+        Neither name stands anywhere else in the file, and no other launch file has the one that is used, or none has
+        the one that is declared, where a default hides the slip.
         """
         file = self.file
         if not file.has_entry_point or file.is_ros1 or role_of(file.path) != "launch":
@@ -115,10 +125,37 @@ class LaunchConfigurations:
             if (name := each.name.literal or "") and self.mentions[name] == 1 and len(name) >= SHORTEST
         }
         for use in file.configurations() if alone else ():
+            name, has_default = use.arguments[0].literal or "" if use.arguments else "", len(use.arguments) > 1
+            near, is_far = near_names(name, alone, 1), False
+            if not near and not has_default and (alike := nearest(name, alone)):
+                near, is_far = [alike], True
+            near = [each for each in near if DIGITS.sub("", each) != DIGITS.sub("", name)]
+            if len(near) == 1 and self.mentions[name] == 1 and not self.is_elsewhere(name, near[0], has_default):
+                is_guess = is_far or (has_default and bool(file.includes))
+                yield UnsetConfiguration(
+                    name, use.span, "undeclared", (near[0],), has_default=has_default, is_guess=is_guess
+                )
+
+    def unset_in_classes(self) -> Iterator[UnsetConfiguration]:
+        """Yield what a class of the file uses, of a name that no launch file here has; whether it runs is not known."""
+        file = self.file
+        spans = tuple(used_classes(file.python)) if file.python is not None else ()
+        inherited = self.workspace.launch.inherited(self.file_name) if spans and self.is_startable else None
+        if inherited is None or self.may_set_any:
+            return
+        known = inherited | OWN | file.set_configurations
+        declared = tuple(name for each in file.arguments if (name := each.name.literal))
+        for use in file.configurations() if declared else ():
             name = use.arguments[0].literal or "" if len(use.arguments) == 1 else ""
-            near = [each for each in near_names(name, alone, 1) if DIGITS.sub("", each) != DIGITS.sub("", name)]
-            if len(near) == 1 and self.mentions[name] == 1 and not self.workspace.launch.has(name):
-                yield UnsetConfiguration(name, use.span, "undeclared", (near[0],))
+            is_inside = any(span.start <= use.span.start < span.end for span in spans)
+            if name and is_inside and name not in known and not self.workspace.launch.has(name):
+                may_be = bool(file.includes)
+                yield UnsetConfiguration(name, use.span, "undeclared", declared, may_be_included=may_be, is_guess=True)
+
+    def is_elsewhere(self, used: str, declared: str, has_default: bool) -> bool:
+        """Return whether another launch file has the name that is used; with a default, the one that is declared."""
+        launch = self.workspace.launch
+        return launch.has(declared, besides=self.file_name) if has_default else launch.has(used)
 
     @cached_property
     def mentions(self) -> Counter[str]:
@@ -222,3 +259,11 @@ class LaunchConfigurations:
         found = re.finditer(rf"(['\"]){re.escape(name)}\1", self.file.source.text)
         places = (Span(each.start(), each.end()) for each in found)
         return any(not (declared.start <= at.start < declared.end) and self.is_read(at) for at in places)
+
+
+def used_classes(file: PythonFile) -> Iterator[Span]:
+    """Yield the classes of a file that it makes objects of itself."""
+    made = {each.func.id for each in nodes_of_kind(file.tree, ast.Call) if isinstance(each.func, ast.Name)}
+    for each in nodes_of_kind(file.tree, ast.ClassDef):
+        if each.name in made:
+            yield file.span(each)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.unset_configurations import LaunchConfigurations
+from ...checks.launch.unset_configurations import LaunchConfigurations, UnsetConfiguration
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -62,10 +62,12 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
 
     ## When it is quiet
     In files that can't be evaluated to the end, or that set configurations of unknown names, a name is told that stands
-    there once and is one letter from an argument which nothing mentions but its declaration. One that
-    others include may get the argument from them: an info, as where it uses many, or declares none at all: then it is
-    the user, or the file that includes it, who must set it. Where it includes a file that is not here, it is an info,
-    if it declares others and no file of the workspace has that name.
+    there once and is one letter from an argument which nothing mentions but its declaration (an info, where it is less
+    like it); so it is, with a default, in any file, and an info where the file includes others, which may read the
+    argument. What only a class of the file uses is an info. One that others include may
+    get the argument from them: an info, as where it uses many, or declares none at all: then it is the user, or the
+    file that includes it, who must set it. Where it includes a file that is not here, it is an info, if it declares
+    others and no file of the workspace has that name.
     """
     file = configurations.file
     found = [each for each in configurations.unset() if each.state != "late"]
@@ -75,8 +77,12 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
     for each in found if not (many and configurations.is_included) else ():
         if many and each.is_passed_on:
             continue
-        mild = Severity.INFO if each.may_be_included or (is_for_others and each.state == "undeclared") else level
+        is_mild = each.may_be_included or each.is_guess or (is_for_others and each.state == "undeclared")
+        mild = Severity.INFO if is_mild else level
         better = "; declare it, or give it a default"
+        if each.has_default:
+            yield Hit(file.path, each.span, always_default(each), mild)
+            continue
         if each.state == "not added":
             message = f"the declaration of `{each.name}` is not part of the launch description that is returned"
             better = "; add it"
@@ -87,3 +93,10 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
         raised = f"KeyError: '{each.name}'" if each.is_lookup else f"launch configuration '{each.name}' does not exist"
         unless = "given, or set by a file that it includes" if each.may_be_included else "given"
         yield Hit(file.path, each.span, f'{message}: unless {unless}, the launch stops ("{raised}"){better}', mild)
+
+
+def always_default(each: UnsetConfiguration) -> str:
+    """Return what is wrong with a use that has a default, which hides the slip."""
+    meant = each.declared[0]
+    what = f"no file declares the launch argument `{each.name}`, but `{meant}`, one letter away, which nothing uses"
+    return f"{what}: it always has its default, and setting `{meant}` has no effect; write them alike"
