@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...lazy_regex import regex
+from ...light_dataclasses import replace
 from ...package.launch.entity import Entity
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import Substitution
@@ -16,6 +17,9 @@ from ..read_sentences import syntax_sentence
 BARE = regex(r"(?<![$\w)])\((var|find-pkg-share|find-pkg-prefix) (\w+)\)")
 AS_IN_PYTHON = {"executable": "exec", "package": "pkg", "default_value": "default", "condition": "if"}
 """Arguments of actions in Python that are called otherwise in XML and YAML."""
+WHOLE = ": launch refuses the whole file"
+SHOWN = 3
+"""Names of entities in one message."""
 PROSE = frozenset({"description", "message", "reason"})
 
 
@@ -43,6 +47,22 @@ def without_dollar(file: LaunchFile) -> Iterator[Fault]:
                 if found.group(1) != "var" or found.group(2) in declared:
                     span = written.part(found.start(), found.end())
                     yield Fault(span, f"`{found.group()}` is text, and no substitution: write `${found.group()}`")
+
+
+def told_apart(file: LaunchFile, faults: Iterable[Fault]) -> Iterator[Fault]:
+    """Yield faults with the names of the entities that they are in, where there are some: `arg` stands often."""
+    names = {
+        span: written.text
+        for entity in (file.root.walk() if file.root else ())
+        if (written := entity.attributes.get("name")) and written.text and "$(" not in written.text
+        for span in (entity.name_span, *entity.attribute_spans.values())
+    }
+    for fault in faults:
+        places = (fault.span, *(span for span, _ in fault.related))
+        found = dict.fromkeys(name for span in places if (name := names.get(span)) and f"`{name}`" not in fault.message)
+        shown = ", ".join(f"`{name}`" for name in list(found)[:SHOWN]) + ", …" * (len(found) > SHOWN)
+        message = fault.message.replace(WHOLE, f", at {shown}{WHOLE}") if found else fault.message
+        yield replace(fault, message=message)
 
 
 def action_faults(entity: Entity) -> Iterator[Fault]:

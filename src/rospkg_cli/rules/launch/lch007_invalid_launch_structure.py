@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.fault import once_each, softer
-from ...checks.launch.entity_schema import entity_faults
+from ...checks.launch.entity_schema import entity_faults, told_apart
 from ...checks.launch.idle_actions import level_at
 from ...checks.launch.python_expressions import expression_faults
 from ...edits.fault_hits import hits
@@ -83,7 +83,7 @@ def invalid_launch_structure(file: LaunchFile) -> Iterator[Hit]:
     of them. Expressions are judged with the defaults of the file's own arguments; one with an unknown part is believed
     where any value makes it valid.
     """
-    yield from hits(file.path, once_each(entity_faults(file)))
+    yield from hits(file.path, told_apart(file, once_each(entity_faults(file))))
     for fault in expression_faults(file):
         level, why = level_at(file, fault.span)
         yield from hits(file.path, [softer(fault, level, why) if level else fault])
