@@ -16,7 +16,8 @@ INTERFACE = regex(r"\$<INSTALL_INTERFACE:([^<>]*)>")
 AUTOMATIC = ("ament_auto_package", "autoware_ament_auto_package")
 GENERATES = ("rosidl_generate_interfaces", "generate_parameter_library", "generate_export_header")
 """Commands that tell of include/ and the package's name by themselves, or put headers of their own there."""
-TELLING = (*INCLUDES, "target_include_directories", "install", "set_target_properties", "set_property")
+PROPERTIES = ("set_target_properties", "set_property")
+TELLING = (*INCLUDES, "target_include_directories", "install", *PROPERTIES)
 OURS = "include"
 """The folder of the prefix that others tell of as well."""
 
@@ -28,6 +29,8 @@ class UntoldFolder:
     """As users include it."""
     folder: str
     told: tuple[str, ...]
+    is_told_by_target: bool
+    """Whether it is `$<INSTALL_INTERFACE:…>` of a target that tells of another folder."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +51,11 @@ class ToldFolders:
         if not folder or folder == OURS or any(row.maybe for row in rows) or any(UNKNOWN in text for text in told):
             return None
         found = tuple(dict.fromkeys(posixpath.normpath(text) for text in told))
-        return None if folder in found else UntoldFolder(rows[0], rows[0].source.partition("/")[2], folder, found)
+        by_target = any(
+            INTERFACE.search(text) for call in cmake.named("target_include_directories") for text in call.texts
+        )
+        header = rows[0].source.partition("/")[2]
+        return None if folder in found else UntoldFolder(rows[0], header, folder, found, by_target)
 
 
 def base_of(row: InstalledFile, package: str) -> str:
@@ -70,7 +77,16 @@ def told_by(call: EvaluatedCommand) -> Iterator[str]:
         at = texts.index("INCLUDES") + 2 if "INCLUDES" in texts else len(texts)
         yield from (text.removeprefix(f"{PREFIX}/") for text in texts[at:])
         yield from (UNKNOWN for text in texts if text == "FILE_SET")
-    else:
+    elif call.name not in PROPERTIES or any("INCLUDE" in text or UNKNOWN in text for text in property_names(call)):
         for text in texts:
             yield from (each.removeprefix(f"{PREFIX}/") for each in INTERFACE.findall(text))
             yield from (UNKNOWN for _ in text[:1] if UNKNOWN in text)
+
+
+def property_names(call: EvaluatedCommand) -> tuple[str, ...]:
+    """Return what a command for properties is given after their keyword, where each other word is a name."""
+    for keyword, step in (("PROPERTIES", 2), ("PROPERTY", 0)):
+        if keyword in call.texts:
+            after = call.texts[call.texts.index(keyword) + 1 :]
+            return after[::step] if step else after[:1]
+    return (UNKNOWN,)

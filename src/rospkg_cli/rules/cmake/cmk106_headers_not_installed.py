@@ -117,4 +117,5 @@ def misplaced(exported: ExportedHeaders) -> Iterator[Hit]:
 def not_told(each: UntoldFolder) -> str:
     told = f"users are told of {in_ticks(each.told)} alone" if each.told else "no command tells users of it"
     stops = f"`#include <{each.header}>` stops in packages that use this one"
-    return f"the headers land in `{each.folder}/`, and {told}: {stops}; export `{each.folder}`"
+    wanted = f"write `$<INSTALL_INTERFACE:{each.folder}>`" if each.is_told_by_target else f"export `{each.folder}`"
+    return f"the headers land in `{each.folder}/`, and {told}: {stops}; {wanted}"

@@ -1,0 +1,56 @@
+"""More faults of CMake and package.xml that people repaired: neighbours of each, and silences."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest
+
+from .told_builds import CORE, TOLD, package
+
+MAIN = {"src/a.cpp": "int main() {return 0;}\n", "src/b.cpp": "int main() {return 0;}\n"}
+PROGRAMS = "add_executable(a src/a.cpp)\nadd_executable(b src/b.cpp)\ninstall(TARGETS a b {})\n"
+TWO = {"launch/a.launch.py": "LAUNCH = 1\n", "launch/b.launch.py": "LAUNCH = 2\n"}
+FOLDER = "install(DIRECTORY launch{} DESTINATION share/${{PROJECT_NAME}}/{})\n"
+MESSAGES = CMAKE.replace(
+    "ament_package()",
+    "find_package(geometry_msgs REQUIRED)\nfind_package(std_msgs REQUIRED)\n"
+    "find_package(rosidl_default_generators REQUIRED)\n"
+    'rosidl_generate_interfaces(${PROJECT_NAME} "msg/Pose.msg" DEPENDENCIES geometry_msgs std_msgs)\nament_package()',
+)
+GENERATED = """\
+  <buildtool_depend>rosidl_default_generators</buildtool_depend>
+  <exec_depend>rosidl_default_runtime</exec_depend>
+  <member_of_group>rosidl_interface_packages</member_of_group>
+"""
+TWIN = """\
+set(ARM_CORE_DEPS_LIBRARIES dl)
+set(ARM_BASE_CORE_DEPS_SYSTEM_LIBRARIES m)
+{}add_library(core SHARED src/core.cpp)
+target_link_libraries(core PRIVATE ${{ARM_BASE_CORE_DEPS_LIBRARIES}} ${{ARM_BASE_CORE_DEPS_SYSTEM_LIBRARIES}})
+install(TARGETS core DESTINATION lib)
+"""
+
+
+def messages(needs: str, message: str = "geometry_msgs/Pose2D pose\n") -> Example:
+    """A package of one message, and what it declares besides the tools."""
+    files = {"CMakeLists.txt": MESSAGES, "msg/Pose.msg": message}
+    return Example(bad={**files, "package.xml": manifest(GENERATED + needs, "ament_cmake")}, good={}, on="ament_cmake")
+
+
+def needs(first: str, second: str) -> str:
+    return f"  <{first}>geometry_msgs</{first}>\n  <{second}>std_msgs</{second}>\n"
+
+
+CASES = {
+    "CMK106": (
+        *(
+            package(TOLD.format("include/my_pkg", "include", f"{properties}\n"), CORE)
+            for properties in (
+                "set_target_properties(core PROPERTIES VERSION ${my_pkg_VERSION})",
+                "set_target_properties(core PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${WHERE})",
+                "set_target_properties(core PROPERTIES ${WHICH} ${WHERE})",
+                "set_property(TARGET core PROPERTY VERSION ${my_pkg_VERSION})",
+                "set_property(TARGET core APPEND PROPERTY INTERFACE_INCLUDE_DIRECTORIES ${WHERE})",
+            )
+        ),
+    ),
+}
