@@ -53,4 +53,13 @@ CASES = {
             )
         ),
     ),
+    "CMK114": (
+        package("add_rostest_gtest(test_a a.test src/a.cpp)\n", MAIN),
+        package("generate_dynamic_reconfigure_options(a.cfg)\n", {}),
+        package("find_package(nobody REQUIRED)\nadd_message_files(FILES a.msg)\n", {}),
+        package("if(UNKNOWN)\n  catkin_package()\nendif()\n", {}),
+        package("find_package(catkin)\ncatkin_package()\n", {}),
+        package("macro(add_rostest name)\nendmacro()\nadd_rostest(a.test)\n", {}),
+        package("include(${HERE}/own.cmake)\nadd_rostest(a.test)\n", {}),
+    ),
 }

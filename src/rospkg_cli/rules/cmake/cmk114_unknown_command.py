@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.commands_of_ros1 import CommandsOfRos1
 from ...checks.cmake.unknown_commands import UnknownCommands
 from ...checks.depends.unfound_commands import UnfoundCommand, UnfoundCommands
 from ...edits.cmake_find import add_find_package
@@ -28,7 +29,10 @@ def cmake(lines: str) -> str:
     "unknown-command",
     over=UnfoundCommands,
     severity=Severity.ERROR,
-    levels={Severity.INFO: "another package that is found may find the one that defines it"},
+    levels={
+        Severity.WARNING: "a command of ROS 1, where a package is found that nobody knows and that may define it",
+        Severity.INFO: "another package that is found may find the one that defines it",
+    },
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake(LINES), "src/talker.cpp": "int main() {return 0;}\n"},
@@ -48,14 +52,15 @@ def unknown_command(commands: UnfoundCommands) -> Iterator[Hit]:
     ## What it does
     Finds commands in CMakeLists.txt that are defined nowhere.
     They are nearly called like a known one (of CMake, ament, rosidl and the like, or of the package's own functions;
-    near is one or two letters), or come with a package that no `find_package()` looks for:
-    `ament_package()` without `find_package(ament_cmake REQUIRED)`.
+    near is one or two letters), are of ROS 1 (`catkin_package()`), or come with a package that no `find_package()`
+    looks for: `ament_package()` without `find_package(ament_cmake REQUIRED)`.
 
     ## Why is this bad?
     CMake stops with "Unknown CMake command".
 
     ## When it is quiet
-    Where a file is included that can't be read: it may define the command. Where a package that is found certainly
+    Where a file is included that can't be read: it may define the command. So may, for those of ROS 1, a package that
+    is declared or found and has `catkin` in its name. Where a package that is found certainly
     brings the one that defines it, or `ament_lint_auto_find_test_dependencies()` finds what package.xml declares. For
     names that consist of words which
     commands have (`add_gtest`), names with another number in them (`qt4_wrap_cpp`), and names of less than six letters.
@@ -68,6 +73,11 @@ def unknown_command(commands: UnfoundCommands) -> Iterator[Hit]:
             'CMake stops with "Unknown CMake command"; correct the name'
         )
         yield Hit(call.path, call.command.name_span, message)
+    of_ros1 = CommandsOfRos1(commands.package, commands.missing.declared.workspace)
+    for call, new in of_ros1.all():
+        todo = f"call `{new}`" if new else "remove the call"
+        message = f'`{call.name}` is a command of ROS 1: CMake stops with "Unknown CMake command"; {todo}'
+        yield Hit(call.path, call.command.name_span, message, None if of_ros1.is_certain else Severity.WARNING)
     for each in commands.all():
         line = f"find_package({each.package} REQUIRED)"
         edits = add_find_package(cmake, each.package, each.call)
