@@ -62,4 +62,13 @@ CASES = {
         package("macro(add_rostest name)\nendmacro()\nadd_rostest(a.test)\n", {}),
         package("include(${HERE}/own.cmake)\nadd_rostest(a.test)\n", {}),
     ),
+    "CMK115": (
+        package(TWIN.format(""), CORE),
+        package(TWIN.format("include(${HERE}/own.cmake)\n"), CORE),
+        package(TWIN.format("set(core_LIBRARIES ${ARM_CORE_DEPS_LIBRARIES})\n"), CORE),
+        package(TWIN.format("set(core_LIBRARIES ${${NAME}_DEPS_LIBRARIES})\n"), CORE),
+        package(TWIN.format("set(core_LIBRARIES ${${NAME}_DEPS_SOURCES})\n"), CORE),
+        package(TWIN.format("find_library(ARM_BASE_CORE_DEPS_LIBRARIES dl)\n"), CORE),
+        package(TWIN.format("set(ARM_BASE_DEPS_LIBRARIES dl)\n"), CORE),
+    ),
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.unread_lists import UnreadLists
+from ...checks.cmake.unread_twins import UnreadTwins
 from ...checks.cmake.unset_variables import UnsetVariable, UnsetVariables
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
@@ -50,7 +51,9 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     Near is one or two letters off one of CMake (`PROJECTNAME`) or of the package's own, or in other letters than the
     package that is found sets it (`RCLCPP_INCLUDE_DIRS`). In `install(TARGETS)`, as the target of
     `target_link_libraries()` and its like, and as the files of `rosidl_generate_interfaces()` it finds any that nothing
-    sets. It also finds lists that are appended to, stand nowhere else, and are one or two letters off one that is read.
+    sets. What a target is given may also lack a word, or have one too many, that a variable has which is set and read
+    nowhere. It also finds lists that are appended to, stand nowhere else, and are one or two letters off one that is
+    read.
 
     ## Why is this bad?
     A variable that is not set is empty in CMake, without a word: what should be installed to `share/my_pkg` goes to
@@ -60,9 +63,10 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     Where the name stands anywhere outside of `${…}`, since a command may set it, and where it begins like what
     `cmake_parse_arguments()` sets; those like the package's own where they begin like a package that is found, or where
     a macro of another one is called. In `message()`. Under an unknown condition only names near to those of CMake are
-    told, as warnings; where a file is included that can't be read, those near to PROJECT_NAME in `install()`.
+    told, as warnings; where a file is included that can't be read, those near to PROJECT_NAME in `install()`, and those
+    beside a variable that nothing reads.
     """
-    for each in variables.all():
+    for each in (*variables.all(), *UnreadTwins(variables).all()):
         is_sure = each.call.name == "install" and not each.call.maybe and not variables.cmake.reads_unknown_files
         is_lost = not each.near and each.call.name == "install"
         level = Severity.INFO if is_lost else Severity.ERROR if is_sure else None
