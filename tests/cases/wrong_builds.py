@@ -71,4 +71,11 @@ CASES = {
         package(TWIN.format("find_library(ARM_BASE_CORE_DEPS_LIBRARIES dl)\n"), CORE),
         package(TWIN.format("set(ARM_BASE_DEPS_LIBRARIES dl)\n"), CORE),
     ),
+    "DEP201": (
+        messages(needs("buildtool_depend", "depend")),
+        messages(needs("build_depend", "exec_depend")),
+        messages(needs("depend", "build_depend")),
+        messages(needs("build_depend", "build_depend") + "  <exec_depend>nav_msgs</exec_depend>\n"),
+        messages(needs("depend", "depend")),
+    ),
 }

@@ -16,6 +16,8 @@ def usage(each: WrongKind) -> str:
             return f"`{each.use.what}` is included"
         case "find":
             return f"CMake requires `{each.use.what}`"
+        case "interface":
+            return f"an interface has `{each.use.what}` in it" if each.use.what else "interfaces are generated with it"
         case "link":
             return f"`{each.use.what}`, which is installed, is linked with it"
 
@@ -29,5 +31,7 @@ def ending(each: WrongKind) -> str:
             return each.use.ends
         case "include":
             return 'on the build farm the build ends with "No such file or directory"'
+        case "interface":
+            return "where only a release is installed, the generated code can't be loaded"
         case "link":
             return 'where only what runs is installed, it ends with "cannot open shared object file"'

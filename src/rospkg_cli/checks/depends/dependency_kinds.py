@@ -3,24 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from typing import Literal
+from typing import Annotated, Literal
 
 from ...light_dataclasses import dataclass
+from ...package.interfaces.interface_file import InterfaceFile
 from ...package.manifest import Dependency
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_SOURCES, implied_by
 from ...ros.manifest import BUILDS, EXPORTED, RUNS, is_buildtool
 from ...source import Span
+from ...unreadable import READABLE
 from ..cmake.unguarded_tests import TEST_PACKAGES
+from ..interfaces.package_interfaces import InterfaceGeneration
 from ..launch.absent_package import ends_with
 from .brought_dependencies import Bringer
 from .declared_dependencies import DeclaredDependencies
+from .interface_needs import interface_needs
 from .linked_at_run_time import is_served_at_run_time, loaded_libraries
 from .required_by_cmake import stops_with
 from .undeclared_imports import ImportDependencies
 from .undeclared_includes import IncludeDependencies
 from .undeclared_launch_packages import STARTER, LaunchDependencies, there_to_launch
 
-Need = Literal["import", "launch", "include", "find", "link"]
+Need = Literal["import", "launch", "include", "find", "link", "interface"]
 
 RELEASED = "where only a release is installed,"
 RUNTIME_OF_INTERFACES = "rosidl_default_runtime"
@@ -36,7 +40,8 @@ class KindUse:
     path: str
     span: Span
     what: str
-    """The module, the header, the package that CMake finds, or the target that is linked; "" in a launch file."""
+    """The module, the header, the package that CMake finds, the target that is linked, or the type of an interface; ""
+    in a launch file."""
     ends: str = ""
     """What happens without it, where the need alone does not say."""
     is_optional: bool = False
@@ -68,6 +73,8 @@ class DependencyKinds:
     imports: ImportDependencies
     launch: LaunchDependencies
     includes: IncludeDependencies | None
+    interfaces: Annotated[tuple[InterfaceFile, ...], READABLE]
+    generation: InterfaceGeneration
 
     def wrong_kinds(self) -> Iterator[WrongKind]:
         """Yield the dependencies that are used when the package runs, or is built, and are not there then."""
@@ -96,6 +103,8 @@ class DependencyKinds:
         for use in sorted(self.launch.uses(tests=False), key=lambda use: self.launch.is_example(use.path)):
             if use.name not in there:
                 yield KindUse((use.name,), "launch", use.path, use.span, "", ends_with(use, use.name, RELEASED))
+        for each in interface_needs(self.interfaces, self.generation):
+            yield KindUse((each.package,), "interface", each.path, each.span, each.type)
 
     def loaded_uses(self) -> Iterator[KindUse]:
         """Yield what installed programs and libraries load, but for what comes with other dependencies for running."""

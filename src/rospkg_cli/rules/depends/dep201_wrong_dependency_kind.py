@@ -38,9 +38,9 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     """
     ## What it does
     Finds dependencies that are declared, but not for the time when they are used.
-    A package that is used at run time (imported by what is installed, needed by launch files, or a library that an
-    installed program is linked with) is declared for building or testing alone; or a package whose headers are
-    included, or that CMake requires, is declared for running or testing alone.
+    A package that is used at run time (imported by what is installed, needed by launch files or by interfaces that are
+    generated, or a library that an installed program is linked with) is declared for building or testing alone; or a
+    package whose headers are included, or that CMake requires, is declared for running or testing alone.
 
     ## Why is this bad?
     A released package is installed without its test_depends and build_depends; what is declared for running or testing
