@@ -41,6 +41,20 @@ def needs(first: str, second: str) -> str:
 
 
 CASES = {
+    "CMK104": (
+        package(PROGRAMS.format("DESTINATION"), MAIN),
+        package(PROGRAMS.format("DESTINATION COMPONENT tools"), MAIN),
+        package(PROGRAMS.format("RUNTIME DESTINATION"), MAIN),
+        package(FOLDER.format("", "launch"), TWO),
+        package(FOLDER.format("", "launch/"), TWO),
+        package(FOLDER.format("/", "launch"), TWO),
+        package(FOLDER.format("", ""), TWO),
+        package(FOLDER.format("", "launch") + FOLDER.format("", ""), TWO),
+        package(
+            FOLDER.format("", "launch"),
+            {**TWO, "README.md": "nothing\n", "launch/c.launch.py": "'my_pkg', 'a.launch.py'\n"},
+        ),
+    ),
     "CMK106": (
         *(
             package(TOLD.format("include/my_pkg", "include", f"{properties}\n"), CORE)
@@ -70,6 +84,11 @@ CASES = {
         package(TWIN.format("set(core_LIBRARIES ${${NAME}_DEPS_SOURCES})\n"), CORE),
         package(TWIN.format("find_library(ARM_BASE_CORE_DEPS_LIBRARIES dl)\n"), CORE),
         package(TWIN.format("set(ARM_BASE_DEPS_LIBRARIES dl)\n"), CORE),
+    ),
+    "CMK123": (
+        package("install(DIRECTORY launch DESTINATION)\n", TWO),
+        package("install(PROGRAMS a.py DESTINATION)\n", {"a.py": "\n"}),
+        package("install(FILES a.py DESTINATION ${WHERE})\n", {"a.py": "\n"}),
     ),
     "DEP201": (
         messages(needs("buildtool_depend", "depend")),

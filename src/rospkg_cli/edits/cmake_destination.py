@@ -6,6 +6,7 @@ from ..checks.cmake.misplaced_executables import MisplacedExecutable
 from ..finding import Edit
 from ..languages.cmake.syntax import CommandArgument
 from ..package.cmake.cmake_project import CMake
+from ..package.cmake.empty_destinations import empty_destination
 from ..source import Span
 from .cmake_commands import add_after
 from .cmake_install import LIBEXEC, block
@@ -20,6 +21,8 @@ def to_libexec(cmake: CMake, astray: MisplacedExecutable) -> tuple[Edit, ...]:
     arguments = [argument for argument, words in rule.call.by_argument() if words and astray.word in words]
     place = rule.destination_word
     alone = all(is_executable(cmake, word.text) for word in rule.items) if rule.kind == "TARGETS" else True
+    if alone and (keyword := empty_destination(rule)) is not None:
+        return (Edit(file.path, Span(keyword.span.end, keyword.span.end), f" {LIBEXEC}"),)
     if (
         alone
         and place is not None

@@ -70,13 +70,21 @@ def unscoped(call: EvaluatedCommand) -> Iterator[RefusedArgument]:
 def without_destination(call: EvaluatedCommand) -> Iterator[RefusedArgument]:
     if call.name != "install" or not call.words or call.texts[0] not in KINDS:
         return
-    if call.may_have_more or any(UNKNOWN in text or "DEST" in text or text == "TYPE" for text in call.texts):
+    texts = call.texts[:-1] if lacks_value(call) else call.texts
+    if call.may_have_more or any(UNKNOWN in text or "DEST" in text or text == "TYPE" for text in texts):
         return
     kind = call.texts[0]
     shown = " ".join(argument.text for argument in call.command.arguments[1:2])
     start = f"`install({kind} {shown} …)`" if 0 < len(shown) <= LONGEST else f"`install({kind} …)`"
-    message = f"{start} has no `DESTINATION`: CMake stops; write one, such as `share/${{PROJECT_NAME}}`"
+    what = "nothing after `DESTINATION`" if lacks_value(call) else "no `DESTINATION`"
+    message = f"{start} has {what}: CMake stops; write one, such as `share/${{PROJECT_NAME}}`"
     yield RefusedArgument(call, None, message)
+
+
+def lacks_value(call: EvaluatedCommand) -> bool:
+    """Return whether a call ends with the keyword itself, and not with what a variable holds."""
+    *_, last = call.command.arguments
+    return last.text == "DESTINATION" and call.texts[-1:] == (last.text,)
 
 
 def foreign_keywords(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedArgument]:

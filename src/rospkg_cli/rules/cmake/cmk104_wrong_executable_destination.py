@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from ...checks.cmake.doubled_folders import astray
 from ...checks.cmake.misplaced_executables import MisplacedExecutable, MisplacedExecutables
-from ...checks.cmake.misplaced_files import MisplacedFiles
 from ...edits.cmake_destination import to_libexec
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.cmake.cmake_project import CMake
+from ...package.cmake.empty_destinations import empty_destination
 from ...rule import rule
 
 MAIN = "int main() {return 0;}\n"
@@ -50,7 +51,7 @@ OF_FILES = ("DIRECTORY", "FILES")
     levels={
         Severity.WARNING: "neither a launch file nor the README starts the node, and it goes to bin/, or is a script",
         Severity.INFO: "nothing shows that it is a node, or it lies in bin/ on purpose, a script is installed as "
-        "another file, or any file beside the packages' folders in lib/ or share/",
+        "another file, any file beside the packages' folders in lib/ or share/, or a folder in one of its own name",
     },
     examples=(
         Example(
@@ -78,7 +79,7 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
     Finds executables and scripts that are not installed to `lib/${PROJECT_NAME}`.
     A tool that is no node may lie elsewhere on purpose, and a node may be in bin/ if it is in both. Executable nodes in
     Python count too where a rule for files or folders installs them into bin/ or share/, and all files that land in
-    `share` itself and scripts of a folder that lands in `lib` itself.
+    `share` itself, scripts of a folder that lands in `lib` itself, and folders that land in one of their own name.
 
     ## Why is this bad?
     `ros2 run` and launch files look in `lib/<package>` alone: "No executable found".
@@ -92,8 +93,7 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
     `Node`), as a tool for bags, or lies beside others that go to `lib/<package>`.
 
     ## Fix safety
-    What is in bin/, and is started by no launch file and by no README, may be called by its name alone: moving it is
-    not safe.
+    What is in bin/, and is started by no launch file and no README, may be called by its name: moving it is not safe.
     """
     name = misplaced.package.facts.name
     if not misplaced.package.is_ament:
@@ -102,18 +102,19 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
     wrong = (each for each in misplaced.all() if project == name or each.destination != f"lib/{project}")
     for edits, (first, *others) in together(misplaced.package.cmake, wrong):  # of the project's name CMK001 tells
         count = f" and {len(others)} more" if others else ""
-        start = f"`{first.name}`{count} {'are' if others else 'is'} installed into `{first.destination}`: `ros2 run"
+        start = f"`{first.name}`{count} {'are' if others else 'is'} installed into `{first.destination}`"
+        lacks = ", as `DESTINATION` has no value" if empty_destination(first.rule) else ""
         place = "lib/${PROJECT_NAME}"
         todo = f"install them as PROGRAMS into `{place}`" if first.rule.kind in OF_FILES else f"use `{place}`"
-        message = f"{start} {name} {first.name}` and launch files look in `lib/{name}` alone; {todo}"
+        message = f"{start}{lacks}: `ros2 run {name} {first.name}` and launch files look in `lib/{name}` alone; {todo}"
         severity = level(first)
         safety = Safety.SAFE if severity is None else Safety.UNSAFE
         fix = Fix(f"install `{first.name}`{count} into lib/${{PROJECT_NAME}}", edits, safety) if edits else None
         places = dict.fromkeys((each.word.path, each.word.span) for each in others if each.word != first.word)
         related = tuple(Related(path, span, "and here") for path, span in places)
         yield Hit(first.word.path, first.word.span, message, severity, related, fix)
-    for each in MisplacedFiles(misplaced.package).all():
-        yield Hit(each.word.path, each.word.span, each.sentence(name), Severity.INFO)
+    for word, sentence in astray(misplaced.package):
+        yield Hit(word.path, word.span, sentence, Severity.INFO)
 
 
 def together(
