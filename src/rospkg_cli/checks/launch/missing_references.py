@@ -28,7 +28,7 @@ from .unset_configurations import LaunchConfigurations
 
 DOUBLED = regex(r"((?:\.[a-z][a-z0-9]*)+)\1$")
 """An extension that stands twice, which no file is given on purpose."""
-USES: tuple[ReferenceKind, ...] = ("include", "open", "file", "default")
+USES: tuple[ReferenceKind, ...] = ("include", "open", "file", "default", "caught")
 """How a file is used, by how certain it is that the launch stops where it is missing."""
 State = Literal["absent", "not installed", "elsewhere", "no slash"]
 
@@ -132,6 +132,16 @@ class LaunchContext:
         for first, *others in found.values():
             use = min((each.use for each in (first, *others)), key=USES.index)
             yield replace(first, use=use, other_spans=tuple(other.span for other in others if other.span != first.span))
+
+    def missing_in_silence(self) -> Iterator[MissingReference]:
+        """Yield each file that Python code opens, and that is missing, where the code goes on with nothing."""
+        told = set()
+        for named in self.file.caught_paths if not (self.file.is_ros1 or self.is_unused_test) else ():
+            missing = self.missing_at(named) if named.package and not named.is_open else None
+            key = (missing.package, missing.path) if missing is not None and missing.state == "absent" else None
+            if missing is not None and key and key not in told:
+                told.add(key)
+                yield replace(missing, use="caught")
 
     def missing_at(self, named: FileReference) -> MissingReference | None:
         if not named.package:

@@ -7,7 +7,7 @@ from collections.abc import Mapping as ByName
 
 from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Unknown, Value
 from ...source import Span
-from .file_references import FileReference, ReferenceKind, references_in
+from .file_references import NO_DEFAULTS, FileReference, ReferenceKind, references_in
 from .launch_classes import class_of
 from .python_to_text import NAMED, text_of
 from .text import LaunchText, Substitution
@@ -39,8 +39,23 @@ def file_references(
     Files that are read inside of `guarded`, where a missing file is caught, are left out too.
     """
     bare = [call for call in calls if not any(span.start <= call.span.start < span.end for span in guarded)]
+    return named_by(bare, calls, folder, defaults)
+
+
+def caught_references(calls: list[Call], folder: str, silent: tuple[Span, ...]) -> Iterator[FileReference]:
+    """Yield the files that functions open inside of `silent`, where nothing tells that one is missing."""
+    inside = [
+        call
+        for call in calls
+        if call.callee in READERS and any(span.start <= call.span.start < span.end for span in silent)
+    ]
+    return named_by(inside, calls, folder, NO_DEFAULTS)
+
+
+def named_by(some: list[Call], calls: list[Call], folder: str, defaults: ByName[str, str]) -> Iterator[FileReference]:
+    """Yield the files that some of the calls name, and that none of all of them tests or writes."""
     found = [
-        path for call in bare for kind, text in texts_of(call) for path in references_in(text, folder, kind, defaults)
+        path for call in some for kind, text in texts_of(call) for path in references_in(text, folder, kind, defaults)
     ]
     asked = {(path.package, path.path) for call in calls for path in tested_paths(call, folder)}
     return (path for path in dict.fromkeys(found) if (path.package, path.path) not in asked)

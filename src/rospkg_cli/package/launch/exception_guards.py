@@ -29,6 +29,21 @@ def guarded_in(file: PythonFile, errors: frozenset[str] = MISSING) -> Iterator[S
             yield Span(file.span(node.body[0]).start, file.span(node.body[-1]).end)
 
 
+def silent_in(file: PythonFile) -> Iterator[Span]:
+    """Yield the bodies of `try` that go on with nothing where a file is not there: `except OSError: return None`."""
+    for node in nodes_of_kind(file.tree, ast.Try):
+        found = [handler for handler in node.handlers if catches(handler, ABSENT)]
+        if found and all(len(each.body) == 1 and gives_nothing(each.body[0]) for each in found):
+            yield Span(file.span(node.body[0]).start, file.span(node.body[-1]).end)
+
+
+def gives_nothing(statement: ast.stmt) -> bool:
+    if isinstance(statement, ast.Return):
+        value = statement.value
+        return value is None or (isinstance(value, ast.Constant) and value.value is None)
+    return isinstance(statement, ast.Pass)
+
+
 def asked_in(file: PythonFile) -> Iterator[tuple[Span, frozenset[str]]]:
     """Yield what runs under a condition on the names of packages: `if 'pkg' in get_packages_with_prefixes():`.
 

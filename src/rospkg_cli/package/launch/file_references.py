@@ -13,8 +13,8 @@ from ...light_dataclasses import dataclass
 from ...source import Span
 from .text import LaunchText, Literal, Substitution
 
-ReferenceKind = OneOf["include", "open", "file", "default"]
-"""Included by the launch file; opened by it or by the xacro that it runs; anything else; an argument's default."""
+ReferenceKind = OneOf["include", "open", "file", "default", "caught"]
+"""Included by the launch file; opened by it or its xacro; else; an argument's default; opened where it may lack."""
 
 NAME = regex(r"[A-Za-z]\w*")
 BASES = frozenset({"find-pkg-share", "find-pkg-prefix", "dirname"})

@@ -95,6 +95,8 @@ class LaunchFile:
     """Names of launch configurations that the file sets itself."""
     every_path: tuple[FileReference, ...] = ()
     """The files that it names, those included of which a part is not known."""
+    caught_paths: tuple[FileReference, ...] = ()
+    """Files that Python opens where it goes on with nothing if one is missing."""
     is_complete: bool = True
     """False where parts of the file could not be evaluated: there may be more of everything."""
     is_ros1: bool = False

@@ -11,10 +11,10 @@ from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.values import Call, Constant, Mapping, PartialText, Sequence, Text, Value
 from ...languages.python.file import PythonFile
 from .argument_defaults import literal_defaults
-from .collect_texts import file_references
+from .collect_texts import caught_references, file_references
 from .configuration_lookups import names_set
 from .evaluated_launch import EvaluatedLaunch
-from .exception_guards import ABSENT, guarded_in
+from .exception_guards import ABSENT, guarded_in, silent_in
 from .launch_classes import class_of
 from .launch_evaluator import ENTRIES, LaunchEvaluator
 from .launch_file import LaunchFile
@@ -46,6 +46,7 @@ def read_python_launch(file: PythonFile, folder: SandboxFilesystem) -> LaunchFil
         substitutions=tuple(found for call in calls if (found := substitution(call)) is not None),
         assigned=assigned,
         every_path=tuple(file_references(calls, posixpath.dirname(file.source.path), bare, defaults)),
+        caught_paths=tuple(caught_references(calls, posixpath.dirname(file.source.path), tuple(silent_in(file)))),
         is_complete=not evaluator.gave_up,
         has_entry_point=any(has_name(file, evaluator, name) for name in ENTRIES),
         events=python_events(evaluator),

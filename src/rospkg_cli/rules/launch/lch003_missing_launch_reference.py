@@ -46,6 +46,7 @@ HARM: dict[ReferenceKind, str] = {
     "open": "the launch stops there, as the file can't be opened",
     "default": "what opens it fails unless another one is given",
     "file": "what opens it finds nothing there",
+    "caught": "what opens it goes on with nothing, and does not say so",
 }
 WITHOUT_PARAMETERS = "launch warns, and the node starts with its defaults"
 
@@ -93,17 +94,16 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     (`camera_info_url`).
 
     ## When it is quiet
-    Files are left alone that the code looks for first (`os.path.exists`, `try`), that the build or the package's
-    Python code writes, that git ignores or that lie in a submodule that is not checked out
-    (`git submodule update --init`); so are packages whose installed files are not all known (a CMake macro of another
-    package may install some), and launch files of tests that CMake does not run. Where the action has a condition that
-    the defaults of the arguments do not make true, it is a warning, where nothing adds the action or uses the value, an
-    info, and so is the default of an argument that the file itself gives another value (`SetLaunchConfiguration`, or
-    `context.launch_configurations['x'] = …`).
+    Files are left alone that the code looks for first (`os.path.exists`, `try`; an info after `except OSError: return
+    None`), that the build or the package's Python code writes, that git ignores or that lie in a submodule that is not
+    checked out; so are packages whose installed files are not all known (a CMake macro of another package may install
+    some), and launch files of tests that CMake does not run. Where the action has a condition that the defaults of the
+    arguments do not make true, it is a warning, where nothing adds the action or uses the value, an info, and so is the
+    default of an argument that the file itself gives another value (`context.launch_configurations['x'] = …`).
     """
-    for each in scope.missing():
+    for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):
-            softer, why = level_at(scope.file, each.span)
+            softer, why = level_at(scope.file, each.span) if each.use != "caught" else ("info", "")
             if not softer and scope.is_unread(each):
                 softer, why = "info", "but nothing uses the argument"
             if not softer and scope.is_overwritten(each):
