@@ -9,6 +9,11 @@ from .told_builds import CORE, TOLD, package
 MAIN = {"src/a.cpp": "int main() {return 0;}\n", "src/b.cpp": "int main() {return 0;}\n"}
 PROGRAMS = "add_executable(a src/a.cpp)\nadd_executable(b src/b.cpp)\ninstall(TARGETS a b {})\n"
 TWO = {"launch/a.launch.py": "LAUNCH = 1\n", "launch/b.launch.py": "LAUNCH = 2\n"}
+INCLUDES = "add_executable(a src/a.cpp)\ninstall(TARGETS a DESTINATION lib/${PROJECT_NAME})\n"
+EIGEN = "  <build_depend>eigen</build_depend>\n"
+GENERATES = "find_package(generate_parameter_library REQUIRED)\ngenerate_parameter_library(core config/core.yaml)\n"
+BY_GENERATOR = "  <depend>generate_parameter_library</depend>\n"
+CODE = {"config/core.yaml": "core:\n  a: {type: int}\n"}
 FOLDER = "install(DIRECTORY launch{} DESTINATION share/${{PROJECT_NAME}}/{})\n"
 MESSAGES = CMAKE.replace(
     "ament_package()",
@@ -28,6 +33,12 @@ set(ARM_BASE_CORE_DEPS_SYSTEM_LIBRARIES m)
 target_link_libraries(core PRIVATE ${{ARM_BASE_CORE_DEPS_LIBRARIES}} ${{ARM_BASE_CORE_DEPS_SYSTEM_LIBRARIES}})
 install(TARGETS core DESTINATION lib)
 """
+CASED = """\
+set({} dl)
+add_library(core SHARED src/core.cpp)
+target_link_libraries(core PRIVATE {})
+install(TARGETS core DESTINATION lib)
+"""
 
 
 def messages(needs: str, message: str = "geometry_msgs/Pose2D pose\n") -> Example:
@@ -40,7 +51,21 @@ def needs(first: str, second: str) -> str:
     return f"  <{first}>geometry_msgs</{first}>\n  <{second}>std_msgs</{second}>\n"
 
 
+def linked(words: str, more: str = "") -> Example:
+    """A node that includes tf2_geometry_msgs, and what it is linked with."""
+    found = "find_package(tf2_ros REQUIRED)\nfind_package(tf2_geometry_msgs REQUIRED)\nset(NEEDS tf2_geometry_msgs)\n"
+    lines = f"{found}{more}add_executable(node src/node.cpp)\nament_target_dependencies(node {words})\n"
+    files = {"src/node.cpp": "#include <tf2_geometry_msgs/tf2_geometry_msgs.hpp>\nint main() {return 0;}\n"}
+    body = "  <depend>tf2_ros</depend>\n  <depend>tf2_geometry_msgs</depend>\n"
+    return package(lines, files, body)
+
+
 CASES = {
+    "CMK101": (
+        package(GENERATES, {**CODE, "config/robot.yaml": "a: 1\n"}, BY_GENERATOR),
+        package(GENERATES, CODE, BY_GENERATOR),
+        package("add_custom_target(a config/core.yaml)\n", {**CODE, "config/robot.yaml": "a: 1\n"}),
+    ),
     "CMK104": (
         package(PROGRAMS.format("DESTINATION"), MAIN),
         package(PROGRAMS.format("DESTINATION COMPONENT tools"), MAIN),
@@ -84,6 +109,11 @@ CASES = {
         package(TWIN.format("set(core_LIBRARIES ${${NAME}_DEPS_SOURCES})\n"), CORE),
         package(TWIN.format("find_library(ARM_BASE_CORE_DEPS_LIBRARIES dl)\n"), CORE),
         package(TWIN.format("set(ARM_BASE_DEPS_LIBRARIES dl)\n"), CORE),
+        package(CASED.format("Programs", "${PROGRAMS}"), CORE),
+        package(CASED.format("Programs", "${PROGRAMS} PROGRAMS"), CORE),
+        package(CASED.format("Programs", "${programS}"), CORE),
+        package("set(programs core)\n" + CASED.format("Programs", "${PROGRAMS}"), CORE),
+        package(CASED.format("LIBS", "${libs}"), CORE),
     ),
     "CMK123": (
         package("install(DIRECTORY launch DESTINATION)\n", TWO),

@@ -27,6 +27,8 @@ FEW = 2
 NOBODYS = f"share/{LAUNCH}/"
 """Where nobody wants launch files, whatever else is installed."""
 INSTALLERS = ("install", "ament_auto_package", "autoware_ament_auto_package")
+ONE_FILE = "generate_parameter_"
+"""How commands begin that make code of one file: those beside it are for run time."""
 USED_AT_BUILD = regex(r"generate_parameter_|rosidl_|protobuf_|qt\d?_|ament_add_|add_launch_test|add_test|add_ros_test")
 
 
@@ -137,8 +139,9 @@ class RuntimeFolders:
 
     @cached_property
     def named(self) -> frozenset[str]:
-        """The first folder of each path that a command names which installs nothing."""
-        calls = (call for call in self.package.cmake.calls if call.name not in INSTALLERS)
+        """The first folder of each path that a command names which installs nothing, and makes no code of that file
+        alone."""
+        calls = (call for call in self.package.cmake.calls if not call.name.startswith((*INSTALLERS, ONE_FILE)))
         return frozenset(path.partition("/")[0] for call in calls for path in paths_of(without_shown_files(call)))
 
     @property
