@@ -65,12 +65,22 @@ def test_a_tool_is_asked_for_once(lines: str, wanted: str) -> None:
         ),
         (FETCH.format("GIT_REPOSITORY"), "  <build_depend>git</build_depend>\n"),
         (FETCH.format("GIT_REPOSITORY"), "  <buildtool_depend>ament_cmake_vendor_package</buildtool_depend>\n"),
-        ("pkg_check_modules(X REQUIRED x)", "  <depend>rclcpp</depend>\n"),
+        ("pkg_check_modules(X REQUIRED x)", "  <depend>pkg-config</depend>\n"),
         ("set(NAME $ENV{ROS_DISTRO})", "  <buildtool_depend>autoware_cmake</buildtool_depend>\n"),
     ],
 )
 def test_what_is_optional_or_comes_with_others_is_left_alone(lines: str, body: str) -> None:
     assert told(lines, body) == []
+
+
+def test_what_comes_with_another_on_some_distributions_is_told() -> None:
+    lines = "pkg_check_modules(X REQUIRED x)"
+    files = {
+        "CMakeLists.txt": CMAKE.replace("ament_package()", f"{lines}\nament_package()"),
+        "package.xml": manifest("  <depend>rclcpp</depend>\n", "ament_cmake"),
+    }
+    (finding,) = lint_files(files, ["DEP114"]).findings
+    assert "it comes with `rclcpp` on some distributions alone" in finding.message
 
 
 def test_what_is_asked_for_is_not_unused() -> None:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import CMakeFile
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
 from ...source import Span
 from .declared_dependencies import DeclaredDependencies
@@ -37,6 +37,8 @@ class BuildTool:
     tag: str
     path: str
     span: Span
+    bringer: str = ""
+    """The declared dependency with which it comes on some distributions."""
 
 
 @dataclass(frozen=True)
@@ -45,17 +47,13 @@ class BuildToolsOfCMake:
     cmake: CMake
 
     def missing(self) -> Iterator[BuildTool]:
-        """Yield each tool once, where it is used first, unless it is declared or comes with what is declared."""
+        """Yield each tool once, where it is used first, unless it is declared or certainly comes with what is."""
         seen: set[str] = set()
-        for tool in self.used() if self.declared.is_checked else ():
-            if tool.name not in seen and not self.declared.has([tool.name]) and not self.is_brought(tool.name):
-                yield tool
-            seen.add(tool.name)
-
-    def is_brought(self, name: str) -> bool:
-        """Return whether what is declared brings a tool where the package is built, on some distributions at least."""
         there = self.declared.brought_to_build
-        return name in there.certain or name in there.perhaps
+        for tool in self.used() if self.declared.is_checked else ():
+            if tool.name not in seen and not self.declared.has([tool.name]) and tool.name not in there.certain:
+                yield replace(tool, bringer=there.perhaps.get(tool.name, ""))
+            seen.add(tool.name)
 
     def used(self) -> Iterator[BuildTool]:
         for call in self.cmake.calls:

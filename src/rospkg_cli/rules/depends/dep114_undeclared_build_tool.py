@@ -52,8 +52,8 @@ def undeclared_build_tool(tools: BuildToolsOfCMake) -> Iterator[Hit]:
     package.xml names: there CMake stops, or a condition on `$ENV{ROS_DISTRO}` is false without a word.
 
     ## When it is quiet
-    What a declared dependency brings is there, and a variable that is asked for first (`if(DEFINED ENV{ROS_DISTRO})`)
-    may be absent. pkg-config counts only with REQUIRED, and a program of
+    What a declared dependency brings on all distributions is there, and a variable that is asked for first
+    (`if(DEFINED ENV{ROS_DISTRO})`) may be absent. pkg-config counts only with REQUIRED, and a program of
     `execute_process()` with COMMAND_ERROR_IS_FATAL.
 
     ## References
@@ -68,4 +68,7 @@ def undeclared_build_tool(tools: BuildToolsOfCMake) -> Iterator[Hit]:
 def sentence(tool: BuildTool) -> str:
     if tool.name == ENVIRONMENT:
         return f"`{tool.name}`, which sets `{tool.what}`, is not declared: on the build farm the variable is empty here"
+    if tool.bringer:
+        start = f"`{tool.what}` needs `{tool.name}`, which is not declared"
+        return f"{start}: it comes with `{tool.bringer}` on some distributions alone"
     return f"`{tool.what}` needs `{tool.name}`, which is not declared: a machine without it stops the build here"
