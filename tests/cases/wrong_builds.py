@@ -115,10 +115,20 @@ CASES = {
         package("set(programs core)\n" + CASED.format("Programs", "${PROGRAMS}"), CORE),
         package(CASED.format("LIBS", "${libs}"), CORE),
     ),
+    "CMK121": (
+        linked("tf2_ros ${needs}"),
+        linked("${needs}"),
+        linked("${NEEDS}"),
+        linked("tf2_ros ${needs}", "set(needs_of_all ${needs})\nlist(APPEND needs tf2_geometry_msgs)\n"),
+    ),
     "CMK123": (
         package("install(DIRECTORY launch DESTINATION)\n", TWO),
         package("install(PROGRAMS a.py DESTINATION)\n", {"a.py": "\n"}),
         package("install(FILES a.py DESTINATION ${WHERE})\n", {"a.py": "\n"}),
+    ),
+    "DEP105": (
+        package(INCLUDES, {"src/a.cpp": "#include <eigen3/Eigen/StdVector>\nint main() {return 0;}\n"}),
+        package(INCLUDES, {"src/a.cpp": "#include <eigen3/Eigen/StdVector>\nint main() {return 0;}\n"}, EIGEN),
     ),
     "DEP201": (
         messages(needs("buildtool_depend", "depend")),

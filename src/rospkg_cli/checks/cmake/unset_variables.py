@@ -176,9 +176,15 @@ class UnsetVariables:
         return facts is not None and facts.build_type == "ament_cmake"
 
     def near_own(self, name: str) -> str | None:
-        """Return a variable that the package itself sets, where no other one can be intended."""
+        """Return a variable that the package itself sets, where no other one can be intended.
+
+        It may be the same in small letters or capitals, which CMake tells apart.
+        """
         if len(name) < SHORTEST or not self.variables.is_own(name):
             return None
+        same = [each for each in self.assigned if each.lower() == name.lower()]
+        if len(same) == 1:
+            return same[0]
         alike = (each for each in self.assigned if digits(each) == digits(name))
         return next(iter(near_names(name, alike, 1 if len(name) < 2 * SHORTEST else 2)), None)
 

@@ -11,6 +11,7 @@ from ...languages.cmake.values import UNKNOWN, Word
 from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.cmake.set_variables import SetVariables
 from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...package.workspace import Workspace
 from ...ros.aliases import keys_for_cmake
@@ -115,6 +116,10 @@ class UnlinkedIncludes:
         return TargetLinks(self.includes.cmake)
 
     @cached_property
+    def variables(self) -> SetVariables:
+        return SetVariables(self.includes.cmake)
+
+    @cached_property
     def found(self) -> frozenset[str]:
         """The packages that CMake certainly finds, and of which ROS knows that they are packages."""
         kind_of = self.includes.declared.workspace.kind_of
@@ -147,6 +152,8 @@ class UnlinkedIncludes:
         text, cmake = link.word.text, self.includes.cmake
         if named := VARIABLE.fullmatch(cmake.source_text(link.word).strip('"')):
             return [] if keys_for_cmake(named[1]) else [named[1]]
+        if self.variables.empty_variable(link.word):
+            return []
         if UNKNOWN in text or "$<" in text or not link.word.is_known:
             return None
         name = text.partition("::")[0]

@@ -48,12 +48,12 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     """
     ## What it does
     Finds variables in CMakeLists.txt that nothing sets and that are nearly called like one that is set.
-    Near is one or two letters off one of CMake (`PROJECTNAME`) or of the package's own, or in other letters than the
-    package that is found sets it (`RCLCPP_INCLUDE_DIRS`). In `install(TARGETS)`, as the target of
-    `target_link_libraries()` and its like, and as the files of `rosidl_generate_interfaces()` it finds any that nothing
-    sets. What a target is given may also lack a word, or have one too many, that a variable has which is set and read
-    nowhere. It also finds lists that are appended to, stand nowhere else, and are one or two letters off one that is
-    read.
+    Near is one or two letters off one of CMake (`PROJECTNAME`) or of the package's own, the same but for capitals, or
+    in other letters than the package that is found sets it (`RCLCPP_INCLUDE_DIRS`). In `install(TARGETS)`, as the
+    target of `target_link_libraries()` and its like, and as the files of `rosidl_generate_interfaces()` it finds any
+    that nothing sets. What a target is given may also lack a word, or have one too many, that a variable has which is
+    set and read nowhere. It also finds lists that are appended to, stand nowhere else, and are one or two letters off
+    one that is read.
 
     ## Why is this bad?
     A variable that is not set is empty in CMake, without a word: what should be installed to `share/my_pkg` goes to
