@@ -124,6 +124,9 @@ FITTING: dict[str, tuple[str, ...]] = {
     "headers-install-mismatch": ("CMK106", "CMK201", "CMK102"),
     "cmake-unknown-command": ("CMK", "DEP1"),
     "library-not-exported": ("CMK",),
+    "cmake-duplicate-target": ("CMK",),
+    "missing-include-directory": ("CMK",),
+    "param-unknown-link": ("PRM", "URD"),
     "rviz-absolute-path": ("URD002", "LCH003"),
 }
 NAMELESS = {
