@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import pytest
 
+from rospkg_cli.checks.looked_up_packages import may_be_elsewhere
 from rospkg_cli.example import SETUP_CFG, SETUP_PY, manifest
+from rospkg_cli.package.package_facts import PackageFacts
+from rospkg_cli.package.workspace import Workspace
+from rospkg_cli.ros.distros import DISTROS
+from rospkg_cli.ros.name_index import Index, dump
+from rospkg_cli.ros.names import FetchedNames
 from rospkg_cli.testing import lint_files
 
 HEAD = "from ament_index_python import get_package_prefix, get_package_share_directory\n"
@@ -37,6 +43,16 @@ def test_a_package_whose_files_are_looked_for_is_told_once(text: str) -> None:
 )
 def test_what_may_be_absent_or_is_told_elsewhere(text: str, path: str) -> None:
     assert told(text, path=path) == []
+
+
+@pytest.mark.parametrize(
+    "name, is_complete, found",
+    [("acme_arm", False, True), ("acme_arm", True, False), ("Acme's", False, False), ("a", False, False)],
+)
+def test_a_package_that_a_repository_may_have_that_is_not_here(name: str, is_complete: bool, found: bool) -> None:
+    index = FetchedNames(dump(Index("", "", tuple(each.name for each in DISTROS), {}, {})))
+    around = Workspace((PackageFacts("a", "a"),), frozenset({"a"}), is_complete, index=index)
+    assert may_be_elsewhere(around, name) == found
 
 
 def test_what_a_launch_file_needs_as_well_is_told_there() -> None:

@@ -7,9 +7,11 @@ from collections.abc import Iterator
 
 from ..languages.python.guarded_nodes import guarded_nodes
 from ..languages.python.nodes import nodes_of_kind
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..package.python.node_calls import called
+from ..package.workspace import Workspace
 from ..ros.names import NameKind
 from ..source import Span
 from .cpp.share_names import share_names
@@ -17,6 +19,8 @@ from .depends.declared_dependencies import DeclaredDependencies
 from .depends.undeclared_imports import ImportDependencies
 from .depends.undeclared_launch_packages import LaunchDependencies
 from .share_lookups import CATCHES, LOOKUPS, ShareLookups, literal_of
+
+NAME = regex(r"[a-z][a-z0-9_]+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,11 +40,16 @@ class LookedUpPackages:
         return self.imports.declared
 
     def undeclared(self) -> dict[str, list[LookUp]]:
-        """Return each known package with its places, but for what is imported, included or launched as well."""
+        """Return each package with its places, but for what is imported, included or launched as well.
+
+        One that nobody knows counts where a repository that is listed is not here: it is probably one of that.
+        """
+        workspace = self.declared.workspace
         found: dict[str, list[LookUp]] = {}
         for name, place in self.all() if self.declared.is_checked else ():
-            is_package = self.declared.workspace.kind_of(name) is NameKind.PACKAGE
-            if is_package and not self.declared.has([name]):
+            kind = workspace.kind_of(name)
+            is_elsewhere = may_be_elsewhere(workspace, name)
+            if (kind is NameKind.PACKAGE or is_elsewhere) and not self.declared.has([name]):
                 found.setdefault(name, []).append(place)
         if not found:
             return found
@@ -62,3 +71,9 @@ class LookedUpPackages:
     @property
     def included(self) -> set[str]:
         return {each.path.partition("/")[0] for source in self.lookups.sources for each in source.includes}
+
+
+def may_be_elsewhere(workspace: Workspace, name: str) -> bool:
+    """Return whether a package that no index has may be in a repository that is listed and not here."""
+    is_unknown = workspace.index.kind_of(name) is NameKind.UNKNOWN and not workspace.is_available(name)
+    return is_unknown and not workspace.is_complete and bool(NAME.fullmatch(name))

@@ -44,9 +44,10 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     not name, and the node ends with PackageNotFoundError.
 
     ## When it is quiet
-    What a declared dependency certainly installs is one info, and what may come with one is another. Names that nobody
-    knows are DEP112's, and what is imported, included or launched as well is told by DEP101, DEP105 and DEP103. Code
-    that catches the exception, tests, and files that nothing installs are left alone.
+    What a declared dependency certainly installs is one info, and what may come with one is another, as are names that
+    nobody knows where a repository is listed and not here; else those are DEP112's. What is imported, included or
+    launched as well is told by DEP101, DEP105 and DEP103. Code that catches the exception, tests, and files that
+    nothing installs are left alone.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
