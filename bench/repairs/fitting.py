@@ -77,7 +77,7 @@ FITTING: dict[str, tuple[str, ...]] = {
     "launch-action-not-added": ("LCH",),
     "urdf-unknown-interface": ("URD",),
     "cmake-bad-boolean": ("CMK",),
-    "script-not-installed": ("CMK112", "CMK105", "LCH002", "SET107"),
+    "script-not-installed": ("CMK112", "CMK105", "CMK109", "LCH002", "SET107"),
     "glob-matches-nothing": ("SET204", "CMK102", "CMK124"),
     "package-xml-not-installed": ("SET203",),
     "python-package-not-listed": ("SET301", "SET302", "SET105"),
