@@ -437,7 +437,10 @@ def test_what_comes_with_python_needs_no_dependency() -> None:
     assert names(line("python3-threading")) == ["python3-threading"]
 
 
-@pytest.mark.parametrize("name", ["rclpy", "python3-numpy", "my_companys_driver", "ament_python", "rospy", "tf"])
+@pytest.mark.parametrize(
+    "name",
+    ["rclpy", "python3-numpy", "my_companys_driver", "ament_python", "rospy", "tf", "gz-plugin9", "libfreenect2-dev"],
+)
 def test_names_that_are_right_or_that_nobody_can_tell(name: str) -> None:
     assert names(line(name)) == []
 

@@ -115,8 +115,9 @@ def of_typo(declared: DeclaredDependencies, dependency: Dependency) -> WrongDepe
 
 
 def without_version(name: str) -> str:
-    """Return a name without the digits at its end: `gz-plugin3` is no slip of `gz-plugin2`."""
-    return name.rstrip("0123456789.-_")
+    """Return a name without the digits at its end: `gz-plugin3` is no slip of `gz-plugin2`; nor before its `-dev`."""
+    bare = name.removesuffix("-dev")
+    return bare.rstrip("0123456789.-_") + name[len(bare) :]
 
 
 ELSEWHERE: tuple[Callable[[DeclaredDependencies, Dependency], WrongDependencyName | None], ...] = (
