@@ -18,7 +18,7 @@ from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers, undeclared_provider
 from .pip_installs import PipInstalls
 
-RUNNERS = frozenset({"python3-pytest", "launch", "launch_ros", "launch_testing", "ament_index_python"})
+RUNNERS = frozenset({"python3-pytest", "launch_ros", "launch_testing", "ament_index_python"})
 """What runs the tests, and finds files for them: it is fine if it comes with a declared dependency."""
 
 BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catkin_pkg"})
