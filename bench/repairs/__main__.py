@@ -4,7 +4,8 @@
 
 FOLDER holds bare repositories as OWNER+NAME/repo. A line of the list is one repair: repository, commit before and
 after, package, class, the token that a finding has to name, and what was repaired. They were chosen by reading the
-history, before lint was asked. `--write` puts the verdicts into the list.
+history, before lint was asked. `--write` puts the verdicts into the list; `first` says what lint told when it first
+saw a repair, before the misses taught rules.
 """
 
 from __future__ import annotations
