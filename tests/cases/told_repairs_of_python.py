@@ -79,6 +79,8 @@ COPIED: tuple[tuple[str, dict[str, str]], ...] = (
     ("import their_pkg.words\nfrom their_pkg import core\n", {}),
     ("from numpy.words import A\n", {}),
     ("from their_pkg.words import A\n", {"requirements.txt": "their_pkg\n"}),
+    ("from their_pkg.words import A\n", {"test/CMakeLists.txt": "file(WRITE their_pkg/words.py)\n"}),
+    ("from their_pkg.words import A\nfrom their_pkg.words import *\n", {}),
     ("try:\n    from their_pkg.words import A\nexcept ImportError:\n    A = 1\n", {}),
 )
 HEAD = "from launch import LaunchDescription\nfrom launch_pal.include_utils import include_launch_py_description\n"

@@ -56,4 +56,11 @@ def own_module(imports: OwnImports, each: Import, within: str) -> str:
 
 
 def is_unknown(imports: OwnImports, top: str) -> bool:
-    return imports.table.knows("module") and not imports.is_found(top) and not imports.is_from_pip(top)
+    is_known = imports.is_found(top) or imports.is_from_pip(top) or is_in_cmake(imports, top)
+    return imports.table.knows("module") and not is_known
+
+
+def is_in_cmake(imports: OwnImports, top: str) -> bool:
+    """Return whether a CMake file has the name: it may write such a module for the tests."""
+    paths = (path for path in imports.files.paths if path.endswith((".cmake", "CMakeLists.txt")))
+    return any(top in imports.files.readable_text(path) for path in paths)

@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Annotated
 
 from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
+from ...light_dataclasses import dataclass
 from ...package.params.parameter_file import Parameter, ParameterFile, below, is_key
 from ...package.params.scalar_types import TRUE, type_of
 from ...source import Span
+from ...unreadable import READABLE
 from ..fault import Fault
+
+
+@dataclass(frozen=True)
+class ParameterFiles:
+    """All parameter files of a package."""
+
+    files: Annotated[tuple[ParameterFile, ...], READABLE]
 
 
 def repetition_faults(file: ParameterFile) -> Iterator[Fault]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ...checks.depends.former_names import former_names, mistyped_tops
+from ...checks.depends.former_names import FormerName, former_names, mistyped_tops
 from ...checks.depends.own_imports import MissingOwnName, OwnImports
+from ...edits.same_infos import same_infos_once
 from ...example import Example, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -81,10 +82,13 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
         top, own = (name.partition(".")[0] for name in (typo.each.module, typo.own))
         message = f"nothing known has a module `{top}`: the import raises ModuleNotFoundError; did you mean `{own}`?"
         yield Hit(typo.file.path, typo.each.span, message, Severity.INFO)
-    for one in former:
-        what = f"nothing known has a module `{one.each.module}`, and this package has `{one.own}`"
-        message = f"{what}: the import raises ModuleNotFoundError where nobody brings it; write `{one.own}`"
-        yield Hit(one.file.path, one.each.span, message, Severity.INFO)
+    yield from same_infos_once(map(at_former, former), "")
+
+
+def at_former(one: FormerName) -> Hit:
+    what = f"nothing known has a module `{one.each.module}`, and this package has `{one.own}`"
+    message = f"{what}: the import raises ModuleNotFoundError where nobody brings it; write `{one.own}`"
+    return Hit(one.file.path, one.each.span, message, Severity.INFO)
 
 
 def is_uncertain(wrong: MissingOwnName) -> bool:

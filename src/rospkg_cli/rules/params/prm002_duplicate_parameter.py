@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.repeated_names import repetition_faults
+from ...checks.params.repeated_names import ParameterFiles, repetition_faults
 from ...edits.fault_hits import hits
+from ...edits.same_infos import same_infos_once
 from ...example import Example
 from ...finding import Hit, Severity
-from ...package.params.parameter_file import ParameterFile
 from ...rule import rule
 
 GOOD = """\
@@ -22,7 +22,7 @@ talker:
 @rule(
     "PRM002",
     "duplicate-parameter",
-    over=ParameterFile,
+    over=ParameterFiles,
     severity=Severity.WARNING,
     levels={Severity.INFO: "both hold mappings, which rcl joins, or one value"},
     examples=(
@@ -43,11 +43,12 @@ talker:
         ),
     ),
 )
-def duplicate_parameter(file: ParameterFile) -> Iterator[Hit]:
+def duplicate_parameter(every: ParameterFiles) -> Iterator[Hit]:
     """
     ## What it does
     Finds duplicate names in one mapping of a parameter file.
-    They are parameters, groups of parameters or nodes. `a.b: 1` and `a: {b: 2}` are one name.
+    They are parameters, groups of parameters or nodes. `a.b: 1` and `a: {b: 2}` are one name. Infos of one kind are one
+    finding a package.
 
     ## Why is this bad?
     There is no warning. rcl takes the last value and joins blocks; what reads YAML in Python (composable nodes in
@@ -60,4 +61,5 @@ def duplicate_parameter(file: ParameterFile) -> Iterator[Hit]:
     ## References
     ros2/rclcpp#2166
     """
-    yield from hits(file.path, repetition_faults(file))
+    found = (hit for file in every.files for hit in hits(file.path, repetition_faults(file)))
+    yield from same_infos_once(found, "remove what is there twice")

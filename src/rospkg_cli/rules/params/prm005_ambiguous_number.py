@@ -7,8 +7,10 @@ from collections.abc import Iterator
 from ...checks.params.ambiguous_numbers import number_faults
 from ...checks.params.launch_parameters import LaunchParameters
 from ...edits.fault_hits import hits
+from ...edits.same_infos import same_infos_once
 from ...example import Example
 from ...finding import Hit, Safety, Severity
+from ...package.params.parameter_file import ParameterFile
 from ...rule import rule
 
 GOOD = """\
@@ -50,7 +52,7 @@ def ambiguous_number(launched: LaunchParameters) -> Iterator[Hit]:
     ## What it does
     Finds numbers that rcl and YAML 1.1 read differently.
     `1e-9` is a number for rcl and a string for PyYAML, `10_000` the other way round, and `010` is 8 for both. In a list
-    only the first of a kind is reported.
+    only the first of a kind is reported, and of infos the first of a kind in the package.
 
     ## Why is this bad?
     A node reads its file through rcl. Launch files read the same file through PyYAML when they pass it to a composable
@@ -63,6 +65,9 @@ def ambiguous_number(launched: LaunchParameters) -> Iterator[Hit]:
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; https://yaml.org/type/float.html
     """
-    for file in launched.files if launched.is_whole else ():
-        faults = number_faults(file, is_read_by_python=launched.is_read_by_python(file))
-        yield from hits(file.path, faults)
+    found = (hit for file in launched.files if launched.is_whole for hit in of_file(launched, file))
+    yield from same_infos_once(found, "write the numbers so that both read them")
+
+
+def of_file(launched: LaunchParameters, file: ParameterFile) -> Iterator[Hit]:
+    return hits(file.path, number_faults(file, is_read_by_python=launched.is_read_by_python(file)))
