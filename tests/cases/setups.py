@@ -233,6 +233,8 @@ CASES = {
         )
     ),
     "SET403": (
+        python({"setup.py": SETUP_PY.replace("Drives my robot", "TODO: Package description")
+                .replace("license='Apache-2.0'", "license='TODO: License declaration'")}),
         python({"package.xml": manifest().replace("<license>Apache-2.0", "<license>Ask us first")}),
         python({"package.xml": manifest().replace("<license>Apache-2.0", "<license>MIT")}),
     ),

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.cmake.component_registration import MACRO, ComponentRegistration, misread_keyword
 from ...checks.cmake.unloadable_components import unloadable_components
+from ...edits.same_infos import same_infos_once
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.cmake.components import Component
@@ -119,8 +120,8 @@ def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
         yield Hit(found.word.path, found.word.span, found.sentence, Severity(found.level))
     for each in components.without_source():
         yield Hit(each.plugin.path, each.plugin.span, unknown(components, each), related=meant(components, each))
-    for source in components.without_cmake():
-        yield Hit(source.path, source.span, source.unregistered, Severity(components.harm(source)))
+    left = ((each, Severity(components.harm(each))) for each in components.without_cmake())
+    yield from same_infos_once((Hit(each.path, each.span, each.unregistered, level) for each, level in left), "")
 
 
 def unknown(components: ComponentRegistration, component: Component) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.manifest.placeholders import is_placeholder
 from ...checks.setup.metadata import Metadata
+from ...edits.same_infos import same_infos_once
 from ...edits.setup_py import replace_text
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -44,12 +45,16 @@ def metadata_mismatch(metadata: Metadata) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a value is read from package.xml or can't be evaluated, where one of several maintainers or licenses fits, and
-    where package.xml has what a template left (XML104).
+    where package.xml has what a template left (XML104). What it left in setup.py is one finding.
 
     ## Fix safety
     It is safe where setup.py has what a template left; which of two other values holds is for their owner to say. There
     is none where setup.py names a license that has an SPDX id.
     """
+    yield from same_infos_once(differences(metadata), "write what package.xml says")
+
+
+def differences(metadata: Metadata) -> Iterator[Hit]:
     for name, said, wanted, element in metadata.differing:
         edits = replace_text(said, wanted) if wanted else ()
         is_left = is_placeholder(said.text.strip())
@@ -60,4 +65,5 @@ def metadata_mismatch(metadata: Metadata) -> Iterator[Hit]:
         advice = f"write `{wanted}`" if wanted else "make them one"
         message = f"`{name}` in setup.py is `{said.text}`, package.xml says `{other}`: ROS shows the latter; {advice}"
         related = (Related(metadata.manifest.path, metadata.manifest.span(element), "in package.xml"),)
-        yield Hit(said.path, said.shown, message, related=related, fix=fix)
+        level = Severity.INFO if is_left else None
+        yield Hit(said.path, said.shown, message, level, related, fix)
