@@ -15,6 +15,14 @@ class Span:
     start: int
     end: int
 
+    def holds(self, other: Span) -> bool:
+        """Return whether another span begins in this one."""
+        return self.start <= other.start < self.end
+
+    def contains(self, other: Span) -> bool:
+        """Return whether another span lies in this one as a whole."""
+        return self.start <= other.start and other.end <= self.end
+
 
 @dataclass(frozen=True)
 class Source:

@@ -22,7 +22,7 @@ class UnevaluatedParts:
         """What can't be evaluated though nothing is wrong with it; SET308, SET309 and SET310 tell the rest."""
         faults = tuple(told_faults(self.setup)) if self.setup is not None and self.table.unknown else ()
         for part in self.table.unknown:
-            is_told = any(part.span.start <= each.start and each.end <= part.span.end for each in faults)
+            is_told = any(part.span.contains(each) for each in faults)
             if self.setup is None or part.path != self.setup.path or not is_told:
                 yield part
 

@@ -37,7 +37,7 @@ class ForeignTargets:
         """The one target, where the call itself names it."""
         word, *others = self.words
         span = self.call.command.span
-        is_inside = word.path == self.call.path and span.start <= word.span.start < span.end
+        is_inside = word.path == self.call.path and span.holds(word.span)
         return word if is_inside and not others else None
 
 

@@ -99,9 +99,9 @@ class RuntimeFolders:
         """Return whether a launch file of the package names what the same command installs: LCH004 tells of it."""
         calls = [rule.call for rule in self.package.cmake.installs if rule.call.path == misplaced.path]
         spans = (call.command.span for call in calls)
-        whole = next((each for each in spans if each.start <= misplaced.span.start < each.end), misplaced.span)
+        whole = next((each for each in spans if each.holds(misplaced.span)), misplaced.span)
         together = (row for row in self.table.rows if row.path == misplaced.path)
-        sources = {row.source for row in together if whole.start <= row.span.start < whole.end}
+        sources = {row.source for row in together if whole.holds(row.span)}
         files = (file for file in self.launch_files if role_of(file.path) == "launch" and not file.is_ros1)
         return any(
             each.package == self.package.facts.name and each.path in sources for file in files for each in file.paths

@@ -13,8 +13,8 @@ FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef
 
 def is_own_member(file: PythonFile, name: str, span: Span) -> bool:
     """Return whether a place lies in a method of a class that binds a name, in its body or as `self.name`."""
-    around = [each for each in nodes_of_kind(file.tree, ast.ClassDef) if holds(file, each, span)]
-    in_method = any(holds(file, method, span) for each in around for method in methods(each))
+    around = [each for each in nodes_of_kind(file.tree, ast.ClassDef) if file.span(each).holds(span)]
+    in_method = any(file.span(method).holds(span) for each in around for method in methods(each))
     return in_method and any(name in members(each) for each in around)
 
 
@@ -37,8 +37,3 @@ def methods(owner: ast.ClassDef) -> list[FunctionNode]:
 
 def is_bound(method: FunctionNode) -> bool:
     return bool(method.args.args) and method.args.args[0].arg == "self"
-
-
-def holds(file: PythonFile, node: ast.ClassDef | FunctionNode, span: Span) -> bool:
-    around = file.span(node)
-    return around.start <= span.start < around.end

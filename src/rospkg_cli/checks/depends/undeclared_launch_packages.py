@@ -21,7 +21,7 @@ from ...ros.imports import may_serve
 from ...ros.names import NameKind
 from ...suggest import begins_alike, is_misspelt, nearest
 from ...unreadable import READABLE
-from ..launch.idle_actions import contains, never_added
+from ..launch.idle_actions import never_added
 from ..launch.package_references import NAME, PackageReference, package_references
 from .brought_dependencies import brought_by
 from .compiled_sources import named_sources
@@ -228,9 +228,9 @@ def with_conditions(file: LaunchFile) -> Iterator[PackageReference]:
     off = tuple(off_by_default(file))
     idle = tuple(never_added(file.python)) if file.python is not None else ()
     for use in package_references(file):
-        if use.is_late and any(contains(each, use.span) for each in idle):
+        if use.is_late and any(each.contains(use.span) for each in idle):
             continue
-        inside = (part.argument for part in off if part.span.start <= use.span.start < part.span.end)
+        inside = (part.argument for part in off if part.span.holds(use.span))
         yield replace(use, only_with=next(inside, "")) if use.is_late else use
 
 

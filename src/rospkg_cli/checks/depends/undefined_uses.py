@@ -110,7 +110,7 @@ class UndefinedUses:
         names = {row.entry.partition(":")[2] for row in self.table.of("executable")}
         for each in unreached_functions(file, names | taken):
             around = file.span(each)
-            if around.start <= span.start < around.end and not self.is_read_elsewhere(file, each.name):
+            if around.holds(span) and not self.is_read_elsewhere(file, each.name):
                 return True
         return False
 

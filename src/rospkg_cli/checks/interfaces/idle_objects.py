@@ -33,7 +33,7 @@ class IdleObjects:
         file = self.run.modules.at(path)
         for owner, method in methods_of(file) if file is not None else ():
             at = file.span(method) if file is not None else span
-            if at.start <= span.start < at.end:
+            if at.holds(span):
                 return self.is_idle(owner) and method.name not in self.constructed(owner, {method.name})
         return False
 

@@ -11,7 +11,7 @@ from ...source import Span
 
 def is_in_handler(file: PythonFile, span: Span) -> bool:
     """Return whether a place is in an `except` branch."""
-    return any(holds(file, each, span) for each in nodes_of_kind(file.tree, ast.ExceptHandler))
+    return any(file.span(each).holds(span) for each in nodes_of_kind(file.tree, ast.ExceptHandler))
 
 
 def is_replaced(file: PythonFile, span: Span) -> bool:
@@ -21,9 +21,6 @@ def is_replaced(file: PythonFile, span: Span) -> bool:
     """
     classes = [each for each in file.tree.body if isinstance(each, ast.ClassDef)]
     last = {each.name: each for each in classes}
-    return any(last[each.name] is not each and not each.decorator_list and holds(file, each, span) for each in classes)
-
-
-def holds(file: PythonFile, node: ast.ClassDef | ast.ExceptHandler, span: Span) -> bool:
-    around = file.span(node)
-    return around.start <= span.start < around.end
+    return any(
+        last[each.name] is not each and not each.decorator_list and file.span(each).holds(span) for each in classes
+    )

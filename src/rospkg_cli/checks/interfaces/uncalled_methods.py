@@ -26,7 +26,7 @@ class UncalledMethods:
         """Return whether a place lies in a method of a plain node whose name stands nowhere else in the code."""
         file = self.run.modules.at(path)
         spans = {each.name: file.span(each) for each in methods(file)} if file is not None else {}
-        return any(each.start <= span.start < each.end for name, each in spans.items() if name not in self.named)
+        return any(each.holds(span) for name, each in spans.items() if name not in self.named)
 
     @cached_property
     def named(self) -> frozenset[str]:

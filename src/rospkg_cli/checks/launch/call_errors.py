@@ -15,7 +15,7 @@ from ...suggest import nearest
 from ..fault import Fault, softer
 from ..older_distribution import OlderDistribution
 from .argument_types import TYPE_CHECKS, action_list_faults
-from .idle_actions import UNUSED, contains, never_added
+from .idle_actions import UNUSED, never_added
 from .joined_commands import joined_command
 from .lone_commas import added_faults, at_the_comma, lone_commas
 from .performed_texts import performed_faults
@@ -55,7 +55,7 @@ def call_faults(file: LaunchFile) -> list[Fault]:
     for each in (*every_fault(file.evaluated, truths), *values_as_files(file)):
         found.setdefault(each.span, each)
     whole = [span for span in found if span in truths]
-    inside = {a for a in found for b in whole if a != b and b.start <= a.start and a.end <= b.end}
+    inside = {a for a in found for b in whole if a != b and b.contains(a)}
     return [found[span] for span in sorted(found) if span not in inside]
 
 
@@ -66,7 +66,7 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
         signature = SIGNATURES.get(class_of(call))
         if signature is not None:
             yield from signature_faults(call, class_of(call), signature)
-            is_idle = any(contains(each, call.span) for each in idle)
+            is_idle = any(each.contains(call.span) for each in idle)
             for keyword, argument in named_arguments(call, signature):
                 late = is_idle and signature.kinds.get(keyword) in VISITED
                 for found in argument_faults(class_of(call), keyword, argument, truths):
@@ -74,7 +74,7 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
                     yield softer(fault, "warning", "as soon as the action is added") if late else fault
     tested = {argument.value.span for call in launch.calls for argument in tests_of(call)}
     for use in launch.uses:
-        is_idle = any(contains(each, use.span) for each in idle)
+        is_idle = any(each.contains(use.span) for each in idle)
         for fault in use_faults(use, is_tested=use.span in tested):
             yield softer(fault, "info", UNUSED) if is_idle and fault.level else fault
     yield from test_faults(launch)

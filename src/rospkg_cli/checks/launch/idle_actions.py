@@ -38,7 +38,7 @@ VARIABLE = regex(r"\$\(var ([^()\s]+)\)")
 
 def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
     """Return the level of a fault in an action, None for the rule's own, and why it is not that."""
-    lost = next((each for each in never_added(file.python) if contains(each, span)), None) if file.python else None
+    lost = next((each for each in never_added(file.python) if each.contains(span)), None) if file.python else None
     if file.python is not None and lost is not None:
         maker = file.python.source.slice(lost).partition("(")[0].rpartition(".")[2]
         return "info", NEVER_ADDED if maker in ACTIONS else UNUSED
@@ -47,13 +47,9 @@ def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
     conditions = [each.holds for each in conditional(file) if each.guards(span)]
     if conditions:
         return "warning", OFF if False in conditions else CONDITIONAL
-    if any(contains(each, span) for each in in_branches(file)):
+    if any(each.contains(span) for each in in_branches(file)):
         return "warning", IN_BRANCH
     return None, ""
-
-
-def contains(around: Span, span: Span) -> bool:
-    return around.start <= span.start and span.end <= around.end
 
 
 def never_added(file: PythonFile) -> tuple[Span, ...]:
@@ -123,7 +119,7 @@ class Condition:
 
     def guards(self, span: Span) -> bool:
         """Return whether a place is only visited where the condition holds, which is itself always evaluated."""
-        return contains(self.around, span) and not contains(self.written, span)
+        return self.around.contains(span) and not self.written.contains(span)
 
 
 def conditional(file: LaunchFile) -> Iterator[Condition]:

@@ -38,7 +38,7 @@ def at_the_comma(fault: Fault, argument: Argument, commas: Commas) -> Fault:
     if isinstance(value, Sequence):
         items += zip(value.items, value.places, strict=True)
     for item, place in items:
-        is_here = place.start <= fault.span.start and fault.span.end <= place.end
+        is_here = place.contains(fault.span)
         if isinstance(item, Sequence) and item.span in commas and is_here:
             name, comma = commas[item.span]
             said = fault.message.removesuffix("; put a `*` before it")

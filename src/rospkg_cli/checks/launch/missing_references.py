@@ -230,5 +230,5 @@ def defaults_of(arguments: Iterable[DeclaredArgument]) -> Iterator[Span]:
 def is_within(missing: MissingReference, around: Iterable[Span]) -> bool:
     """Return whether every place that names a file is one of some defaults, and none is given to a node as well."""
     spans = (missing.span, *missing.other_spans)
-    inside = all(any(d.start <= span.start and span.end <= d.end for d in around) for span in spans)
+    inside = all(any(d.contains(span) for d in around) for span in spans)
     return inside and missing.use == "default"

@@ -100,7 +100,7 @@ def of_others(file: LaunchFile) -> Iterator[PackageReference]:
     evaluated = file.evaluated if file.has_entry_point else None
     for call in evaluated.calls if evaluated is not None else ():
         package = call.get("package") if not class_of(call) else None
-        if evaluated is None or any(each.start <= call.span.start < each.end for each in evaluated.deferred):
+        if evaluated is None or any(each.holds(call.span) for each in evaluated.deferred):
             continue
         if isinstance(package, Text) and any(call.get(each) is not None for each in STARTED_BY):
             yield from package_named(file, text_of(package), "starts a node of")

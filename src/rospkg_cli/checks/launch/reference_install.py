@@ -45,7 +45,7 @@ class ReferenceInstall:
         """Return the command of CMake that installs a file, or the place in setup.py."""
         calls = (rule.call for rule in self.cmake.installs) if self.cmake is not None else ()
         spans = (call.command.span for call in calls if call.path == row.path)
-        return row.path, next((span for span in spans if span.start <= row.span.start < span.end), row.span)
+        return row.path, next((span for span in spans if span.holds(row.span)), row.span)
 
     def is_said(self, missing: MissingReference) -> bool:
         """Return whether an install rule reports it.

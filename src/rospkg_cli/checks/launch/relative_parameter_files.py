@@ -76,4 +76,4 @@ def is_for_nodes(scope: LaunchContext, missing: MissingReference) -> bool:
     """Return whether it is a parameter file of nodes alone: launch_ros leaves out one that is no file, and warns."""
     texts = [text.span for text, _ in given_files(scope.file)]
     spans = (missing.span, *missing.other_spans)
-    return all(any(text.start <= span.start and span.end <= text.end for text in texts) for span in spans)
+    return all(any(text.contains(span) for text in texts) for span in spans)

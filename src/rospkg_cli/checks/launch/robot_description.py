@@ -21,7 +21,7 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.launch.python_to_text import text_of
 from ...package.launch.text import LaunchText, Literal
 from ...source import Span
-from .idle_actions import contains, never_added
+from .idle_actions import never_added
 
 PRINTS_ROBOT = ("xacro", ".urdf")
 ROBOT_FILE = regex(r"(?<![\w.-])([\w.-]+\.(?:xacro|urdf))\b(?!\.)")
@@ -98,7 +98,7 @@ def robot_parameters(launch: EvaluatedLaunch) -> Iterator[RobotParameter]:
     idle = never_added(file)
     dicts = {file.span(node): node for node in nodes_of_kind(file.tree, ast.Dict)}
     for call in launch.calls:
-        is_node = class_of(call) in NODES and not any(contains(each, call.span) for each in idle)
+        is_node = class_of(call) in NODES and not any(each.contains(call.span) for each in idle)
         given = call.get("parameters") if is_node else None
         for item in given.items if isinstance(given, Sequence) else ():
             if isinstance(item, Mapping):

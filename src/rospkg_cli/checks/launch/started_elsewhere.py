@@ -9,7 +9,7 @@ from ...lazy_regex import regex
 from ...package.launch.launch_file import LaunchedNode, LaunchFile
 from ...package.launch.python_to_text import text_of
 from ...source import Span
-from .idle_actions import contains, never_added
+from .idle_actions import never_added
 
 STRING = regex(r"([\"'])([\w./-]+)\1")
 
@@ -33,7 +33,7 @@ def starts_same(call: Call, file: LaunchFile, other: LaunchFile) -> bool:
 
 def added(file: LaunchFile) -> Iterator[LaunchedNode]:
     lost = never_added(file.python) if file.python is not None else ()
-    return (node for node in file.nodes if not any(contains(span, node.span) for span in lost))
+    return (node for node in file.nodes if not any(span.contains(node.span) for span in lost))
 
 
 def key_of(node: LaunchedNode) -> tuple[str, str] | None:
@@ -56,4 +56,4 @@ def names_last_word(call: Call, file: LaunchFile, other: LaunchFile) -> bool:
         return False
     lost = never_added(file.python)
     spans = (Span(*match.span()) for match in STRING.finditer(file.source.text) if match.group(2) == last)
-    return any(not any(contains(each, span) for each in lost) for span in spans)
+    return any(not any(each.contains(span) for each in lost) for span in spans)

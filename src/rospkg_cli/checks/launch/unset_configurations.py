@@ -147,7 +147,7 @@ class LaunchConfigurations:
         declared = tuple(name for each in file.arguments if (name := each.name.literal))
         for use in file.configurations() if declared else ():
             name = use.arguments[0].literal or "" if len(use.arguments) == 1 else ""
-            is_inside = any(span.start <= use.span.start < span.end for span in spans)
+            is_inside = any(span.holds(use.span) for span in spans)
             if name and is_inside and name not in known and not self.workspace.launch.has(name):
                 may_be = bool(file.includes)
                 yield UnsetConfiguration(name, use.span, "undeclared", declared, may_be_included=may_be, is_guess=True)
@@ -250,7 +250,7 @@ class LaunchConfigurations:
         return tuple(never_added(self.file.python)) if self.file.python is not None else ()
 
     def is_read(self, span: Span) -> bool:
-        return not any(each.start <= span.start and span.end <= each.end for each in self.unread)
+        return not any(each.contains(span) for each in self.unread)
 
     def has_other_mention(self, name: str, declared: Span) -> bool:
         """Return whether a Python file has the name in quotes at another place, which something reads."""
@@ -258,7 +258,7 @@ class LaunchConfigurations:
             return False
         found = re.finditer(rf"(['\"]){re.escape(name)}\1", self.file.source.text)
         places = (Span(each.start(), each.end()) for each in found)
-        return any(not (declared.start <= at.start < declared.end) and self.is_read(at) for at in places)
+        return any(not declared.holds(at) and self.is_read(at) for at in places)
 
 
 def used_classes(file: PythonFile) -> Iterator[Span]:

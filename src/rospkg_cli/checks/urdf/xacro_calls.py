@@ -153,7 +153,7 @@ def ancestors(root: Element, place: Span) -> Iterator[Element]:
     waiting = [root]
     while waiting:
         for child in waiting.pop().children:
-            if child.span.start <= place.start and place.end <= child.span.end:
+            if child.span.contains(place):
                 if child.tag not in CONDITIONS or place.start >= child.inner.start:
                     yield child
                 waiting = [child]

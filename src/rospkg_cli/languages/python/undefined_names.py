@@ -87,7 +87,7 @@ def is_in_branch(file: PythonFile, span: Span) -> bool:
 def is_in_function(file: PythonFile, span: Span) -> bool:
     """Return whether a place lies in a function, which may not be called."""
     spans = (file.span(node) for node in nodes_of(file.tree) if isinstance(node, FunctionNode))
-    return any(each.start <= span.start < each.end for each in spans)
+    return any(each.holds(span) for each in spans)
 
 
 Found = tuple[ast.Name, frozenset[str]]

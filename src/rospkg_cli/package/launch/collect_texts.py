@@ -38,17 +38,13 @@ def file_references(
 
     Files that are read inside of `guarded`, where a missing file is caught, are left out too.
     """
-    bare = [call for call in calls if not any(span.start <= call.span.start < span.end for span in guarded)]
+    bare = [call for call in calls if not any(span.holds(call.span) for span in guarded)]
     return named_by(bare, calls, folder, defaults)
 
 
 def caught_references(calls: list[Call], folder: str, silent: tuple[Span, ...]) -> Iterator[FileReference]:
     """Yield the files that functions open inside of `silent`, where nothing tells that one is missing."""
-    inside = [
-        call
-        for call in calls
-        if call.callee in READERS and any(span.start <= call.span.start < span.end for span in silent)
-    ]
+    inside = [call for call in calls if call.callee in READERS and any(span.holds(call.span) for span in silent)]
     return named_by(inside, calls, folder, NO_DEFAULTS)
 
 

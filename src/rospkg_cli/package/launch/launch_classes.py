@@ -66,5 +66,5 @@ def value_span(argument: Argument) -> Span:
 
 def span_within(value: Value, outer: Span) -> Span:
     """Return the span of a value that is written inside of another span; else that other span."""
-    is_inside = outer.start <= value.span.start and value.span.end <= outer.end
+    is_inside = outer.contains(value.span)
     return value.span if is_inside else outer

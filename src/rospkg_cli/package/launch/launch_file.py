@@ -137,12 +137,12 @@ class LaunchFile:
 
     def is_guarded(self, name: str, span: Span) -> bool:
         """Return whether a use of a package at a span is optional: its absence is caught, or asked for first."""
-        asked = any(part.start <= span.start < part.end for part, names in self.asked if name in names)
+        asked = any(part.holds(span) for part, names in self.asked if name in names)
         return asked or self.catches_missing(span)
 
     def catches_missing(self, span: Span) -> bool:
         """Return whether the file catches that what is used at a span is missing."""
-        return any(guard.start <= span.start < guard.end for guard in self.guarded)
+        return any(guard.holds(span) for guard in self.guarded)
 
     @property
     def is_fully_known(self) -> bool:

@@ -16,7 +16,6 @@ from ...languages.python.evaluate.values import (
     Value,
 )
 from ...ros.launch_calls import ACTIONS
-from ...source import Span
 from .configuration_events import LaunchEvent, file_name, passed_uses
 from .configuration_lookups import DICT, has_other_use, lookups
 from .launch_classes import class_of
@@ -138,7 +137,7 @@ class ExecutionOrder:
             yield LaunchEvent("open")
             return
         for each in self.performed if self.visits <= MAX_VISITS else ():
-            if inside(each.span, function.span):
+            if function.span.contains(each.span):
                 yield from uses_in_value(each, 0)
         if DICT in self.evaluator.file.source.text:
             yield from lookups(function.node, self.evaluator.file)
@@ -147,10 +146,6 @@ class ExecutionOrder:
             yield from self.visit(value, depth + 1)
         if DICT in self.evaluator.file.source.text and has_other_use(self.evaluator.file):
             yield LaunchEvent("open")
-
-
-def inside(span: Span, around: Span) -> bool:
-    return around.start <= span.start and span.end <= around.end
 
 
 def defined_by(call: Call, name: str) -> Iterator[LaunchEvent]:

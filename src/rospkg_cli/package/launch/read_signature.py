@@ -60,6 +60,6 @@ def required_by(file: LaunchFile) -> Iterator[str]:
             first.setdefault(name, argument)
     deferred = file.evaluated.deferred if file.evaluated else ()
     for name, argument in first.items():
-        late = any(span.start <= argument.span.start < span.end for span in deferred)
+        late = any(span.holds(argument.span) for span in deferred)
         if argument.default is None and argument.is_certain and not late:
             yield name
