@@ -34,6 +34,13 @@ def told(lines: str, source: str = IMAGE, **files: str) -> list[tuple[str, str]]
         "add_library(part SHARED src/part.cpp)\ntarget_link_libraries(part PRIVATE ${sensor_msgs_TARGETS})\n"
         f"{NODE}target_link_libraries(node part)\n",
         f"include_directories(BEFORE include ${{Boost_INCLUDE_DIRS}})\n{NODE}",
+        f"include_directories(${{rclcpp_INCLUDE_DIRS}} ${{YAML_CPP_INCLUDEDIR}} ${{ament_INCLUDE_DIRS}})\n{NODE}",
+        f"pkg_check_modules(CAER REQUIRED libcaer)\ninclude_directories(${{CAER_INCLUDE_DIRS}})\n{NODE}",
+        f"find_library(RML_LIB rml)\n{NODE}target_link_libraries(node ${{RML_LIB}} ${{YAML_CPP_LIBRARIES}})\n",
+        f"{NODE}target_include_directories(node PRIVATE ${{EIGEN3_INCLUDE_DIR}} ${{rclcpp_INCLUDE_DIRS}})\n",
+        f"if(BUILD_TESTING)\n  {NODE}endif()\n",
+        "if(BUILD_TESTING)\n  ament_add_gtest(node src/node.cpp TIMEOUT 60)\n"
+        "  if(TARGET node)\n    target_link_libraries(node rclcpp::rclcpp)\n  endif()\nendif()\n",
     ],
 )
 def test_a_target_needs_what_it_includes(lines: str) -> None:
@@ -55,11 +62,15 @@ def test_a_target_needs_what_it_includes(lines: str) -> None:
         f"{NODE}target_include_directories(node PRIVATE ${{sensor_msgs_INCLUDE_DIRS}})\n",
         f"{NODE}include_directories(/opt/x)\n",
         f"{NODE}include_directories(${{sensor_msgs_INCLUDE_DIRS}})\n",
-        f"{NODE}include_directories(${{nobodys_INCLUDE_DIRS}})\n",
+        "add_library(part SHARED src/part.cpp)\n"
+        "target_include_directories(part PUBLIC ${sensor_msgs_INCLUDE_DIRS})\n"
+        f"{NODE}target_link_libraries(node part)\n",
+        f"{NODE}target_include_directories(node PRIVATE /opt/ros/jazzy/include/sensor_msgs)\n",
+        "if(BUILD_TESTING)\n  ament_add_gtest(node src/node.cpp)\n  if(TARGET node)\n"
+        "    target_link_libraries(node sensor_msgs::sensor_msgs)\n  endif()\nendif()\n",
         f"{NODE}include_directories(${{MORE}})\n",
         f"{NODE}link_libraries(sensor_msgs::sensor_msgs)\n",
         "ament_auto_add_executable(node src/node.cpp)\n",
-        f"if(BUILD_TESTING)\n  {NODE}endif()\n",
         f"if(WITH_NODE)\n  {NODE}endif()\n",
     ],
 )
@@ -74,3 +85,84 @@ def test_what_is_included_in_any_case() -> None:
     assert told(f"{NODE}add_executable(other src/other.cpp)\n", **{"src/other.cpp": IMAGE}) == [
         ("warning", "sensor_msgs/msg/image.hpp")
     ]
+
+
+INDEX = "#include <ament_index_cpp/get_package_share_directory.hpp>\n"
+
+
+@pytest.mark.parametrize(
+    "links, levels",
+    [
+        ("rclcpp::rclcpp", ["warning"]),
+        ("rclcpp::rclcpp ${{acme_msgs_TARGETS}}", ["warning"]),
+        ("rclcpp::rclcpp tf2_ros::tf2_ros", ["warning"]),
+        ("rclcpp::rclcpp pluginlib::pluginlib", []),
+        ("ament_index_cpp::ament_index_cpp", []),
+        ("yaml-cpp", []),
+    ],
+)
+def test_what_rclcpp_keeps_to_itself_from_jazzy_on(links: str, levels: list[str]) -> None:
+    found = told(f"{NODE}target_link_libraries(node {links.format()})\n", INDEX)
+    assert [level for level, _ in found] == levels
+
+
+def test_packages_that_nobody_knows() -> None:
+    """Those of interfaces bring interfaces alone; folders of others may hold anything."""
+    acme = f"{NODE}ament_target_dependencies(node rclcpp acme_msgs)\n"
+    assert told(acme, INDEX) == [("warning", "ament_index_cpp/get_package_share_directory.hpp")]
+    assert told(acme) == [("info", "sensor_msgs")]
+    assert told(f"{NODE}include_directories(${{nobodys_INCLUDE_DIRS}})\n") == [("info", "sensor_msgs")]
+
+
+def test_what_comes_on_some_distributions_alone() -> None:
+    found = "find_package(image_transport REQUIRED)\nfind_package(rclcpp_components REQUIRED)\n"
+    lines = f"{found}{NODE}ament_target_dependencies(node image_transport)\n"
+    assert told(lines, "#include <rclcpp_components/register_node_macro.hpp>\n") == [("info", "rclcpp_components")]
+
+
+BASE = "src/acme_base/"
+PASSED = "find_package(rclcpp REQUIRED)\nfind_package(sensor_msgs REQUIRED)\nadd_library(base SHARED src/base.cpp)\n"
+
+
+def told_beside(lines: str) -> list[str]:
+    """Return the levels for a node that is linked with a package of the workspace, whose CMake has some lines."""
+    node = f"find_package(acme_base REQUIRED)\n{FINDS}{NODE}target_link_libraries(node acme_base::base)\n"
+    written = {
+        f"{BASE}package.xml": manifest("  <depend>rclcpp</depend>\n  <depend>sensor_msgs</depend>\n", "ament_cmake"),
+        f"{BASE}CMakeLists.txt": CMAKE.replace("ament_package()", f"{PASSED}{lines}ament_package()"),
+        "src/node/package.xml": manifest(f"  <depend>acme_base</depend>\n{NEEDS}", "ament_cmake", "node"),
+        "src/node/CMakeLists.txt": CMAKE.replace("my_pkg", "node").replace("ament_package()", f"{node}ament_package()"),
+        "src/node/src/node.cpp": IMAGE,
+    }
+    files = {path: text.replace("my_pkg", "acme_base") for path, text in written.items()}
+    return [each.severity.value for each in lint_files(files, ["CMK121"]).findings]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "target_link_libraries(base PUBLIC rclcpp::rclcpp PRIVATE sensor_msgs::sensor_msgs)\n",
+        "add_executable(other src/other.cpp)\nament_target_dependencies(other sensor_msgs)\n",
+        "target_include_directories(base PUBLIC ${sensor_msgs_INCLUDE_DIRS})\nament_export_libraries(base)\n",
+        "find_library(QP qp)\ntarget_link_libraries(base ${QP})\n",
+    ],
+)
+def test_what_a_package_of_the_workspace_keeps_to_itself(lines: str) -> None:
+    assert told_beside(lines) == ["warning"]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "target_link_libraries(base PUBLIC ${sensor_msgs_TARGETS})\n",
+        "ament_target_dependencies(base sensor_msgs)\n",
+        "ament_export_dependencies(sensor_msgs)\n",
+        "ament_export_dependencies(${MORE})\n",
+        "target_link_libraries(base ${MORE})\n",
+        "acme_export(sensor_msgs)\n",
+        "ament_package(CONFIG_EXTRAS extras.cmake)\n",
+        "generate_parameter_library(parameters src/parameters.yaml)\n",
+    ],
+)
+def test_what_a_package_of_the_workspace_hands_on_or_nobody_knows(lines: str) -> None:
+    assert told_beside(lines) == []

@@ -9,6 +9,7 @@ from typing import Any, get_args
 from ..files import ReaderInput
 from ..ros.distros import Targets
 from .cmake.cmake_facts import exported_targets, has_targets, registered_components
+from .cmake.kept_links import kept_links
 from .cmake.made_headers import has_other_headers, header_files
 from .contested_build_type import is_build_type_contested
 from .dependency_facts import dependencies, group_dependencies, groups
@@ -119,6 +120,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("run_time_files",): one("run_time_files", run_time_files),
     ("cmake_targets",): of_exports,
     ("is_compiled",): one("is_compiled", has_targets),
+    ("kept_links",): one("kept_links", kept_links),
     ("plugin_uses",): one("plugin_uses", plugin_uses),
     ("header_files",): one("header_files", header_files),
     ("headers",): one("headers", lambda reading: include_dirs(reading.files)),

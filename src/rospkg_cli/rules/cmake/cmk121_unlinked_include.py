@@ -58,10 +58,12 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     at the latest the linker misses the symbols.
 
     ## When it is quiet
-    What a target is linked with brings what it passes on itself, as far as package.xml tells; where one link is not
-    known, nothing is said of the target, and where that is not known of one package, all that it may bring is one info.
-    Commands for all targets (`include_directories()`), targets of
-    `ament_auto_add_…()` and of tests, includes under `#if`, and calls under a condition are left alone.
+    What a target is linked with brings what it passes on itself, as far as package.xml tells, and the CMake of a
+    package of the workspace (what it is linked with as PRIVATE stays there), and so do the folders of
+    a package (`${tf2_INCLUDE_DIRS}`); where one link or folder is not known, nothing is said of the target, and where
+    that is not known of one package, or it brings it on some distributions alone, all that it may bring is one info.
+    What rclcpp is linked with for itself alone from Jazzy on, as it is with ament_index_cpp, it does not bring.
+    Targets of `ament_auto_add_…()`, includes under `#if`, and calls under a condition are left alone.
 
     ## References
     - [ament_cmake user documentation](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Documentation.html)
@@ -72,13 +74,15 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
             perhaps.append(each)
             continue
         ends = 'the build ends with "No such file or directory"'
-        if not each.is_own_folder:
+        if each.keeper:
+            ends = f"up to Humble `{each.keeper}` brings it, from Jazzy on the build stops"
+        elif not each.is_own_folder:
             ends = "it builds only where the headers lie in a folder that others share"
         message = (
             f"`{each.header}` is included here, and `{each.target.name}` is not linked with `{each.package}`: {ends}; "
-            f"add it to `target_link_libraries({each.target.name} …)`"
+            f"{'' if each.is_found else 'find it, and '}add it to `target_link_libraries({each.target.name} …)`"
         )
-        yield Hit(each.path, each.span, message, None if each.is_own_folder else Severity.INFO)
+        yield Hit(each.path, each.span, message, None if each.is_own_folder or each.keeper else Severity.INFO)
     for target in dict.fromkeys(each.target.name for each in perhaps):
         yield perhaps_brought([each for each in perhaps if each.target.name == target])
 

@@ -1,0 +1,101 @@
+"""What packages hand on to the targets that are linked with them, as far as package.xml and tables tell."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.workspace import Workspace
+from ...ros.aliases import keys_for_cmake
+from ...ros.manifest import EXPORTED
+from ...ros.names import NameKind
+from ...ros.private_links import FROM_JAZZY
+from ...ros.read_table import rows
+from ..cmake.missing_export_dependencies import TABLES
+
+PASSED_ON = EXPORTED | {"build_depend"}
+OF_INTERFACES = regex(r"[a-z]\w*_(?:msgs|srvs|actions|interfaces)")
+"""What packages of interfaces are called: they hand on nothing but other interfaces, and what generated code needs."""
+EVERYWHERE, SOMEWHERE, BEFORE_JAZZY = range(3)
+"""On which distributions a package hands another one on: all, some that nobody knows here, or all up to Humble."""
+Needs = tuple[tuple[str, int], ...]
+
+
+@dataclass(frozen=True)
+class BroughtByLinks:
+    """What some packages hand on."""
+
+    names: frozenset[str]
+    workspace: Workspace
+
+    @cached_property
+    def everywhere(self) -> frozenset[str]:
+        return frozenset(self.within(EVERYWHERE))
+
+    def within(self, how: int) -> set[str]:
+        """Return the packages themselves, and all that comes with them on no fewer distributions."""
+        known, found = self.workspace.index_of(NeedsOfPackages), set[str]()
+        waiting = [*self.names]
+        while waiting:
+            name = waiting.pop()
+            if name not in found:
+                found.add(name)
+                waiting += [need for need, where in known.of(name, self.workspace) or () if where <= how]
+        return found
+
+    @cached_property
+    def strangers(self) -> tuple[str, ...]:
+        """The packages of which nobody knows what they hand on."""
+        known = self.workspace.index_of(NeedsOfPackages)
+        return tuple(name for name in sorted(self.within(BEFORE_JAZZY)) if known.of(name, self.workspace) is None)
+
+    def stranger_for(self, name: str) -> str:
+        """Return the package, of those that are linked, that may bring one and of which that is not known; else ""."""
+        strangers = {each for each in self.strangers if OF_INTERFACES.fullmatch(name) or not is_of_interfaces(each)}
+        return next((each for each in sorted(self.names) if not strangers.isdisjoint(self.of(each))), "")
+
+    def bringer_of(self, name: str, how: int) -> str:
+        """Return the first of the packages that hands one on."""
+        return next(
+            each for each in sorted(self.names) if name in BroughtByLinks(frozenset({each}), self.workspace).within(how)
+        )
+
+    def of(self, name: str) -> set[str]:
+        return BroughtByLinks(frozenset({name}), self.workspace).within(BEFORE_JAZZY)
+
+
+def is_of_interfaces(name: str) -> bool:
+    return OF_INTERFACES.fullmatch(name) is not None
+
+
+class NeedsOfPackages(dict[str, "Needs | None"]):
+    """By name, what may come with a package, None where that is not known: the same are asked for by many targets."""
+
+    def of(self, name: str, workspace: Workspace) -> Needs | None:
+        if name not in self:
+            self[name] = needs_of(name, workspace)
+        return self[name]
+
+
+def needs_of(name: str, workspace: Workspace) -> Needs | None:
+    if (facts := workspace.named(name)) is not None:
+        kept = facts.kept_links
+        return tuple((d.name, EVERYWHERE) for d in facts.dependencies if d.tag in PASSED_ON and d.name not in kept)
+    tables = [*(rows(f"{table}.txt") for table in TABLES), rows("cmake_exports.txt")]
+    if any(name in table for table in tables):
+        needs = [need for table in tables for need in table.get(name, ())]
+        hidden = FROM_JAZZY.get(name, frozenset())
+        ways = {need.lstrip("?"): SOMEWHERE for need in needs} | {need: EVERYWHERE for need in needs if need[0] != "?"}
+        return tuple((need, BEFORE_JAZZY if need in hidden else how) for need, how in ways.items())
+    is_library = (
+        workspace.kind_of(name) is NameKind.KEY or bool(keys_for_cmake(name)) or is_plain_library(name, workspace)
+    )
+    return () if is_library else None
+
+
+def is_plain_library(name: str, workspace: Workspace) -> bool:
+    """Return whether it is what core packages look for, and no package of ROS: `orocos_kdl`, `fcl`."""
+    if workspace.kind_of(name) is NameKind.PACKAGE:
+        return False
+    return any(name in found for found in rows("cmake_exports.txt").values())
