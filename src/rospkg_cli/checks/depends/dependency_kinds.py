@@ -84,10 +84,17 @@ class DependencyKinds:
         for use in (*self.run_uses(), *self.build_uses(), *self.loaded_uses()):
             runs = use.wanted == "exec_depend"
             tags = RUNS if runs else BUILDS | EXPORTED if use.is_passed_on else BUILDS
-            every = [d for d in self.declared.manifest.dependencies if d.name in use.names]
+            every = [d for d in self.declared.manifest.dependencies if d.name in use.names] or self.over(use)
             if every and not any(d.tag in tags for d in every) and (every[0].name, runs) not in seen:
                 seen.add((every[0].name, runs))
                 yield WrongKind(every[0], use, self.bringer(use, tags))
+
+    def over(self, use: KindUse) -> list[Dependency]:
+        """Return the declared metapackages that have in them what the build uses."""
+        if use.need not in ("find", "include"):
+            return []
+        declared = self.declared
+        return [d for d in declared.manifest.dependencies if not declared.closure([d.name]).isdisjoint(use.names)]
 
     def bringer(self, use: KindUse, tags: Collection[str]) -> Bringer | None:
         """Return what brings a dependency at the time of its use, or may bring it; `ros2launch` to a launch file."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ...checks.depends.found_for_tests import FoundForTests, found_for_tests
 from ...checks.depends.missing_find_package import MissingFindPackage, MissingFindPackages
 from ...checks.depends.undeclared_includes import IncludedPackage
 from ...checks.depends.unfound_libraries import unfound_libraries
@@ -51,7 +52,8 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     ## What it does
     Finds ROS packages that CMake uses without a `find_package()`.
     Targets are linked with the package or interfaces depend on it, whether it is declared or not, or headers of a
-    declared one are included. Packages that come with one that is found are left alone, and so is everything where a
+    declared one are included. What is found for tests alone counts as not found where a target of the package itself is
+    linked with it. Packages that come with one that is found are left alone, and so is everything where a
     command such as `ament_auto_find_build_dependencies()` finds what is declared. Of libraries with a folder of headers
     of their own (Eigen, OpenCV, PCL), declared ones are told that no CMake file has a word of, in such packages too.
 
@@ -74,6 +76,7 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
         yield in_one(brought)
     if libraries := list(unfound_libraries(missing.includes)):
         yield not_found(libraries)
+    yield from map(only_for_tests, found_for_tests(missing.includes))
     for each in found if not brought[1:] else (each for each in found if each not in brought):
         line = f"find_package({each.name} REQUIRED)"
         ends = "it builds only while another package brings it" if each.may_be_transitive else "the build stops"
@@ -85,6 +88,17 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
             edits = (*edits, add_dependency(missing.declared.manifest, tag, each.name))
         fix = Fix(f"add {line}", edits, Safety.UNSAFE) if edits else None
         yield Hit(each.path, each.span, message, Severity.INFO if each.may_be_transitive else None, fix=fix)
+
+
+def only_for_tests(each: FoundForTests) -> Hit:
+    name, word = each.found.name, each.link.word
+    stops = "it builds only while another package finds it" if each.may_be_brought else "the build stops"
+    message = (
+        f"CMake looks for `{name}` for tests alone, but `{each.link.target}` is linked with it: without BUILD_TESTING "
+        f"{stops}; move `find_package({name} REQUIRED)` out of the block"
+    )
+    related = (Related(each.found.word.path, each.found.word.span, "it is found here"),)
+    return Hit(word.path, word.span, message, Severity.INFO if each.may_be_brought else None, related)
 
 
 def in_one(brought: Sequence[MissingFindPackage]) -> Hit:

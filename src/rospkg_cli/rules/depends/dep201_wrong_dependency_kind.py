@@ -41,6 +41,7 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     A package that is used at run time (imported by what is installed, needed by launch files or by interfaces that are
     generated, or a library that an installed program is linked with) is declared for building or testing alone; or a
     package whose headers are included, or that CMake requires, is declared for running or testing alone.
+    A metapackage stands for its members where the build uses one of them and nothing else declares it.
 
     ## Why is this bad?
     A released package is installed without its test_depends and build_depends; what is declared for running or testing
