@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.find_package import FoundPackage
+from ...package.cmake.target_links import TargetLinks
 from ...ros.aliases import keys_for_cmake
 from ...ros.link_targets import ROS_NAME
 from ...ros.names import NameKind
@@ -46,11 +48,11 @@ class StrangePackages:
         return self.includes.cmake
 
     def all(self) -> Iterator[StrangePackage]:
-        """Yield those that are packages of interfaces by their names or that ament is handed, and libraries whose name
-        is nearly that of a key; any other one may come with a declared package (`sdl2_custom`)."""
+        """Yield those that are packages of interfaces by their names, or that ament is handed or targets are linked
+        with, and libraries whose name is nearly that of a key; any other may come with a declared package."""
         for found in self.strange():
             name = found.name
-            is_handed = name in self.needs.handed_to_ament and self.may_be_of_ros(name)
+            is_handed = name in self.needs.handed_to_ament | self.linked and self.may_be_of_ros(name)
             if is_handed or OF_INTERFACES.fullmatch(name):
                 meant = self.meant(name)
                 yield StrangePackage(found, unknown_package(name, meant), is_slip=meant is not None)
@@ -59,6 +61,12 @@ class StrangePackages:
                     f"CMake requires `{name}`, which `{bringer}` may bring, and package.xml declares nothing like it"
                 )
                 yield StrangePackage(found, f"{start}; declare what brings it")
+
+    @cached_property
+    def linked(self) -> frozenset[str]:
+        """The names whose targets (`ugv::core`) or that themselves (`ugv_sdk`) own targets are linked with."""
+        links = (each for each in TargetLinks(self.cmake).all if not each.word.maybe and not each.call.maybe)
+        return frozenset(each.word.text.partition("::")[0] for each in links if not each.package)
 
     def strange(self) -> Iterator[FoundPackage]:
         """Yield the packages, each once."""

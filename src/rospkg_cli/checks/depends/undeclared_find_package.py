@@ -140,15 +140,24 @@ class FindPackageDependencies:
         known = tuple(each for each in (*own, *listed) if "*" not in each and each != itself)
         return (*known, *self.matching_names(name, self.declared.names)) if known else ()
 
-    def matching_names(self, name: str, names: Iterable[str]) -> tuple[str, ...]:
+    def matching_names(self, name: str, names: Iterable[str], *, of_run_time: bool = False) -> tuple[str, ...]:
         """Return the names that fit a pattern of the table, or are called like a package of a vendor or Debian.
 
-        A library may be a ROS package and a rosdep key as well: `octomap` and `liboctomap-dev`.
+        A library may be a ROS package and a rosdep key as well: `octomap` and `liboctomap-dev`. With `of_run_time`, the
+        keys of libraries without headers are returned, which serve no build.
         """
         patterns = [each for each in keys_for_cmake(name) if "*" in each]
         lower = name.lower()
         debian, own = lower.replace("_", "-"), lower.replace("-", "_")
         alike = {f"{own}_vendor", f"lib{debian}-dev", f"{debian}-dev", f"lib{debian}"}
-        if not patterns:
-            return tuple([n for n in names if n.lower() in alike])
-        return tuple(n for n in names if n.lower() in alike or any(fnmatchcase(n, p) for p in patterns))
+        is_alike = [n for n in names if n.lower() in alike or any(fnmatchcase(n, p) for p in patterns)]
+        return tuple(n for n in is_alike if self.is_for_run_time(n) is of_run_time)
+
+    def is_for_run_time(self, key: str) -> bool:
+        """Return whether a key is that of a library without its headers, which another one has: `libboost-thread`."""
+        index = self.declared.workspace.index
+        return key.startswith("lib") and index.is_key(f"{key}-dev") and not index.is_package(key)
+
+    def for_run_time(self, found: FoundPackage) -> str:
+        """Return what package.xml declares of a library without its headers; "" for nothing."""
+        return next(iter(self.matching_names(found.name, sorted(self.declared.names), of_run_time=True)), "")

@@ -62,8 +62,9 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
     ROS packages are checked, and libraries that have a rosdep key (`Eigen3` is `eigen`). Without REQUIRED the call
     counts where a target, an export or a command for tests needs the package all the same. A command for tests
     (`ament_add_gtest()`) counts where its package is neither found nor declared. A name that no one here knows counts
-    where it ends like one of interfaces (`acme_msgs`), where `ament_target_dependencies()` is handed it, or where a
-    package or key is called alike (`GDAL`, `libgdal-dev`).
+    where it ends like one of interfaces (`acme_msgs`), where `ament_target_dependencies()` is handed it or a target is
+    linked with it (`acme_sdk`), or where a package or key is called alike (`GDAL`, `libgdal-dev`). The key of a library
+    without its headers (`libboost-thread`) does not serve.
 
     ## Why is this bad?
     It builds where the package happens to be installed, or to be built before. On a clean machine and on the build farm
@@ -95,8 +96,10 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
         if not missing.is_installable:
             yield Hit(found.word.path, found.word.span, not_installable(missing), Severity.INFO)
             continue
+        library = dependencies.for_run_time(found)
+        what = f"declares `{library}` alone, which has no headers" if library else "does not declare it"
         message = (
-            f"CMake requires `{found.name}`{known}, and package.xml does not declare it: "
+            f"CMake requires `{found.name}`{known}, and package.xml {what}: "
             f"{consequence(includes, missing)}; {advice(declared, kind, name)}"
         )
         level = Severity.INFO if is_left_out(declared, name) else Severity.WARNING

@@ -1,0 +1,68 @@
+"""What a build needs and package.xml or CMake gets by half: keys without headers, tags, blocks of tests, own names."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.testing import lint_files
+
+NODE = "add_executable(node src/node.cpp)\ninstall(TARGETS node DESTINATION lib/${PROJECT_NAME})\n"
+FOR_TESTS = "if(BUILD_TESTING)\n  find_package({0} REQUIRED)\nendif()\n"
+
+
+def told(code: str, lines: str, depends: str) -> list[tuple[str, str]]:
+    files = {
+        "CMakeLists.txt": CMAKE.replace("ament_package()", f"{lines}ament_package()"),
+        "package.xml": manifest(depends, "ament_cmake"),
+        "src/node.cpp": "int main() {return 0;}\n",
+    }
+    found = lint_files(files, [code]).findings
+    return [(each.severity.value, each.message) for each in found]
+
+
+@pytest.mark.parametrize(
+    "key, levels",
+    [("libboost-thread", ["warning"]), ("libboost-thread-dev", []), ("libboost-dev", []), ("boost", [])],
+)
+def test_a_key_without_headers_serves_no_build(key: str, levels: list[str]) -> None:
+    found = told("DEP104", "find_package(Boost REQUIRED COMPONENTS thread)\n", f"  <depend>{key}</depend>\n")
+    assert [level for level, _ in found] == levels
+    assert all(f"declares `{key}` alone" in message for _, message in found)
+
+
+def test_libraries_of_the_project_itself() -> None:
+    """A plain name, or one with a target behind it, that CMake requires and package.xml does not have."""
+    found = f"find_package(ugv_sdk REQUIRED)\n{NODE}"
+    for link in ("ugv_sdk", "ugv_sdk::core"):
+        levels = [level for level, _ in told("DEP104", f"{found}target_link_libraries(node {link})\n", "")]
+        assert levels == ["info"]
+    assert told("DEP104", found, "") == []
+    assert told("DEP104", f"{found}target_link_libraries(node ugv_sdk)\n", "  <depend>ugv_sdk</depend>\n") == []
+    assert told("DEP104", f"add_subdirectory(ugv_sdk)\n{found}target_link_libraries(node ugv_sdk)\n", "") == []
+
+
+@pytest.mark.parametrize("tag, levels", [("exec_depend", ["warning"]), ("depend", []), ("build_depend", [])])
+def test_a_metapackage_for_running_alone(tag: str, levels: list[str]) -> None:
+    found = told("DEP201", "find_package(ros_gz_sim REQUIRED)\n", f"  <{tag}>ros_gz</{tag}>\n")
+    assert [level for level, _ in found] == levels
+    assert all("`ros_gz_sim`" in message for _, message in found)
+
+
+def links(*words: str) -> str:
+    return f"{NODE}target_link_libraries(node {' '.join(words)})\n"
+
+
+@pytest.mark.parametrize("name, target", [("Eigen3", "Eigen3::Eigen"), ("std_msgs", "${std_msgs_TARGETS}")])
+def test_what_is_found_for_tests_alone(name: str, target: str) -> None:
+    depends = "  <depend>eigen</depend>\n  <depend>std_msgs</depend>\n"
+    for_tests = FOR_TESTS.format(name)
+    assert [level for level, _ in told("DEP107", links(target) + for_tests, depends)] == ["warning"]
+    stranger = "find_package(nobodys REQUIRED)\n"
+    assert [level for level, _ in told("DEP107", stranger + links(target) + for_tests, depends)] == ["info"]
+    quiet = (
+        f"find_package({name} REQUIRED)\n{links(target)}{for_tests}",
+        f"if(BUILD_TESTING)\n  find_package({name} REQUIRED)\n  {links(target)}endif()\n",
+        f"{links('other')}{for_tests}",
+    )
+    assert [told("DEP107", lines, depends) for lines in quiet] == [[], [], []]
