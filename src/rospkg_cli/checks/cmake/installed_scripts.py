@@ -15,7 +15,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import CopiedFile, copied_files
 from ...package.cmake.install_rules import InstallRule
 from ...ros.share_layout import LAUNCH
-from .left_out_nodes import is_left_out
+from .left_out_nodes import is_last, is_left_out, is_node
 from .module_imports import is_only_imported
 
 SHELL = (".sh", ".bash")
@@ -51,15 +51,27 @@ class InstalledScripts:
     @cached_property
     def copies(self) -> tuple[CopiedFile, ...]:
         """The files of the package that are copied to lib/<package> itself."""
-        files = self.package.cmake.package_files
         home = f"lib/{self.package.facts.name}"
-        return tuple(
-            copy
-            for rule in self.package.cmake.installs
-            if not rule.call.maybe and not rule.call.testing
-            for copy in copied_files(rule, files)
-            if posixpath.dirname(copy.destination) == home and not copy.item.maybe
-        )
+        return tuple(copy for copy in self.everywhere if posixpath.dirname(copy.destination) == home)
+
+    @cached_property
+    def everywhere(self) -> tuple[CopiedFile, ...]:
+        """All files of the package that are certainly copied."""
+        rules = (rule for rule in self.package.cmake.installs if not rule.call.maybe and not rule.call.testing)
+        copies = (copy for rule in rules for copy in copied_files(rule, self.package.cmake.package_files))
+        return tuple(copy for copy in copies if not copy.item.maybe)
+
+    @property
+    def nodes_below(self) -> Iterator[CopiedFile]:
+        """Yield the nodes in Python that are copied, with their folder, below lib/<package>: `ros2 run` looks there."""
+        home = f"lib/{self.package.facts.name}/"
+        right = {copy.source for copy in self.copies}
+        for copy in self.everywhere:
+            is_below = copy.destination.startswith(home) and "/" in copy.destination.removeprefix(home)
+            is_python = is_node(copy.source, self.package.cmake.package_files)
+            is_copied_bare = copy.rule.kind == "DIRECTORY" and not copy.keeps_permissions
+            if is_below and is_copied_bare and copy.source not in right and is_python:
+                yield copy
 
     @property
     def uses_programs(self) -> bool:
@@ -69,7 +81,7 @@ class InstalledScripts:
     def broken(self) -> Iterator[BrokenScript]:
         """Yield the scripts that can't be executed where they are installed, each once."""
         seen = {copy.source for copy in self.copies if copy.is_executable}
-        for copy in self.copies:
+        for copy in (*self.copies, *self.nodes_below):
             wrong = self.wrong(copy)
             if wrong is None or is_only_imported(copy.source, self.package.cmake.package_files):
                 continue
@@ -194,7 +206,8 @@ class InstalledScripts:
             return False
         if self.has_bit(path) or any(posixpath.basename(path) in text for text in self.texts):
             return True
-        return is_left_out(path, self.package.cmake.package_files, self.is_installed)
+        files = self.package.cmake.package_files
+        return is_left_out(path, files, self.is_installed) or is_last(path, files, self.is_installed)
 
     @cached_property
     def texts(self) -> tuple[str, ...]:

@@ -22,6 +22,13 @@ def is_left_out(path: str, files: PackageFiles, is_installed: Callable[[str], bo
     return path in nodes and len(nodes) > FEW and [each for each in nodes if not is_installed(each)] == [path]
 
 
+def is_last(path: str, files: PackageFiles, is_installed: Callable[[str], bool]) -> bool:
+    """Return whether a node is the one Python file of its folder that is not installed."""
+    folder = posixpath.dirname(path)
+    others = [each for each in files.paths if posixpath.dirname(each) == folder and each.endswith(".py")]
+    return is_node(path, files) and [each for each in others if not is_installed(each)] == [path]
+
+
 def is_node(path: str, files: PackageFiles) -> bool:
     if not path.endswith(".py"):
         return False

@@ -18,6 +18,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.cmake.set_variables import SetVariables
 from ...package.workspace import Workspace
 from ...ros.link_targets import MESSAGES, ROS_NAME
+from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...source import Span
 from ...suggest import near_names
@@ -154,14 +155,23 @@ class UnsetVariables:
         return next(iter(near_names(name, alike)), None)
 
     def of_package(self, name: str) -> str | None:
-        """Return what a package that is found sets, where only the case or the ending differs."""
+        """Return what a package that is found sets, where only the case, the ending or a letter of its name differs."""
         found = OF_PACKAGE.fullmatch(name)
-        package = self.packages.get(found[1].lower()) if found else None
+        package = self.packages.get(found[1].lower()) or self.near_package(found[1]) if found else None
         if found is None or package is None:
             return None
         suffix = SUFFIXES.get(found[2], found[2]) if package.islower() else found[2]
         wanted = f"{package}_{suffix}"
         return wanted if wanted != name and not self.variables.may_be_set(name) else None
+
+    def near_package(self, name: str) -> str | None:
+        """Return the one package that is found and a letter off a name that is none itself."""
+        is_clear = len(name) >= SHORTEST and ROS_NAME.fullmatch(name) is not None
+        is_package = self.workspace.kind_of(name) in (NameKind.PACKAGE, NameKind.KEY)
+        if not is_clear or is_package or self.workspace.named(name):
+            return None
+        near = near_names(name, (each for each in self.packages.values() if digits(each) == digits(name)), 1)
+        return near[0] if len(near) == 1 else None
 
     @cached_property
     def packages(self) -> dict[str, str]:

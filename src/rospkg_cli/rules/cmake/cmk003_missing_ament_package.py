@@ -21,8 +21,8 @@ find_package(ament_cmake REQUIRED)
 ament_package()
 """
 
-MACRO = regex(r"(?!ament_|find_|configure_|write_|catkin_|cpm|install|extract_)\w*package\w*")
-"""What may be a macro around ament_package(), such as `my_team_package`."""
+MACRO = regex(r"(?!ament_|find_|configure_|write_|catkin_|cpm|install|extract_|autoware_package$)\w*package\w*")
+"""What may be a macro around ament_package(), such as `my_team_package`; `autoware_package` only looks for packages."""
 
 
 @rule(
@@ -55,8 +55,8 @@ def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Where all that is built is for tests. Where a file that can't be read is included, and where a macro of another
-    package whose name has `package` in it is called: both may call `ament_package()`. Where its name is misspelt, which
-    CMK114 reports.
+    package whose name has `package` in it is called: both may call `ament_package()`. (`autoware_package()` does not.)
+    Where its name is misspelt, which CMK114 reports.
     """
     cmake = package.cmake
     if not package.is_ament or not cmake.is_complete or cmake.ends_a_package or cmake.only_tests:

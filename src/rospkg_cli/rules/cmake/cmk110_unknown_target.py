@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.early_references import EarlyReferences
+from ...checks.cmake.message_targets import MessageTargets
 from ...checks.cmake.mistyped_libraries import MistypedLibraries
-from ...checks.cmake.mistyped_links import MistypedLinks
 from ...checks.cmake.target_references import TargetReferences, by_name
 from ...checks.cmake.target_sentences import made_below, mistyped, said, stops
 from ...example import CMAKE, Example, manifest
@@ -47,9 +47,12 @@ def cmake(lines: str) -> str:
 @rule(
     "CMK110",
     "unknown-target",
-    over=MistypedLinks,
+    over=MessageTargets,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "under a condition, or where other files may make it: it is a slip of a long name"},
+    levels={
+        Severity.WARNING: "under a condition, or where other files may make it: it is a slip of a long name; or some "
+        "distributions have it"
+    },
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake(TARGET), "src/talker.cpp": SOURCE},
@@ -81,13 +84,14 @@ def cmake(lines: str) -> str:
         ),
     ),
 )
-def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
+def unknown_target(messages: MessageTargets) -> Iterator[Hit]:
     """
     ## What it does
     Finds targets and exports that CMake names and that nothing creates.
     It reads `install(TARGETS)`, `target_link_libraries()` and the like, and exports (`ament_export_targets()`) that no
     `install(… EXPORT …)` fills. Of imported targets (`rclcpp::rclcpp`) it finds those that are one or two letters off,
-    and those that a package of the workspace does not export; of libraries by a plain name those that are one or two
+    those that a package of the workspace does not export, and `std_msgs::std_msgs` and the like, which Lyrical is the
+    first to have (`std_msgs` alone is in none); of libraries by a plain name those that are one or two
     letters off a library of the package.
     It finds targets that are named above the command that makes them, and in lists of packages two names without a
     space between them.
@@ -103,8 +107,10 @@ def unknown_target(links: MistypedLinks) -> Iterator[Hit]:
     one with a letter wrong, is reported), and for `gtest` and `gmock`. Under a condition that can't be evaluated. In
     both cases, names of eight letters and more that are one or two off one that the package makes are reported.
     """
-    package = links.package
-    for each in links.all():
+    package = messages.links.package
+    for of_messages in messages.all():
+        yield Hit(of_messages.word.path, of_messages.word.span, of_messages.sentence, Severity(of_messages.level))
+    for each in messages.links.all():
         yield Hit(each.link.word.path, each.link.word.span, mistyped(each))
     references = TargetReferences(package.cmake)
     for reference, *others in by_name(references.broken()):

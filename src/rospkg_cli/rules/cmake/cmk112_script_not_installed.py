@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.idle_scripts import IdleScripts
 from ...checks.cmake.installed_scripts import InstalledScripts
+from ...checks.enumeration import in_ticks
 from ...edits.cmake_install import install_script
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
+from ...package.cmake.cmake_project import PACKAGE_ENDS
 from ...rule import rule
 
+SHOWN = 4
+"""Programs that a message names."""
 SCRIPT = "#!/usr/bin/env python3\nprint('hello')\n"
 README = "Say goodbye with `ros2 run my_pkg bye.py`.\n"
 ONE = CMAKE.replace(
@@ -38,7 +43,8 @@ def script_not_installed(scripts: InstalledScripts) -> Iterator[Hit]:
     """
     ## What it does
     Finds executable scripts that are not installed although scripts in the same folder are.
-    The others are installed with `install(PROGRAMS)`.
+    The others are installed with `install(PROGRAMS)`. It finds `scripts/` and the like, too, of which nothing is
+    installed though a program in it is a node, or one that the README names.
 
     ## Why is this bad?
     The build is green, and `ros2 run` finds the one and not the other.
@@ -58,3 +64,12 @@ def script_not_installed(scripts: InstalledScripts) -> Iterator[Hit]:
         level = None if scripts.is_wanted(path) else Severity.INFO
         fix = only_plain_names(Fix(f"install `{path}`", (install_script(scripts.package.cmake, path),)), path)
         yield Hit(neighbour.item.path, neighbour.item.span, message, level, fix=fix)
+    if idle := IdleScripts(scripts).first():
+        call = [each for each in scripts.package.cmake.calls if each.name.endswith(PACKAGE_ENDS)][-1]
+        yield Hit(call.path, call.command.span, not_run(scripts.package.facts.name, idle), Severity.INFO)
+
+
+def not_run(name: str, programs: tuple[str, ...]) -> str:
+    some = in_ticks(path.rpartition("/")[2] for path in programs[:SHOWN]) + (" and others" if programs[SHOWN:] else "")
+    start = f"nothing of `{programs[0].partition('/')[0]}/` is installed ({some})"
+    return f"{start}: `ros2 run {name} …` does not find it; add `install(PROGRAMS … DESTINATION lib/${{PROJECT_NAME}})`"

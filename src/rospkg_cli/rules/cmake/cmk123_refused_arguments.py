@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...checks.cmake.empty_operands import EmptyOperand, EmptyOperands
 from ...checks.cmake.mistyped_values import MistypedValues
 from ...checks.cmake.refused_arguments import refused_calls
+from ...checks.cmake.source_includes import source_includes
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
 from ...package.cmake.cmake_package import CMakePackage
@@ -75,9 +76,10 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
     Finds calls whose arguments CMake refuses, or takes for something else than is meant.
     It knows `target_include_directories()` and its like without `PUBLIC`, `PRIVATE` or `INTERFACE`,
     `install(FILES …)` without a destination or with a keyword of another form, `target_link_libraries(x SHARED …)`,
-    and commands that are given too few arguments, such as `pluginlib_export_plugin_description_file()`. It also finds
-    `flase`, `${CMAKE_CURRENT_SOURCE_DIR}scripts` where the slash is missing, and operands of conditions that may be
-    empty and stand without quotes: `$ENV{ROS_DISTRO}`, `${CMAKE_BUILD_TYPE}`.
+    commands that are given too few arguments, such as `pluginlib_export_plugin_description_file()`, and folders of the
+    source tree that an exported target names to its users (`target_include_directories(x PUBLIC include)`). It also
+    finds `flase`, `${CMAKE_CURRENT_SOURCE_DIR}scripts` where the slash is missing, and operands of conditions that may
+    be empty and stand without quotes: `$ENV{ROS_DISTRO}`, `${CMAKE_BUILD_TYPE}`.
 
     ## Why is this bad?
     CMake stops at once, or the build does when it links or installs: CMake takes a keyword that a command does not know
@@ -88,7 +90,7 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
     target, file or folder that is called like the keyword. For an operand that a file sets or asks for
     (`if(DEFINED ENV{NAME})`), and one of ROS where package.xml names ros_environment.
     """
-    for each in refused_calls(package.cmake):
+    for each in (*refused_calls(package.cmake), *source_includes(package.cmake)):
         place = each.word.span if each.word else each.call.command.name_span
         level = Severity.WARNING if each.call.maybe or (each.word and each.word.maybe) else None
         yield Hit(each.call.path, place, each.message, level)

@@ -1,0 +1,74 @@
+"""What is linked of the packages of messages that ROS has, and that they do not export (CMK110)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+
+from ...languages.cmake.values import Word
+from ...light_dataclasses import dataclass
+from ...package.cmake.target_links import TargetLink, TargetLinks
+from ...ros.core_messages import CORE_MESSAGES
+from ...ros.distros import Targets
+from ..fault import Level
+from .mistyped_links import MistypedLinks
+
+AUTOMATIC = ("ament_auto_find_build_dependencies", "autoware_package")
+NEW = ("lyrical", "rolling")
+"""The distributions in which rosidl exports one target for all of a package's interfaces."""
+
+
+@dataclass(frozen=True, slots=True)
+class MessageTarget:
+    word: Word
+    package: str
+    level: Level
+
+    @property
+    def sentence(self) -> str:
+        text, package = self.word.text, self.package
+        if text == package:
+            why = f"`{package}` has no library of its name: the linker finds no `-l{package}`"
+        else:
+            why = f"`{package}` exports `{text}` from Lyrical on alone: before, CMake stops as the target was not found"
+        return f"{why}; link `${{{package}_TARGETS}}`"
+
+
+@dataclass(frozen=True)
+class MessageTargets:
+    links: MistypedLinks
+    targets: Targets
+
+    def all(self) -> Iterator[MessageTarget]:
+        """Yield each name at its first place; nothing where other files may make targets."""
+        cmake = self.links.package.cmake
+        if not cmake.is_complete or cmake.reads_unknown_files:
+            return
+        seen: set[str] = set()
+        for link in TargetLinks(cmake).all:
+            package, colons, target = link.word.text.partition("::")
+            if package in CORE_MESSAGES and target in ("", package) and self.is_sure(link):
+                level = self.level_of_new() if colons else "error"
+                if level and link.word.text not in seen:
+                    seen.add(link.word.text)
+                    yield MessageTarget(link.word, package, level)
+
+    def is_sure(self, link: TargetLink) -> bool:
+        """Return whether CMake certainly links the released package by this word."""
+        package = link.word.text.partition("::")[0]
+        is_known = link.word.is_known and not link.package and not (link.word.maybe or link.call.maybe)
+        is_own = link.word.text in self.links.own or self.links.workspace.named(package) is not None
+        return is_known and package in self.found and not is_own
+
+    @cached_property
+    def found(self) -> frozenset[str]:
+        """The packages that CMake certainly finds: DEP107 tells of others."""
+        cmake = self.links.package.cmake
+        return self.links.found if cmake.named(*AUTOMATIC) else frozenset(each.name for each in cmake.packages)
+
+    def level_of_new(self) -> Level | None:
+        """Return how bad it is to link what new distributions alone export."""
+        names = [distro.name for distro in self.targets]
+        if all(name in NEW for name in names):
+            return None
+        return "error" if self.targets.named(lambda distro: distro.name not in NEW) else "warning"
