@@ -14,6 +14,7 @@ from .cmake.made_headers import has_other_headers, header_files
 from .contested_build_type import is_build_type_contested
 from .dependency_facts import dependencies, group_dependencies, groups
 from .include_dirs import include_dirs
+from .included_headers import included_headers
 from .interfaces.interface_index import interface_names
 from .interfaces.message_fields import message_fields
 from .launch.launch_file import launch_summaries, loaded_components, started_nodes
@@ -122,6 +123,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("is_compiled",): one("is_compiled", has_targets),
     ("kept_links",): one("kept_links", kept_links),
     ("plugin_uses",): one("plugin_uses", plugin_uses),
+    ("included_headers",): one("included_headers", included_headers),
     ("header_files",): one("header_files", header_files),
     ("headers",): one("headers", lambda reading: include_dirs(reading.files)),
 }  # fmt: skip

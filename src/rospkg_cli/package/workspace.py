@@ -33,6 +33,7 @@ ValuesField = Literal[
     "cmake_targets",
     "modules",
     "header_files",
+    "included_headers",
     "executables",
     "misplaced_executables",
 ]

@@ -5,10 +5,12 @@ from __future__ import annotations
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.values import Word
 from ...light_dataclasses import dataclass
+from ...package.cmake.foreign_commands import foreign_commands
 from ...package.cmake.installed_headers import TARGETS, PublicHeaders
 from ...package.workspace import Workspace
 
 DESCRIPTIONS = "pluginlib_export_plugin_description_file"
+AUTOMATIC = ("ament_auto_package", "autoware_ament_auto_package")
 LIBRARIES = ("ament_export_libraries", *TARGETS)
 
 
@@ -63,3 +65,33 @@ class ExportedHeaders:
         compiled = (each for each in self.workspace.needing(name) if each.is_ament and each.is_compiled)
         needs = (need for facts in compiled for need in facts.dependencies)
         return any(need.name == name and need.tag in tags for need in needs)
+
+    def wanted(self) -> tuple[str, str] | None:
+        """Return the first header of include/ that is not installed and that another package includes, and that one.
+
+        None where others may have a header of that path, or where the build may install it after all.
+        """
+        package, table = self.headers.package, self.headers.table
+        is_known = package.cmake.is_complete and not package.cmake.reads_unknown_files and table.knows("header")
+        is_known = is_known and package.cmake.ends_a_package and not package.cmake.named(*AUTOMATIC)
+        if not is_known or next(foreign_commands(package.cmake), None) or not self.is_built_against:
+            return None
+        ends = tuple(f"/{row.destination}" for row in table.rows)
+        for path in self.headers.offered:
+            header = path.partition("/")[2]
+            users = () if any(end.endswith(f"/{header}") for end in ends) else self.users_of(header)
+            if users:
+                return path, users[0]
+        return None
+
+    def users_of(self, header: str) -> tuple[str, ...]:
+        """Return the packages that include a header which no other one has, and that are built with this one."""
+        name = self.headers.package.facts.name
+        if any(facts.name != name for facts in self.workspace.having("header_files", header)):
+            return ()
+        users = (facts for facts in self.workspace.having("included_headers", header) if facts.name != name)
+        return tuple(facts.name for facts in users if name in {need.name for need in facts.dependencies})
+
+    def is_included(self, path: str) -> bool:
+        """Return whether another package of the workspace includes a header of include/."""
+        return self.is_built_against and bool(self.users_of(path.partition("/")[2]))

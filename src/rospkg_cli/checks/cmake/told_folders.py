@@ -9,17 +9,17 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.values import PREFIX, UNKNOWN
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.cmake.installed_headers import INCLUDES, PublicHeaders
+from ...package.cmake.installed_headers import INCLUDES, LIBRARIES, PLUGINS, PublicHeaders
 from ...package.install_table import InstalledFile
+from .exported_headers import AUTOMATIC
 
 INTERFACE = regex(r"\$<INSTALL_INTERFACE:([^<>]*)>")
-AUTOMATIC = ("ament_auto_package", "autoware_ament_auto_package")
 GENERATES = ("rosidl_generate_interfaces", "generate_parameter_library", "generate_export_header")
 """Commands that tell of include/ and the package's name by themselves, or put headers of their own there."""
 PROPERTIES = ("set_target_properties", "set_property")
 TELLING = (*INCLUDES, "target_include_directories", "install", *PROPERTIES)
 OURS = "include"
-"""The folder of the prefix that others tell of as well."""
+"""The folder of the prefix that others may tell of as well."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,14 +41,17 @@ class ToldFolders:
         """Return the folder in which all headers of include/ are to be found, where users are told of others alone."""
         cmake = self.headers.package.cmake
         is_known = cmake.is_complete and not cmake.reads_unknown_files and self.headers.table.knows("header")
-        if not is_known or not self.headers.exports or cmake.named(*AUTOMATIC, *GENERATES) or cmake.functions:
+        is_exported = self.headers.exports or (cmake.named(LIBRARIES) and not cmake.named(PLUGINS))
+        if not is_known or not is_exported or cmake.named(*AUTOMATIC, *GENERATES) or cmake.functions:
             return None
         told = [text for call in cmake.named(*TELLING) for text in told_by(call)]
         rows = [row for row in self.headers.table.rows if row.source in self.headers.offered]
         name = self.headers.package.facts.name
         bases = {base_of(row, name) for row in rows}
         folder = bases.pop() if len(bases) == 1 else ""
-        if not folder or folder == OURS or any(row.maybe for row in rows) or any(UNKNOWN in text for text in told):
+        if not folder or any(row.maybe for row in rows) or any(UNKNOWN in text or text[:1] == "/" for text in told):
+            return None
+        if folder == OURS and not self.is_named_whole(rows):
             return None
         found = tuple(dict.fromkeys(posixpath.normpath(text) for text in told))
         by_target = any(
@@ -56,6 +59,19 @@ class ToldFolders:
         )
         header = rows[0].source.partition("/")[2]
         return None if folder in found else UntoldFolder(rows[0], header, folder, found, by_target)
+
+    def is_named_whole(self, rows: list[InstalledFile]) -> bool:
+        """Return whether the package itself includes some of its headers, and each by its path below include/."""
+        wholes = {row.source.partition("/")[2] for row in rows}
+        files = {posixpath.basename(each) for each in wholes}
+        own = [
+            each.path
+            for file in self.headers.sources
+            if file.path not in self.headers.offered
+            for each in file.includes
+        ]
+        near = [path for path in own if posixpath.basename(path) in files]
+        return bool(near) and wholes.issuperset(near)
 
 
 def base_of(row: InstalledFile, package: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cpp.file import CppFile, IncludeDirective
 from ...light_dataclasses import dataclass
 from ..install_table import InstallTable
@@ -14,7 +14,10 @@ from .cmake_package import CMakePackage
 HEADERS = (".hpp", ".h", ".hh", ".hxx")
 INCLUDES = ("ament_export_include_directories",)
 TARGETS = ("ament_export_targets", "ament_export_interfaces")
+LIBRARIES = "ament_export_libraries"
 PLUGINS = "pluginlib_export_plugin_description_file"
+INTERFACE = "_INTERFACE:"
+REGISTERS = ("PLUGINLIB_EXPORT_CLASS", "CLASS_LOADER_REGISTER_CLASS")
 
 
 @dataclass(frozen=True)
@@ -27,8 +30,26 @@ class PublicHeaders:
     def exports(self) -> tuple[EvaluatedCommand, ...]:
         """The calls that export headers to other packages; the targets of a plugin are exported for other reasons."""
         cmake = self.package.cmake
-        names = INCLUDES if cmake.named(PLUGINS) else (*INCLUDES, *TARGETS)
+        is_for_others = not cmake.named(PLUGINS) or self.exports_plain_library
+        names = (*INCLUDES, *TARGETS) if is_for_others else INCLUDES
         return tuple(call for call in cmake.named(*names) if not call.testing and not call.maybe and not call.folder)
+
+    @property
+    def exports_plain_library(self) -> bool:
+        """Whether a set of targets has a library that registers no plugin and names a folder of headers for users."""
+        cmake = self.package.cmake
+        words = [word for rule in cmake.installs if rule.kind == "TARGETS" and rule.export for word in rule.items]
+        telling = {
+            call.texts[0] for call in cmake.named("target_include_directories") if INTERFACE in "".join(call.texts)
+        }
+        targets = [cmake.target(word.text) for word in words if word.text in telling]
+        registering = {file.path for file in self.sources if any(file.calls_to(*REGISTERS))}
+        return any(
+            each.is_library
+            and registering.isdisjoint(path_in_package(w.text, each.call.folder) or "" for w in each.sources)
+            for each in targets
+            if each is not None
+        )
 
     @cached_property
     def offered(self) -> tuple[str, ...]:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.exported_headers import ExportedHeaders
-from ...checks.cmake.told_folders import ToldFolders, UntoldFolder
-from ...checks.enumeration import in_ticks
+from ...checks.cmake.header_sentences import lacking, not_told, private
+from ...checks.cmake.private_includes import PrivateIncludes
+from ...checks.cmake.told_folders import ToldFolders
 from ...edits.cmake_commands import remove
 from ...edits.cmake_install import install_headers
 from ...example import CMAKE, Example
-from ...finding import Fix, Hit, Safety, Severity
+from ...finding import Fix, Hit, Related, Safety, Severity
+from ...package.cmake.cmake_project import PACKAGE_ENDS
 from ...package.cmake.installed_headers import INCLUDES
 from ...rule import rule
 
@@ -62,22 +64,44 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     Finds packages that export a library or include directories and install no headers.
     Only packages that have headers in `include/` are checked. It also finds `install(DIRECTORY include DESTINATION
     include)`, which makes a folder in the folder, and headers in `include/my_pkg/` where users are told of `include`
-    alone (`$<INSTALL_INTERFACE:…>`, INCLUDES DESTINATION, `ament_export_include_directories()`).
+    alone (`$<INSTALL_INTERFACE:…>`, INCLUDES DESTINATION, `ament_export_include_directories()`), or the other way
+    round; single headers of `include/` that another package of the workspace includes; and those that an installed one
+    includes (`ui_window.h` of Qt, too).
 
     ## Why is this bad?
     This package builds. Another one that links the library stops with "No such file or directory" at the first
     `#include`. Where no library is exported, there is nothing to link either: then take the export out.
 
     ## When it is quiet
-    Where an install rule or CMake itself can't be evaluated, in `ament_auto_package()`, for a plugin that exports only
-    targets, and as soon as one header is installed. Plugins and components are loaded and not linked: an info, where no
+    Where an install rule or CMake itself can't be evaluated, in `ament_auto_package()`, for a package that exports only
+    plugins as targets, and as soon as one header is installed, but for one that another package includes and that has
+    no CMake file that looks elsewhere. Plugins and components are loaded and not linked: an info, where no
     package of the workspace builds against this one; so are headers in a folder that no user is told of.
     """
+    cmake = exported.headers.package.cmake
+    if not exported.headers.package.is_ament:
+        return
+    yield from misplaced(exported)
+    if exported.headers.are_uninstalled():
+        yield from none_installed(exported)
+    elif wanted := exported.wanted():
+        call = [each for each in cmake.calls if each.name.endswith(PACKAGE_ENDS)][-1]
+        yield Hit(call.path, call.command.span, lacking(*wanted))
+    yield from left_behind(exported)
+
+
+def left_behind(exported: ExportedHeaders) -> Iterator[Hit]:
+    """Yield what installed headers include and nothing installs, in one hit."""
+    for each, *others in filter(None, [list(PrivateIncludes(exported).all())]):
+        level = None if exported.is_included(each.file.path) else Severity.INFO
+        related = tuple(Related(other.file.path, other.include.span, "and here") for other in others)
+        yield Hit(each.file.path, each.include.span, private(each, len(others)), level, related)
+
+
+def none_installed(exported: ExportedHeaders) -> Iterator[Hit]:
+    """Yield the one hit of a package that exports headers and installs none."""
     headers = exported.headers
     package = headers.package
-    yield from misplaced(exported) if package.is_ament else ()
-    if not package.is_ament or not headers.are_uninstalled():
-        return
     call = headers.exports[0]
     first = headers.offered[0]
     name = package.facts.name
@@ -110,12 +134,7 @@ def misplaced(exported: ExportedHeaders) -> Iterator[Hit]:
         level = Severity.INFO if is_quiet and not exported.is_built_against else None
         yield Hit(word.path, word.span, f"{message}; install `include/`, with a slash", level)
     elif untold := ToldFolders(headers).untold():
+        if exported.are_of_plugins and not untold.told:
+            return
         level = Severity.INFO if exported.are_of_plugins or not exported.is_built_against else None
         yield Hit(untold.row.path, untold.row.span, not_told(untold), level)
-
-
-def not_told(each: UntoldFolder) -> str:
-    told = f"users are told of {in_ticks(each.told)} alone" if each.told else "no command tells users of it"
-    stops = f"`#include <{each.header}>` stops in packages that use this one"
-    wanted = f"write `$<INSTALL_INTERFACE:{each.folder}>`" if each.is_told_by_target else f"export `{each.folder}`"
-    return f"the headers land in `{each.folder}/`, and {told}: {stops}; {wanted}"

@@ -1,0 +1,73 @@
+"""Libraries that are installed along with their headers, and that no other package can link (CMK119)."""
+
+from __future__ import annotations
+
+from ...languages.cmake.evaluated_command import path_in_package
+from ...languages.cmake.targets import Target
+from ...languages.cmake.values import Word
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.cmake.artifacts import PYTHON_MODULES, Artifacts
+from ...package.cmake.foreign_commands import foreign_commands
+from ...package.cmake.installed_headers import LIBRARIES, TARGETS, PublicHeaders
+from .exported_headers import AUTOMATIC, ExportedHeaders
+from .unexported_targets import UnexportedTargets
+
+EXPORTING = (LIBRARIES, *TARGETS, *AUTOMATIC, "ament_export_link_flags", "export")
+"""Commands that hand a library on, or may do so."""
+LOADED = regex(r"ADD_PLUGIN|REGISTER_\w*PLUGIN|EXPORT_\w*CLASS|REGISTER_\w*CLASS|REGISTER_NODE|PYBIND11_MODULE")
+"""Macros that make a plugin, which nobody links, of a library."""
+OWN_WAY = (".cmake", ".cmake.in", ".pc", ".pc.in")
+"""Endings of files in which a package may itself tell others of its libraries."""
+
+
+@dataclass(frozen=True)
+class UnexportedLibraries:
+    sets: UnexportedTargets
+    exported: ExportedHeaders
+
+    @property
+    def headers(self) -> PublicHeaders:
+        return self.exported.headers
+
+    def first(self) -> Word | None:
+        """Return the first library whose headers others can include, where nothing tells others of any library."""
+        cmake = self.headers.package.cmake
+        is_clear = cmake.is_complete and not cmake.reads_unknown_files and cmake.ends_a_package
+        if not self.headers.package.is_ament or not is_clear or self.has_own_way:
+            return None
+        for rule in cmake.installs if self.headers.table.knows("header") else ():
+            for word in rule.items if rule.kind == "TARGETS" and not (rule.call.maybe or rule.call.testing) else ():
+                target = cmake.target(word.text)
+                is_there = target is not None and Artifacts(cmake).destination(rule, target) == "lib"
+                if is_there and target is not None and self.sets.is_library(word) and self.has_headers(target):
+                    return word
+        return None
+
+    @property
+    def has_own_way(self) -> bool:
+        """Whether any command may hand a library on, or a file of the package tells others of it."""
+        cmake = self.headers.package.cmake
+        is_named = any(call.name in EXPORTING for call in (*cmake.calls, *cmake.unreachable))
+        is_named = is_named or any(rule.kind in ("EXPORT", "CODE") or rule.export for rule in cmake.installs)
+        read = {file.path for file in cmake.files}
+        others = (path for path in cmake.package_files.paths if path.endswith(OWN_WAY) and path not in read)
+        has_extras = any("CONFIG_EXTRAS" in text for call in cmake.calls for text in call.texts)
+        return is_named or has_extras or any(others) or next(foreign_commands(cmake), None) is not None
+
+    def has_headers(self, target: Target) -> bool:
+        """Return whether a source of a library that is linked includes a header that is installed."""
+        if not target.is_built or "MODULE" in target.options or target.call.name in PYTHON_MODULES:
+            return False
+        offered = self.headers.installed.intersection(self.headers.offered)
+        ends = {path.partition("/")[2] for path in offered}
+        paths = {path_in_package(word.text, target.call.folder) for word in target.sources}
+        files = [file for file in self.headers.sources if file.path in paths]
+        if any(LOADED.search(file.source.text) for file in files):
+            return False
+        return any(each.path in ends for file in files for each in file.includes)
+
+    @property
+    def is_needed(self) -> bool:
+        """Whether a package of the workspace is built with this one, which brings it nothing else."""
+        return self.exported.is_built_against and not self.headers.package.cmake.interface_targets

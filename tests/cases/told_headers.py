@@ -1,0 +1,117 @@
+"""Headers, libraries and scripts that a package lets nobody use: neighbours of what people repaired, and silences."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest
+
+INCLUDE = '#include "my_pkg/{}.hpp"\n'
+FILES = {
+    "src/core.cpp": INCLUDE.format("core") + "int core() {return 1;}\n",
+    "include/my_pkg/core.hpp": "int core();\n",
+}
+HEADERS = "install(DIRECTORY include/ DESTINATION include)\n"
+CORE = "add_library(core {}src/core.cpp)\n"
+INSTALLED = "install(TARGETS core{} DESTINATION lib)\n"
+LIBRARY = CORE.format("SHARED ") + INSTALLED.format("") + HEADERS
+SET = CORE.format("SHARED ") + INSTALLED.format(" EXPORT core_targets") + HEADERS
+TOLD = "target_include_directories(core PUBLIC $<INSTALL_INTERFACE:{}>)\n"
+PLUGINS = "pluginlib_export_plugin_description_file(my_base plugins.xml)\n"
+REGISTERED = FILES | {"src/core.cpp": FILES["src/core.cpp"] + "GZ_REGISTER_MODEL_PLUGIN(Core)\n"}
+USER = {
+    "user/package.xml": manifest("  <depend>my_pkg</depend>\n", "ament_cmake").replace("<name>my_pkg", "<name>user"),
+    "user/CMakeLists.txt": CMAKE.replace("(my_pkg)", "(user)").replace(
+        "ament_package", "find_package(my_pkg REQUIRED)\nadd_executable(user src/user.cpp)\nament_package"
+    ),
+    "user/src/user.cpp": INCLUDE.format("core") + "int main() {return core();}\n",
+}
+NODE = "#!/usr/bin/env python3\nimport rclpy\n\nif __name__ == '__main__':\n    rclpy.init()\n"
+TOOL = NODE.replace("import rclpy", "import sys").replace("rclpy.init()", "sys.exit(1)")
+CONFIG = "install(DIRECTORY config DESTINATION share/${PROJECT_NAME})\n"
+CONFIGURED = {"config/a.yaml": "a: 1\n"}
+TOOLED = CONFIGURED | {"scripts/make_maps.py": TOOL}
+LINKED = "find_package({0} REQUIRED)\nadd_executable(talker src/talker.cpp)\ntarget_link_libraries(talker {1})\n"
+MAIN = {"src/talker.cpp": "int main() {return 0;}\n"}
+PUBLIC = CORE.format("SHARED ") + "target_include_directories(core {})\n{}" + INSTALLED.format(" EXPORT core_targets")
+EXPORT = "ament_export_targets(core_targets)\n"
+
+
+def package(lines: str, files: dict[str, str] = FILES, body: str = "", *targets: str) -> Example:
+    text = CMAKE.replace("ament_package", lines + "ament_package")
+    files = {"package.xml": manifest(body, "ament_cmake"), **files}
+    return Example(bad={"CMakeLists.txt": text, **files}, good={}, on="ament_cmake", targets=targets)
+
+
+def beside_user(lines: str, more: str = "") -> Example:
+    own = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE.replace("ament_package", lines + END)}
+    user = USER | {"user/CMakeLists.txt": USER["user/CMakeLists.txt"].replace("ament_package", more + "ament_package")}
+    files = {f"my_pkg/{path}": text for path, text in (own | FILES).items()}
+    return Example(bad={**files, **user}, good={}, on="")
+
+
+END = "ament_package"
+DEEP = FILES | {"include/my_pkg/core.hpp": INCLUDE.format("more"), "src/my_pkg/more.hpp": "int more();\n"}
+WITH = DEEP | {"include/my_pkg/core.hpp": "#if WITH\n" + INCLUDE.format("more") + "#endif\n"}
+WINDOW = FILES | {"include/my_pkg/core.hpp": '#include "ui_main.h"\n', "src/main.ui": "<ui/>\n"}
+EXPORTED = "ament_export_include_directories(include)\nament_export_libraries(core)\n"
+CASES = {
+    "CMK003": (
+        Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", "autoware_package")}, good={}, on="ament_cmake"),
+    ),
+    "CMK106": (
+        package(LIBRARY + "ament_export_libraries(core)\n"),
+        package(LIBRARY + PLUGINS + "ament_export_libraries(core)\n"),
+        package(SET + TOLD.format("include/my_pkg") + EXPORT),
+        package(SET + TOLD.format("include/my_pkg") + EXPORT, FILES | {"src/core.cpp": "#include <core.hpp>\n"}),
+        package(SET + TOLD.format("include") + EXPORT),
+        package(SET.replace(HEADERS, "") + TOLD.format("include") + PLUGINS + EXPORT),
+        beside_user(LIBRARY + "ament_export_libraries(core)\n"),
+        beside_user(CORE.format("") + INSTALLED.format("")),
+        beside_user(CORE.format("") + INSTALLED.format(""), "include_directories(../my_pkg/include)\n"),
+        package(LIBRARY + EXPORTED, DEEP),
+        package(LIBRARY + EXPORTED + "install(FILES src/my_pkg/more.hpp DESTINATION include/my_pkg)\n", DEEP),
+        package(LIBRARY + EXPORTED, WITH),
+        package(LIBRARY + EXPORTED, WINDOW),
+        package(LIBRARY, DEEP),
+    ),
+    "CMK110": (
+        package(LINKED.format("std_msgs", "std_msgs::std_msgs"), MAIN),
+        package(LINKED.format("std_msgs", "std_msgs::std_msgs"), MAIN, "", "humble"),
+        package(LINKED.format("std_msgs", "std_msgs::std_msgs"), MAIN, "", "lyrical"),
+        package(LINKED.format("std_msgs", "PRIVATE std_msgs"), MAIN),
+        package(LINKED.format("std_msgs", "${std_msgs_TARGETS}"), MAIN),
+        package(LINKED.format("acme_msgs", "acme_msgs::acme_msgs acme_msgs"), MAIN),
+        package(
+            "find_package(std_msgs REQUIRED)\nadd_library(std_msgs::std_msgs INTERFACE IMPORTED)\n"
+            + LINKED.format("std_msgs", "std_msgs::std_msgs"),
+            MAIN,
+        ),
+    ),
+    "CMK112": (
+        package(CONFIG, CONFIGURED | {"scripts/talk.py": NODE}),
+        package(CONFIG + "# scripts are for developers\n", CONFIGURED | {"scripts/talk.py": NODE}),
+        package(CONFIG, TOOLED),
+        package(CONFIG, TOOLED | {"README.md": "Start make_maps.\n"}),
+        package(CONFIG, TOOLED | {"README.md": "`scripts/make_maps.py`\n"}),
+    ),
+    "CMK115": (
+        package(LINKED.format("std_msgs", "${std_msg_TARGETS}"), MAIN),
+        package(LINKED.format("std_msgs", "${std_srvs_TARGETS}"), MAIN),
+        package(LINKED.format("std_msgs", "${std_msg_FILES}"), MAIN),
+    ),
+    "CMK119": (
+        package(LIBRARY),
+        package(LIBRARY, REGISTERED),
+        package(LIBRARY, FILES | {"cmake/core-extras.cmake": "set(A b)\n"}),
+        package(LIBRARY, FILES | {"src/core.cpp": "int core() {return 1;}\n"}),
+        package(LIBRARY.replace("DESTINATION lib)", "DESTINATION lib/my_pkg)")),
+        package(LIBRARY + "ament_export_libraries(core)\n"),
+        beside_user(LIBRARY),
+    ),
+    "CMK123": (
+        package(PUBLIC.format("PUBLIC include", EXPORT)),
+        package(PUBLIC.format("PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include", EXPORT)),
+        package(PUBLIC.format("PRIVATE include", EXPORT)),
+        package(PUBLIC.format("PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>", EXPORT)),
+        package(PUBLIC.format("PUBLIC include", "")),
+    ),
+}
