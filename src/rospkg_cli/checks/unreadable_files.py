@@ -9,6 +9,7 @@ from ..files import PackageFiles
 from ..languages.cmake.lexer import tokens
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
+from ..package.behavior_trees import is_tree
 from ..package.file_role import is_set_aside, role_of
 from ..read_problem import ReadProblem
 from ..unreadable import Unreadable
@@ -69,7 +70,7 @@ class UnreadableFile:
         return "info" if is_aside else "warning", "; no other file names this module"
 
     def level_of_robot(self) -> tuple[Level | None, str]:
-        """Return the level of a robot or a world, by who opens it."""
+        """Return the level of a robot, a world or a behavior tree, by who opens it."""
         path = self.file.path
         if not self.files.readable_text(path).strip() and not self.opened.is_named_in_full(path):
             return "info", "; no file of the package names it"
@@ -84,7 +85,7 @@ class UnreadableFile:
             return "warning", "; xacro and Python stop there, urdfdom reads past it"
         if self.file.code is ReadProblem.XML_AFTER_ROOT and LIBRARY.match(self.files.readable_text(path)):
             return "info", "; pluginlib reads past it, other readers stop there: put `<class_libraries>` around all"
-        if path.endswith((".urdf", ".xacro", ".sdf", ".world")):
+        if path.endswith((".urdf", ".xacro", ".sdf", ".world")) or is_tree(self.files, path):
             return self.level_of_robot()
         if self.file.code is ReadProblem.ENCODING and self.is_in_comments:
             return "info", "; CMake reads past these bytes, since only comments hold them"

@@ -12,6 +12,7 @@ from ..languages.cpp.file import CppFile
 from ..languages.cpp.read import read_cpp_files
 from ..languages.python.file import PythonFile
 from ..unreadable import Unreadable
+from .behavior_trees import BehaviorTree, read_behavior_trees
 from .changelog import Changelog, read_changelog
 from .cmake.cmake_project import CMake
 from .cmake.read_cmake import read_cmake, read_cmake_files
@@ -53,6 +54,7 @@ READERS: dict[type, Callable[[ReaderInput], Iterable[Any | Unreadable]]] = {
     ParameterFile: read_parameter_files,
     ParameterLibrary: read_parameter_libraries,
     RobotFile: read_robot_files,
+    BehaviorTree: read_behavior_trees,
     PackageImports: read_package_imports,
     LaunchFile: read_launch_files,
 }

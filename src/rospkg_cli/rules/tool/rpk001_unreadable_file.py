@@ -59,15 +59,15 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     ## When it is quiet
     Files that neither the build, nor an installed file, nor a test by its name reads may be broken. A file of
     interfaces is reported by its own rules, a file that is too large by RPK007. Of worlds and SDF only tags that don't
-    match are told, as Gazebo reads past the rest.
+    match are told, as Gazebo reads past the rest; of behavior trees those that are not closed, too.
 
-    A robot or a world is a warning where no file of the workspace names it, an info where it is empty as well. It is a
-    warning, too, where urdfdom reads past the fault: an undeclared prefix, or something behind the root element, in a
-    plain `.urdf`. A Python module is a warning where no entry point, launch file or CMake file names it, nor a module
-    that one of these names; it is an info where no file names it at all and it is a snippet, whose first line is
-    indented, or laid aside (`old/`, `a_backup.py`). A launch file for ROS 1 is a warning. Several `<library>` of a
-    plugin description without a root are an info, and so are bytes that are not UTF-8 in comments of a CMake file.
-    A `<` in the value of an attribute of a plugin description is no fault, since pluginlib takes it.
+    A robot, a world or a behavior tree is a warning where no file of the workspace names it, an info where it is empty
+    as well. It is a warning, too, where urdfdom reads past the fault: an undeclared prefix, or something behind the
+    root element, in a plain `.urdf`. A Python module is a warning where no entry point, launch file or CMake file names
+    it, nor a module that one of these names; it is an info where no file names it at all and it is a snippet, whose
+    first line is indented, or laid aside (`old/`, `a_backup.py`). A launch file for ROS 1 is a warning. Several
+    `<library>` of a plugin description without a root are an info, and so are bytes that are not UTF-8 in comments of a
+    CMake file. A `<` in the value of an attribute of a plugin description is no fault, since pluginlib takes it.
     """
     file = scope.file
     if not (file.grammar or file.skipped):
