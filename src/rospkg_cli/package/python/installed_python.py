@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -20,15 +21,17 @@ HERE = "${CMAKE_CURRENT_SOURCE_DIR}/"
 class InstalledPython:
     """The Python files that the install table has; where it is unknown, those that the files suggest."""
 
-    def __init__(self, files: PackageFiles, table: InstallTable | None) -> None:
+    def __init__(self, files: PackageFiles, table: InstallTable | None, started: Iterable[str] = ()) -> None:
         self.files = files
+        self.started = frozenset(f"{module.replace('.', '/')}.py" for module in started)
+        """The modules of entry points: a linked build finds them in folders without `__init__.py`, too."""
         self.is_known = table is not None and table.knows("module") and table.knows("executable")
         rows = table.rows if table else ()
         self.sources = frozenset(row.source for row in rows if row.what in ("module", "executable") or is_beside(row))
         self.shared = frozenset(row.source for row in rows if row.what == "share")
 
     def has(self, path: str) -> bool:
-        if path in self.sources:
+        if path in self.sources or path in self.started:
             return True
         is_program = path.rpartition("/")[2] in self.programs
         if self.is_known:

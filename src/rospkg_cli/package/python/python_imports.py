@@ -17,6 +17,7 @@ from ..file_role import Role, role_of
 from ..install_table import InstallTable
 from ..launch.launch_file import LaunchFile
 from ..python_modules import PythonModules
+from ..setup.setup_py import SetupPy
 from .installed_python import InstalledPython
 from .modules_of_tests import modules_of_tests
 from .node_calls import DescribedNode, described_nodes
@@ -93,7 +94,10 @@ def own_modules(files: PackageFiles) -> OwnModules:
 
 def read_package_imports(reading: ReaderInput) -> Iterator[PackageImports]:
     """Read the imports of every Python file; what is broken is left out here and reported elsewhere."""
-    own, installed = own_modules(reading.files), InstalledPython(reading.files, reading.parts(InstallTable).only)
+    setup = reading.parts(SetupPy).only
+    started = [each.module for each in setup.entry_points] if setup is not None else []
+    own, table = own_modules(reading.files), reading.parts(InstallTable).only
+    installed = InstalledPython(reading.files, table, started)
     modules = reading.parts(PythonModules).only
     assert modules is not None
     reading.parts(LaunchFile)  # those that are skipped are not parsed for their imports, whichever is asked for first
@@ -116,7 +120,7 @@ def read_package_imports(reading: ReaderInput) -> Iterator[PackageImports]:
         elif path.endswith(".py.in") and role_of(path) == "test" and installed.is_test(path):
             file = read_template(reading.files, path)
             found += [PythonImports(path, "test", foreign(file, own))] if file is not None else []
-    tests = modules_of_tests(installed_files, reading.parts(InstallTable).only)
+    tests = modules_of_tests(installed_files, table)
     yield PackageImports(tuple(replace(each, role="test") if each.path in tests else each for each in found), complete)
 
 

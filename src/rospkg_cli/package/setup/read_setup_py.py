@@ -9,12 +9,16 @@ from ...languages.python.evaluate.evaluator import Evaluator
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.values import Call, Unknown
 from ...languages.python.file import parse_python
+from ...lazy_regex import regex
 from ...source import Span
 from ...unreadable import UnreadableError
 from ..manifest import Manifest
 from .find_packages import PackageSearch, knows
 from .setup_cfg import SetupCfg
 from .setup_py import SetupPy
+
+LEFT_TO_SETUP = regex(r"\ndynamic\s*=\s*\[[^\]]*['\"](?:scripts|entry-points)['\"]")
+"""Where pyproject.toml says that setup.py has the entry points."""
 
 
 def read_setup_py(reading: ReaderInput) -> Iterator[SetupPy]:
@@ -51,13 +55,18 @@ def runs_setup_py(reading: ReaderInput) -> bool:
 
 
 def has_project_table(reading: ReaderInput) -> bool:
-    """Return whether pyproject.toml gives metadata, or can't be read and may."""
+    """Return whether pyproject.toml gives metadata, or can't be read and may.
+
+    It leaves scripts to setup.py where it says so. A table for setuptools may say more.
+    """
     if not reading.files.exists("pyproject.toml"):
         return False
     try:
-        return "\n[project]" in "\n" + reading.files.source("pyproject.toml").text
+        text = "\n" + reading.files.source("pyproject.toml").text
     except UnreadableError:
         return True
+    is_left = LEFT_TO_SETUP.search(text) is not None and "\n[tool.setuptools" not in text
+    return "\n[project]" in text and not is_left
 
 
 def setup_call(evaluator: Evaluator) -> tuple[Call | None, Unknown | None]:
