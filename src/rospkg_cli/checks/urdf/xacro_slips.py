@@ -1,4 +1,5 @@
-"""Slips that xacro itself tells of elsewhere, or not at all: a brace too many, an argument in its own default."""
+"""Slips that xacro itself tells of elsewhere, or not at all: a brace too many, a lost sign, an argument in its own
+default."""
 
 from __future__ import annotations
 
@@ -6,14 +7,20 @@ from collections.abc import Iterator
 
 from ...languages.xml.parser import Element
 from ...lazy_regex import regex
+from ...package.urdf.expansion.macros import parameters_of
 from ..fault import Fault
 
 SURPLUS = regex(r"\$\{[^{}]*\}\}")
 """An expression with a brace behind it that closes nothing."""
 OWN = regex(r"\$\(\s*arg\s+([^\s)]+)\s*\)")
+EXPRESSION = regex(r"\$\{[^{}]*\}")
+IN_BRACES = regex(r"\{\$?(\w+)\}")
 
 
 def xacro_slips(root: Element) -> Iterator[Fault]:
+    for macro in root.walk():
+        if macro.tag == "xacro:macro":
+            yield from lost_signs(macro)
     for element in root.walk():
         yield from surplus_braces(element)
         if element.tag == "xacro:arg":
@@ -30,6 +37,19 @@ def surplus_braces(element: Element) -> Iterator[Fault]:
             start = f"a `}}` too many in `{found[0]}` of `{name}`"
             message = f"{start}: write `{found[0][:-1]}`, or the value is text with a brace"
             yield Fault(attribute.value_span, message, "warning")
+
+
+def lost_signs(macro: Element) -> Iterator[Fault]:
+    """Yield each attribute in which a parameter of the macro stands in braces, and no `$` right before them."""
+    names = {each.name.lstrip("*") for each in parameters_of(macro.get("params") or "")}
+    for element in macro.walk():
+        for attribute in element.attributes.values() if element is not macro else ():
+            text = EXPRESSION.sub(lambda found: " " * len(found[0]), attribute.value)
+            found = next((each for each in IN_BRACES.finditer(text) if each[1] in names), None)
+            if found is not None:
+                shown, right = attribute.value[: found.end()].split()[-1], f"${{{found[1]}}}"
+                message = f"`{shown}` is read as it stands, for no `$` is right before the brace: write `{right}`"
+                yield Fault(attribute.value_span, message, "warning")
 
 
 def own_default(argument: Element) -> Iterator[Fault]:
