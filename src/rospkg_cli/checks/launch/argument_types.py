@@ -22,6 +22,7 @@ from ...ros.launch_calls import ACTIONS, OUTPUTS, Kind
 from ...source import Span
 from ..fault import Fault, TextRepair, replacement
 from .parameter_types import RAISES, parameters_faults
+from .python_truth import shown_value
 
 
 def constant_fault(value: Constant, place: Span, message: str, better: str) -> Fault:
@@ -98,7 +99,8 @@ def paths_faults(argument: Argument, what: str) -> Iterator[Fault]:
 def condition_faults(argument: Argument, what: str) -> Iterator[Fault]:
     value = argument.value
     if is_substitution(value) or isinstance(value, Text | PartialText | Constant | Sequence | Dict):
-        message = f"{what} takes IfCondition or UnlessCondition, not {type_name(value)}: the launch stops with "
+        shown = shown_value(value) if is_substitution(value) else type_name(value)
+        message = f"{what} takes IfCondition or UnlessCondition, not {shown}: the launch stops with "
         yield Fault(value_span(argument), f"{message}\"object has no attribute 'evaluate'\"")
 
 

@@ -53,6 +53,8 @@ class UnsetConfiguration:
     """Whether it has a default, which is what it always is."""
     is_guess: bool = False
     """Whether the use may never run, or another name may be meant."""
+    is_inherited: bool = False
+    """Whether a file that includes this one sets it; `declared` is the argument of no use that is likely meant."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +84,7 @@ class LaunchConfigurations:
     def unset(self) -> Iterator[UnsetConfiguration]:
         """Yield each name once, where it is first used."""
         told: set[str] = set()
-        for each in (*self.certainly_unset(), *self.slips(), *self.unset_in_classes()):
+        for each in (*self.certainly_unset(), *self.slips(), *self.unset_in_classes(), *self.only_inherited()):
             if each.name not in told:
                 told.add(each.name)
                 yield each
@@ -151,6 +153,25 @@ class LaunchConfigurations:
             if name and is_inside and name not in known and not self.workspace.launch.has(name):
                 may_be = bool(file.includes)
                 yield UnsetConfiguration(name, use.span, "undeclared", declared, may_be_included=may_be, is_guess=True)
+
+    def only_inherited(self) -> Iterator[UnsetConfiguration]:
+        """Yield what only files that include this one set, where this one declares a like name that nothing uses.
+
+        `R` is like `roll`: the one that includes passes `roll`, and who starts the file itself can give `R` alone.
+        """
+        inherited = self.workspace.launch.inherited(self.file_name) if self.is_startable else None
+        if not inherited or self.may_set_any:
+            return
+        idle = [name for each in self.file.arguments if (name := each.name.literal or "") and self.mentions[name] == 1]
+        events = self.file.events or ()
+        told: set[str] = set()
+        for index, event, _ in self.missing(events, OWN) if idle else ():
+            name = event.name
+            near = [each for each in idle if is_short_for(each, name) or near_names(name, [each], 1)]
+            is_free = name in inherited and name not in told and self.state(name, index) == "undeclared"
+            if is_free and len(near) == 1:
+                told.add(name)
+                yield UnsetConfiguration(name, event.span, "undeclared", (near[0],), is_guess=True, is_inherited=True)
 
     def is_elsewhere(self, used: str, declared: str, has_default: bool) -> bool:
         """Return whether another launch file has the name that is used; with a default, the one that is declared."""
@@ -259,6 +280,11 @@ class LaunchConfigurations:
         found = re.finditer(rf"(['\"]){re.escape(name)}\1", self.file.source.text)
         places = (Span(each.start(), each.end()) for each in found)
         return any(not declared.holds(at) and self.is_read(at) for at in places)
+
+
+def is_short_for(short: str, name: str) -> bool:
+    """Return whether a name begins with another one, whatever their case."""
+    return len(short) < len(name) and name.lower().startswith(short.lower())
 
 
 def used_classes(file: PythonFile) -> Iterator[Span]:

@@ -64,10 +64,11 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
     In files that can't be evaluated to the end, or that set configurations of unknown names, a name is told that stands
     there once and is one letter from an argument which nothing mentions but its declaration (an info, where it is less
     like it); so it is, with a default, in any file, and an info where the file includes others, which may read the
-    argument. What only a class of the file uses is an info. One that others include may
-    get the argument from them: an info, as where it uses many, or declares none at all: then it is the user, or the
-    file that includes it, who must set it. Where it includes a file that is not here, it is an info, if it declares
-    others and no file of the workspace has that name.
+    argument. What only a class of the file uses is an info. So is what only those that include it set, where it
+    declares an argument that begins its name (`R` for `roll`) and uses it nowhere. One that others include may get the
+    argument from them: an info, as where it uses many, or declares none at all: then it is the user, or the file that
+    includes it, who must set it. Where it includes a file that is not here, it is an info, if it declares others and no
+    file of the workspace has that name.
     """
     file = configurations.file
     found = [each for each in configurations.unset() if each.state != "late"]
@@ -80,8 +81,9 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
         is_mild = each.may_be_included or each.is_guess or (is_for_others and each.state == "undeclared")
         mild = Severity.INFO if is_mild else level
         better = "; declare it, or give it a default"
-        if each.has_default:
-            yield Hit(file.path, each.span, always_default(each), mild)
+        if each.has_default or each.is_inherited:
+            message = always_default(each) if each.has_default else only_inherited(each)
+            yield Hit(file.path, each.span, message, mild)
             continue
         if each.state == "not added":
             message = f"the declaration of `{each.name}` is not part of the launch description that is returned"
@@ -100,3 +102,9 @@ def always_default(each: UnsetConfiguration) -> str:
     meant = each.declared[0]
     what = f"no file declares the launch argument `{each.name}`, but `{meant}`, one letter away, which nothing uses"
     return f"{what}: it always has its default, and setting `{meant}` has no effect; write them alike"
+
+
+def only_inherited(each: UnsetConfiguration) -> str:
+    """Return what is wrong with a use of what only a file that includes this one sets."""
+    what = f"this file declares no launch argument `{each.name}`, but `{each.declared[0]}`, which nothing uses"
+    return f"{what}: it works where another file includes it and sets that; started itself, the launch stops"
