@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
@@ -22,6 +22,8 @@ SHORTEST, WORDY = 4, 6
 SMALL = frozenset({"number", "num", "count", "of", "use", "enable", "is", "has"})
 """Words before a name that change little of what it means: `ransac_` before `height` makes another height of it."""
 DIGITS = regex(r"\d")
+SIGNS = ":= \t"
+SIGN = regex(r":?=\s*$")
 ENDINGS = frozenset({"_id", "_name", "_names", "_topic"})
 """What people leave away at the end of a name."""
 SAME = frozenset({"_id", "_topic"})
@@ -70,14 +72,20 @@ class LaunchedNames:
             for text, _ in entry.values:
                 name = text.literal or ""
                 others = [other for other in given if other != name and is_its_own(other)]
-                known = sum(other in declared for other in others)
+                known = sum(other in declared or bool(with_dots(other, free)) for other in others)
                 if not is_its_own(name) or name in declared or len(name) < SHORTEST or known < ENOUGH * len(others):
                     continue
-                bare = [name[1:]] if name[0] == "/" and name[1:] in free else []
+                bare = [name[1:]] if name[0] == "/" and name[1:] in free else with_dots(name, free)
                 near = bare or near_names(name, free, 2 if others else 1) or same_words(name, free)
                 near = near or with_another_word(name, free)
                 if len(near) == 1 and DIGITS.sub("", near[0]) != DIGITS.sub("", name):
                     yield LaunchedName(each.launch.path, text.span, facts.name, name, near[0])
+
+
+def with_dots(name: str, names: Collection[str]) -> list[str]:
+    """Return the name that has dots where another one has the slashes of ROS 1: `arm.rate` for `arm/rate`."""
+    dotted = name.strip("/").replace("/", ".")
+    return [dotted] if dotted != name and dotted in names else []
 
 
 def with_another_word(name: str, names: Iterable[str]) -> list[str]:
@@ -86,22 +94,26 @@ def with_another_word(name: str, names: Iterable[str]) -> list[str]:
     return [each for each, words in before.items() if len(name) >= WORDY and SMALL.issuperset(words.split("_"))]
 
 
-def mistyped_sim_time(launched: LaunchParameters) -> Iterator[tuple[str, Span, str]]:
-    """Yield path, place and name of what is nearly `use_sim_time`, and is declared by no package here."""
-    given = [
-        (each.launch.path, name.span, name.literal)
-        for each in launched.node_arguments
-        for entry in each.node.parameters
-        for name, _ in entry.values
-        if name.literal
-    ]
+def given_names(launched: LaunchParameters) -> Iterator[tuple[str, Span, str]]:
+    """Yield path, place and name of what launch files and parameter files give."""
+    for each in launched.node_arguments:
+        for entry in each.node.parameters:
+            yield from ((each.launch.path, name.span, name.literal) for name, _ in entry.values if name.literal)
     for file in launched.files:
-        given += [(file.path, each.key.span, each.name) for block in file.blocks for each in block.parameters]
-    for path, span, name in given:
-        if near_names(name, [SIM_TIME]) or name == f"/{SIM_TIME}":
-            packages = launched.workspace.packages
-            if not any(each.fits(name) for facts in packages for each in facts.parameters):
-                yield path, span, name
+        yield from ((file.path, each.key.span, each.name) for block in file.blocks for each in block.parameters)
+
+
+def strange_names(launched: LaunchParameters) -> Iterator[tuple[str, Span, str, str]]:
+    """Yield path, place and name of what no package here declares, and what may be meant.
+
+    That is nearly `use_sim_time`, or has the sign of the command line at its end: `rate:=`.
+    """
+    packages = launched.workspace.packages
+    for path, span, name in given_names(launched):
+        is_time = name == f"/{SIM_TIME}" or bool(near_names(name, [SIM_TIME]))
+        meant = SIM_TIME if is_time else name.rstrip(SIGNS) if SIGN.search(name) else ""
+        if meant and not any(each.fits(name) for facts in packages for each in facts.parameters):
+            yield path, span, name, meant
 
 
 def unknown_to_known(nodes: KnownNodes) -> Iterator[LaunchedName]:
@@ -164,7 +176,7 @@ def displaced_blocks(launched: LaunchParameters) -> Iterator[tuple[ParameterFile
     for file in launched.files:
         for block in file.blocks if is_only_here(launched, file) else ():
             is_wild = any(sign in block.name for sign in "*$<{")
-            same = [each for each in launched.node_arguments if each.name == last(block) and not is_wild]
+            same = [each for each in launched.node_arguments if each.known_name == last(block) and not is_wild]
             is_spaced = "/" in block.name.strip("/")
             nodes = same if is_spaced else [each for each in same if file in each.files]
             if is_spaced or all(each.node.kind != "composable_node" for each in nodes):
@@ -178,4 +190,4 @@ def is_only_here(launched: LaunchParameters, file: ParameterFile) -> bool:
     given = [each for each in launched.node_arguments if file in each.files]
     name = file.path.rpartition("/")[2]
     others = [launch for launch in launched.launches if all(each.launch is not launch for each in given)]
-    return bool(given) and all(each.name for each in given) and not any(name in one.source.text for one in others)
+    return bool(given) and all(each.known_name for each in given) and not any(name in one.source.text for one in others)

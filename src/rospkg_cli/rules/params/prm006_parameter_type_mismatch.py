@@ -84,14 +84,13 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     ## When it is quiet
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
     three names. Where declarations differ, a type is not known, or a launch file or script fills the value in, nothing
-    is said. So it is where the releases of a well-known package differ, and where pages and scripts name Foxy alone,
-    which takes any type. Where nothing names the file, and where only the name of a block tells which well-known
-    package is meant, it is an info; nav2's nodes are known by several blocks together.
+    is said. So it is where the releases of a well-known package differ. Where pages and scripts name Foxy alone, which
+    takes any type, only what well-known packages declare is told, as an info. Where nothing names the file, and where
+    only the name of a block tells which well-known package is meant, it is an info; nav2's nodes are known by several
+    blocks together.
     """
-    if scope.distribution.is_named_alone:
-        return
-    told = set()
-    for group in scope.given.groups():
+    told, is_old = set(), scope.distribution.is_named_alone
+    for group in () if is_old else scope.given.groups():
         for parameter in group.parameters:
             given, wanted = given_type(parameter.value), group.wanted_type(parameter)
             if wanted is not None and given and given != wanted[0]:
@@ -107,7 +106,8 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
             fix = known_as_double(each) if (each.value.type, each.wanted) in INTEGERS else None
             given = f"{article(each.value.type)} stops the {each.kind} when it starts"
             is_idle = each.file is not None and scope.uses.of(each.file).is_unnamed
-            level = Severity.INFO if is_idle or not each.is_certain else None
+            given += ", but not in Foxy" if is_old else ""
+            level = Severity.INFO if is_idle or is_old or not each.is_certain else None
             yield Hit(each.path, each.value.value, f"{message}: {given}; write {article(each.wanted)}", level, fix=fix)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.declaring_packages import ParameterGroup, given_type
-from ...checks.params.launched_names import SIM_TIME, mistyped_sim_time, unknown_to_known
+from ...checks.params.launched_names import SIM_TIME, strange_names, unknown_to_known
 from ...checks.params.unknown_parameters import UnknownParameters, undeclared, unread
 from ...edits.plain_names import only_plain_names
 from ...example import Example, manifest
@@ -83,8 +83,9 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     The package that declares the other parameters of the block declares the similar one, and the block does not give
     it. Names in launch files are compared with what the node's package declares; `wheels` is for `number_of_wheels`
     there. Well-known packages are known without their sources, and `use_sim_time` is of every node; so are the names in
-    `joint_limits.yaml`. In code `get_parameter` is checked likewise: the file declares a similar name without getting
-    it, or it makes its node, and the name stands nowhere else in the code of the package.
+    `joint_limits.yaml`. Slashes of ROS 1 stand for dots, and no name ends with the `:=` of the command line.
+    In code `get_parameter` is checked likewise: the file declares a similar name without getting it, or it makes its
+    node, and the name stands nowhere else in the code of the package.
 
     ## Why is this bad?
     The value is dropped, and the node runs with its default; or it stops, or a variable is never set.
@@ -112,9 +113,10 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped"
         others = tuple(Related(named.path, span, "and this one") for span in named.others)
         yield Hit(named.path, named.span, f"{message}; did you mean `{named.meant}`?", level, others)
-    for path, span, name in mistyped_sim_time(scope.known.launched):
-        message = f"no node has a parameter `{name}`: the value is dropped, and the node runs on the wall clock"
-        yield Hit(path, span, f"{message}; write `{SIM_TIME}`")
+    for path, span, name, meant in strange_names(scope.known.launched):
+        ends = "the node runs on the wall clock" if meant == SIM_TIME else "`:=` is for the command line alone"
+        message = f"no node has a parameter `{name}`: the value is dropped, and {ends}"
+        yield Hit(path, span, f"{message}; write `{meant}`")
     for limit in scope.joints.mistyped():
         others = tuple(Related(limit.path, span, "and here") for span in limit.others)
         yield Hit(limit.path, limit.span, unread(limit), related=others)
