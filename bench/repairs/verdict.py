@@ -11,13 +11,15 @@ from pathlib import Path
 from typing import Any
 
 from bench.repairs.checkout import checkout
-from bench.repairs.fitting import FITTING, NAMELESS
+from bench.repairs.fitting import DEPENDENCY, FITTING, NAMELESS
 from rospkg_cli.cli.lint.lint_options import LintOptions, ReportOptions, RuleOptions
 from rospkg_cli.cli.lint.run import lint_to
 
 Repair = dict[str, str]
 BRINGER = re.compile(r"\bcomes? with [^;:]*")
 """Names a package that serves today in place of the one that lacks: it is not at fault."""
+KEY = r"(?:python3-)?"
+"""How the key of rosdep for a module begins: `python3-imageio` names `imageio`."""
 
 
 def verdict(mirror: Path, repair: Repair) -> str:
@@ -55,7 +57,8 @@ def findings(tree: Path, package: str) -> list[dict[str, Any]]:
 def naming(repair: Repair, found: Sequence[dict[str, Any]]) -> list[str]:
     """Return the codes of the fitting findings that name the fault: its token as a word, a file also by its path."""
     token = repair["token"].lower()
-    word = re.compile(rf"(?<![\w-]){re.escape(token)}(?![\w-])")
+    key = KEY if FITTING[repair["class"]] is DEPENDENCY else ""
+    word = re.compile(rf"(?<![\w-]){key}{re.escape(token)}(?![\w-])")
     codes = []
     for finding in found:
         text = BRINGER.sub("", finding["message"].lower()) + (f" {finding['path'].lower()}" if "." in token else "")
