@@ -8,6 +8,7 @@ from rospkg_cli.rules.launch import lch003_missing_launch_reference as lch003
 from rospkg_cli.rules.launch import lch011_unknown_component as lch011
 from rospkg_cli.rules.launch import lch014_invalid_launch_call as lch014
 from rospkg_cli.rules.params import prm002_duplicate_parameter as prm002
+from rospkg_cli.rules.params import prm003_unknown_parameter_node as prm003
 from rospkg_cli.rules.params import prm007_unknown_parameter as prm007
 from rospkg_cli.rules.plugins import plg002_unexported_plugin as plg002
 
@@ -213,6 +214,18 @@ CASES = {
     "PRM002": (
         Example(bad={"config/robot.yaml": prm002.GOOD + "    depth: 5\n"}, good={}, on="config"),
         Example(bad={"config/robot.yaml": prm002.GOOD + "    depth: '5'\n"}, good={}, on="config"),
+    ),
+    "PRM003": (
+        Example(
+            bad={
+                "launch/a.launch.xml": prm003.LAUNCH.replace('"sim_node"', '"$(var name)"').replace(
+                    "<launch>\n", '<launch>\n  <arg name="name" default="sim_node"/>\n'
+                ),
+                "config/robot.yaml": prm003.GOOD.replace("sim_node", "simulation"),
+            },
+            good={},
+            on="config",
+        ),
     ),
     "PRM007": (
         Example(

@@ -25,6 +25,7 @@ from .metapackage import is_metapackage
 from .package_facts import PackageFacts, UnknownField
 from .params.collect_declared import declared_parameters, given_parameters
 from .params.named_yaml import named_yaml
+from .params.node_names import node_names
 from .params.node_sources import node_code
 from .params.passed_files import handed_yaml, yaml_readers
 from .plugins.plugin_facts import described_plugins, loaded_bases
@@ -103,6 +104,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("loaders",): of_loaders,
     ("plugins",): of_plugins,
     ("parameters", "node_code"): of_code,
+    ("node_names",): one("node_names", node_names),
     ("messages",): one("messages", message_fields),
     ("started_nodes",): one("started_nodes", started_nodes),
     ("loaded_components",): one("loaded_components", loaded_components),

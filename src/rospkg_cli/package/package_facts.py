@@ -11,7 +11,7 @@ from ..source import Span
 from .interfaces.message_fields import MessageFields
 from .launch.configuration_events import ConfigurationSummary
 from .launch.launch_signature import LaunchSignature
-from .params.declared_parameter import DeclaredParameter, NodeCode
+from .params.declared_parameter import DeclaredParameter, NodeCode, NodeName
 
 UnknownField = Literal[
     "name", "dependencies", "executables", "interfaces", "share_files", "components", "modules",
@@ -133,6 +133,8 @@ class PackageFacts:
     """The parameters that its code declares, each with the file."""
     node_code: tuple[NodeCode, ...] = ()
     """The executables and components that CMake builds, as far as their code declares parameters."""
+    node_names: tuple[NodeName, ...] = ()
+    """The executables and components whose code gives its node one literal name."""
     given_parameters: tuple[frozenset[str], ...] = ()
     """The names in each block of its parameter files."""
     launch_files: tuple[LaunchSignature, ...] = ()

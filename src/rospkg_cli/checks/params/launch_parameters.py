@@ -18,13 +18,15 @@ from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
 from ...suggest import near_names
 from ...unreadable import READABLE, Unreadable
-from .declaring_packages import ParameterContext
+from .declaring_packages import ParameterContext, is_its_own
 from .handed_on import may_hand_on
 from .mistyped_blocks import WILD, MistypedBlock, last, mistyped_blocks
 
 MAX_DEPTH = 5
 ENDINGS = (".yaml", ".yml")
 SHARE = "\0share"
+ENOUGH_NAMES = 2
+"""What a block has to set to be known by it."""
 
 
 @dataclass(frozen=True)
@@ -36,10 +38,18 @@ class NodeArguments:
     files: tuple[ParameterFile, ...]
     is_complete: bool
     """Whether these are certainly all."""
+    in_code: str | None = None
+    """The name that its code gives it, where the launch file gives none."""
+    by_default: str | None = None
+    """The name that the defaults of arguments give it."""
 
     @property
     def name(self) -> str | None:
         return self.node.name.literal if self.node.name else None
+
+    @property
+    def known_name(self) -> str | None:
+        return self.name or self.in_code or self.by_default
 
     def starts(self, executable: str) -> bool:
         """Return whether the node has an executable of this name, which is often that of a node without `name=`."""
@@ -49,7 +59,7 @@ class NodeArguments:
     def full_name(self) -> str | None:
         """The name with its namespace, where both are literal; others may be put before it, but for an absolute one."""
         space = self.node.namespace.literal if self.node.namespace else None
-        return f"/{space.strip('/')}/{self.name}" if space and space.strip("/") and self.name else None
+        return f"/{space.strip('/')}/{self.known_name}" if space and space.strip("/") and self.known_name else None
 
     def blocks(self) -> Iterator[NodeBlock]:
         """Yield the blocks that the node reads."""
@@ -98,7 +108,17 @@ class LaunchParameters:
                 files = list(self.files_at(entry.file, launch))
                 is_complete = is_complete and len(files) == 1
                 found += files
-        return NodeArguments(launch, node, tuple(found), is_complete)
+        in_code = self.name_in_code(node) if self.files else None
+        return NodeArguments(launch, node, tuple(found), is_complete, in_code, default_name(launch, node))
+
+    def name_in_code(self, node: LaunchedNode) -> str | None:
+        """Return the name that the code of a node gives it, where nothing else does."""
+        started = node.executable or node.plugin
+        package = node.package.literal if node.package is not None else None
+        facts = self.workspace.named(package) if package and node.name is None and node.is_complete else None
+        if facts is None or started is None or any("__n" in (each.literal or "__n") for each in node.arguments):
+            return None
+        return next((each.name for each in facts.node_names if each.starts == started.literal), None)
 
     def files_at(self, text: LaunchText, launch: LaunchFile) -> Iterator[ParameterFile]:
         """Yield the files of this package that a path may mean; what is unknown in it may be any name."""
@@ -132,24 +152,37 @@ class LaunchParameters:
         rows = self.table.below(f"share/{self.package.name}") if self.table else ()
         return [path for path, row in rows if row.source == file.path] or [file.path]
 
-    def misnamed(self) -> Iterator[tuple[ParameterFile, NodeBlock, NodeArguments]]:
+    def misnamed(self) -> Iterator[tuple[ParameterFile, NodeBlock, list[NodeArguments]]]:
         """Yield the blocks that no node reads, where a node that gets the file and has none has a near name.
 
-        Where the file has one block, and goes to one node, the names need not be alike.
+        Where the file goes to no other node, the names need not be alike: it has one block, be it for several nodes, or
+        the code of the node declares what the block sets.
         """
-        started = {each.name for each in self.node_arguments}
+        started = {each.known_name for each in self.node_arguments}
         for file in self.files:
-            readers = [each for each in self.node_arguments if file in each.files and each.name]
+            readers = [each for each in self.node_arguments if file in each.files and each.known_name]
             named = {last(block) for block in file.blocks}
-            without_block = [each for each in readers if each.name not in named]
-            for block in file.blocks:
+            without_block = [each for each in readers if each.known_name not in named]
+            for block in file.blocks if without_block else ():
                 key = last(block)
                 if key not in started and key not in WILD and "$" not in key:
-                    found = [each for each in without_block if is_near(key, each.name or "") or each.starts(key)]
-                    if not found and len(file.blocks) == 1 and self.is_only_for_named(file):
-                        found = without_block
-                    if found and len({each.name for each in found}) == 1:
-                        yield file, block, found[0]
+                    found = [each for each in without_block if is_near(key, each.known_name or "") or each.starts(key)]
+                    if not found and self.is_only_for_named(file):
+                        is_only = len(file.blocks) == 1
+                        found = [each for each in without_block if is_only or self.declares(each, block)]
+                    is_alone = len(file.blocks) == 1 and found == readers
+                    if found and (is_alone or len({each.known_name for each in found}) == 1):
+                        yield file, block, found
+
+    def declares(self, each: NodeArguments, block: NodeBlock) -> bool:
+        """Return whether the package of a node declares all that a block sets."""
+        package = each.node.package.literal if each.node.package else None
+        facts = self.workspace.named(package) if package else None
+        names = [parameter.name for parameter in block.parameters if is_its_own(parameter.name)]
+        if facts is None or not names:
+            return False
+        declared = [one for one in facts.parameters if not one.tail]
+        return all(any(one.fits(name) for one in declared) for name in names) and len(names) >= ENOUGH_NAMES
 
     def mistyped(self) -> Iterator[tuple[ParameterFile, MistypedBlock]]:
         """Yield the blocks of nodes that are not here, with nearly the name of a controller or a well-known node."""
@@ -164,7 +197,9 @@ class LaunchParameters:
         given = [each for each in self.node_arguments if file in each.files]
         texts = [launch.source.text for launch in self.launches if not any(each.launch is launch for each in given)]
         name = file.path.rpartition("/")[2]
-        alone = all(each.name and each.node.is_certain for each in given) and not any(name in text for text in texts)
+        alone = all(each.known_name and each.node.is_certain for each in given) and not any(
+            name in text for text in texts
+        )
         return alone and not any(may_hand_on(each.launch, name, self.workspace) for each in given)
 
     def missing(self) -> Iterator[tuple[NodeArguments, list[DeclaredParameter]]]:
@@ -189,6 +224,16 @@ class MissingParameters:
 
     launched: LaunchParameters
     code: ParameterContext
+
+
+def default_name(launch: LaunchFile, node: LaunchedNode) -> str | None:
+    """Return the name of a node that is one launch argument, as its only default has it."""
+    parts = node.name.parts if node.name is not None else ()
+    if len(parts) != 1 or not isinstance(parts[0], Substitution) or parts[0].name != "var":
+        return None
+    wanted = parts[0].arguments[0].literal if parts[0].arguments else None
+    defaults = [each.default for each in launch.arguments if each.name.literal == wanted and wanted]
+    return defaults[0].literal if len(defaults) == 1 and defaults[0] is not None else None
 
 
 def is_near(key: str, name: str) -> bool:

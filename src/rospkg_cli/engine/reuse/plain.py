@@ -23,7 +23,7 @@ from ...package.interfaces.message_fields import MessageFields
 from ...package.launch.configuration_events import ConfigurationSummary
 from ...package.launch.launch_signature import LaunchSignature
 from ...package.package_facts import ActiveDependency, PackageFacts, Plugin, PluginUse
-from ...package.params.declared_parameter import DeclaredParameter, NodeCode
+from ...package.params.declared_parameter import DeclaredParameter, NodeCode, NodeName
 from ...source import Span
 from ..suppression.comments import Suppression
 
@@ -31,7 +31,8 @@ KINDS: dict[str, type[Any]] = {
     kind.__name__: kind
     for kind in (
         *(PackageFacts, ActiveDependency, Plugin, PluginUse, LaunchSignature, ConfigurationSummary, MessageFields),
-        *(DeclaredParameter, NodeCode, Span, Finding, Fix, Location, Edit, Create, Delete, Move, Chmod, Suppression),
+        *(DeclaredParameter, NodeCode, NodeName, Span, Suppression),
+        *(Finding, Fix, Location, Edit, Create, Delete, Move, Chmod),
     )
 }
 ENUMS: dict[str, type[Enum]] = {kind.__name__: kind for kind in (Severity, Safety)}

@@ -38,6 +38,14 @@ def type_named(declared: Iterable[DeclaredParameter], name: str) -> str:
 
 
 @dataclass(frozen=True, slots=True)
+class NodeName:
+    """An executable or a component (its class), and the one name that its code gives nodes."""
+
+    starts: str
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
 class NodeCode:
     """An executable or a component (its class), and the files whose code certainly runs in it."""
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.launch_parameters import LaunchParameters
 from ...checks.params.launched_names import displaced_blocks
 from ...checks.params.mistyped_blocks import misspelt_spawns
+from ...checks.params.unread_blocks import NodeBlocks, shown_readers
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -40,8 +40,9 @@ controller_manager:
 @rule(
     "PRM003",
     "unknown-parameter-node",
-    over=LaunchParameters,
+    over=NodeBlocks,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "a default gives the node its name, nothing names the file, or several nodes get it"},
     examples=(
         Example(
             on="config",
@@ -65,16 +66,21 @@ controller_manager:
         ),
     ),
 )
-def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
+def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     """
     ## What it does
     Finds parameters for a node that no launch file starts, where a similar node lacks them.
     The block belongs to no node that the launch files here start, and a node that is given the file, and has no block
-    in it, has a similar name; or the file has this block alone, and goes to no other node. It also finds blocks that
-    have nearly the name of a controller that the same file gives `controller_manager`, or of a node that everybody uses
-    (`controller_manager`, those of nav2), and that has no block there; blocks with the name of an executable that is
-    started under another name; and blocks of a node that is started in another namespace: `talker` is `/talker` alone;
-    and controllers that are spawned under nearly the name of one that has a type.
+    in it, has a similar name; or the file goes to no other node, and has this block alone or one whose parameters the
+    node's package declares. A node that the launch file gives no name has that of its code, where this has one literal
+    name alone; one whose name is an argument has its default, and that is an info. So it is where nothing names the
+    file, and the package has one node with another name, and declares all that the block sets; and so is one block for
+    several nodes, none of which reads it.
+
+    It also finds blocks that have nearly the name of a controller that the same file gives `controller_manager`, or of
+    a node that everybody uses (`controller_manager`, those of nav2), and that has no block there; blocks with the name
+    of an executable that is started under another name; and blocks of a node that is started in another namespace:
+    `talker` is `/talker` alone; and controllers that are spawned under nearly the name of one that has a type.
 
     ## Why is this bad?
     rcl goes by the node's name, as the launch file gives it, and ignores all other blocks without a warning: the node
@@ -88,15 +94,16 @@ def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.
     """
+    launched = scope.launched
     if not launched.is_whole:
         return
-    for file, block, given in launched.misnamed():
-        key = block.key.text
-        name = given.name or ""
-        message = f"no node is called `{key}`: the one that `{given.launch.path}` gives this file to is `{name}`"
-        where = (Related(given.launch.path, given.node.span, "the node"),)
-        what = f"{message}, and it never reads the block"
-        yield Hit(file.path, block.key.span, what, related=where, fix=renaming(file, block, name))
+    for file, block, readers in launched.misnamed():
+        names = sorted({each.known_name or "" for each in readers})
+        is_sure = len(names) == 1 and all(each.name or each.in_code for each in readers)
+        where = tuple(Related(each.launch.path, each.node.span, "the node") for each in readers)
+        fix = renaming(file, block, names[0]) if len(names) == 1 else None
+        message = f"no node is called `{block.key.text}`: {shown_readers(readers[0], names)}"
+        yield Hit(file.path, block.key.span, message, None if is_sure else Severity.INFO, where, fix)
     for file, block, given in displaced_blocks(launched):
         message = f"`{block.name}` is no node: the one that `{given.launch.path}` starts is `{given.full_name}`"
         where = (Related(given.launch.path, given.node.span, "the node"),)
@@ -114,6 +121,9 @@ def unknown_parameter_node(launched: LaunchParameters) -> Iterator[Hit]:
             f"no node is called `{wrong.block.key.text}`: {owner}, which has no block here and runs with its defaults"
         )
         yield Hit(file.path, wrong.block.key.span, message, fix=renaming(file, wrong.block, wrong.meant))
+    for file, block, name in scope.unread():
+        message = f"no node is called `{block.key.text}`: this package's is `{name}`, and never reads the block"
+        yield Hit(file.path, block.key.span, message, Severity.INFO, fix=renaming(file, block, name))
 
 
 def renaming(file: ParameterFile, block: NodeBlock, name: str) -> Fix | None:
