@@ -49,6 +49,13 @@ def beside_user(lines: str, more: str = "") -> Example:
 
 
 END = "ament_package"
+REACHED = "target_include_directories(core {})\n"
+PROGRAM = """\
+add_executable(talker src/talker.cpp)
+target_link_libraries(talker core)
+install(TARGETS talker DESTINATION lib/${PROJECT_NAME})
+"""
+OWN = FILES | {"src/talker.cpp": INCLUDE.format("core") + "int main() {return core();}\n"}
 DEEP = FILES | {"include/my_pkg/core.hpp": INCLUDE.format("more"), "src/my_pkg/more.hpp": "int more();\n"}
 WITH = DEEP | {"include/my_pkg/core.hpp": "#if WITH\n" + INCLUDE.format("more") + "#endif\n"}
 WINDOW = FILES | {"include/my_pkg/core.hpp": '#include "ui_main.h"\n', "src/main.ui": "<ui/>\n"}
@@ -56,6 +63,12 @@ EXPORTED = "ament_export_include_directories(include)\nament_export_libraries(co
 CASES = {
     "CMK003": (
         Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", "autoware_package")}, good={}, on="ament_cmake"),
+    ),
+    "CMK103": (
+        *(
+            package(CORE.format("SHARED ") + PROGRAM + INSTALLED.format("").replace("lib)", f"{place})"))
+            for place in ("bin", "lib", "share/my_pkg")
+        ),
     ),
     "CMK106": (
         package(LIBRARY + "ament_export_libraries(core)\n"),
@@ -72,6 +85,11 @@ CASES = {
         package(LIBRARY + EXPORTED, WITH),
         package(LIBRARY + EXPORTED, WINDOW),
         package(LIBRARY, DEEP),
+    ),
+    "CMK201": (
+        package(CORE.format("") + REACHED.format("PRIVATE include") + PROGRAM, OWN),
+        package(CORE.format("") + REACHED.format("PUBLIC include") + PROGRAM, OWN),
+        package(CORE.format("") + REACHED.format("include") + PROGRAM, OWN),
     ),
     "CMK110": (
         package(LINKED.format("std_msgs", "std_msgs::std_msgs"), MAIN),

@@ -65,6 +65,6 @@ class MisplacedLibraries:
 
 
 def is_wrong(place: tuple[Word, str | None]) -> bool:
-    """Return whether a rule surely installs below lib/ or into share/, and not for Python."""
+    """Return whether a rule surely installs below lib/, into share/ or into bin/, and not for Python."""
     folder = posixpath.normpath(place[1] or "")
-    return folder.startswith(("lib/", "share/")) and not folder.startswith("lib/python")
+    return folder == "bin" or (folder.startswith(("lib/", "share/")) and not folder.startswith("lib/python"))

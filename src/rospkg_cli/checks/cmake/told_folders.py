@@ -32,6 +32,11 @@ class UntoldFolder:
     is_told_by_target: bool
     """Whether it is `$<INSTALL_INTERFACE:…>` of a target that tells of another folder."""
 
+    @property
+    def is_shared(self) -> bool:
+        """Whether it is the folder of which other packages may tell."""
+        return self.folder == OURS
+
 
 @dataclass(frozen=True)
 class ToldFolders:

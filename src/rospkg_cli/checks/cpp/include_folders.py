@@ -14,7 +14,8 @@ from ...package.cmake.target_links import TargetLinks
 from ...suggest import near_names
 
 FOR_ALL, FOR_ONE = "include_directories", "target_include_directories"
-KEYWORDS = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM", "BEFORE", "AFTER"})
+SCOPES = ("PUBLIC", "PRIVATE", "INTERFACE")
+KEYWORDS = frozenset({*SCOPES, "SYSTEM", "BEFORE", "AFTER"})
 BUILT = regex(r"\$<BUILD_INTERFACE:([^$<>]*)>")
 INSTALLED = regex(r"\$<INSTALL_INTERFACE:[^<>]*>")
 OF_PACKAGE = regex(r'"?\$\{(\w+?)_(?:INCLUDE_DIRS?|LIBRARIES|LIBRARY|LIBS|TARGETS)\}"?')
@@ -39,7 +40,7 @@ class IncludeFolders:
             if name in seen:
                 continue
             seen.add(name)
-            if any(self.is_it(word, call, folder) for word, call in self.of(name)):
+            if any(self.is_it(word, call, folder) for word, call in self.of(name, "" if name == target else "PRIVATE")):
                 return True
             for link in self.links.of(name):
                 if not link.package and not link.word.is_known and not self.is_foreign(link.word):
@@ -64,11 +65,15 @@ class IncludeFolders:
         names = {found.name.lower() for found in self.package.cmake.packages} - {self.package.facts.name}
         return match is not None and match[1].lower() in names
 
-    def of(self, target: str) -> Iterator[tuple[Word, EvaluatedCommand]]:
-        """Yield what a target is told; what is told to one of an unknown name, too."""
+    def of(self, target: str, without: str = "") -> Iterator[tuple[Word, EvaluatedCommand]]:
+        """Yield what a target is told, but for a scope; what is told to one of an unknown name, too."""
         for call in self.package.cmake.named(FOR_ONE):
             if call.words and (call.texts[0] == target or not call.words[0].is_known):
-                yield from ((word, call) for word in call.words[1:])
+                scope = ""
+                for word in call.words[1:]:
+                    scope = word.text if word.text in SCOPES else scope
+                    if not without or scope != without:
+                        yield word, call
 
     @cached_property
     def for_all(self) -> tuple[tuple[Word, EvaluatedCommand], ...]:

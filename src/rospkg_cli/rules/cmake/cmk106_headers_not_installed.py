@@ -134,7 +134,7 @@ def misplaced(exported: ExportedHeaders) -> Iterator[Hit]:
         level = Severity.INFO if is_quiet and not exported.is_built_against else None
         yield Hit(word.path, word.span, f"{message}; install `include/`, with a slash", level)
     elif untold := ToldFolders(headers).untold():
-        if exported.are_of_plugins and not untold.told:
+        if not untold.told and (exported.are_of_plugins or (untold.is_shared and not exported.is_built_against)):
             return
         level = Severity.INFO if exported.are_of_plugins or not exported.is_built_against else None
         yield Hit(untold.row.path, untold.row.span, not_told(untold), level)
