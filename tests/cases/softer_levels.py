@@ -211,6 +211,21 @@ CASES = {
             on="ament_cmake",
         ),
     ),
+    "IDL011": (
+        Example(
+            bad={
+                "CMakeLists.txt": CMAKE.replace(
+                    "ament_package",
+                    "find_package(rosidl_default_generators REQUIRED)\n"
+                    'rosidl_generate_interfaces(my_pkg "srv/Start.srv")\nament_package',
+                ),
+                "srv/Start.srv": "---\n",
+                "web/views.py": "from my_pkg.srv import Stop\n\nprint(Stop)\n",
+            },
+            good={},
+            on="ament_cmake",
+        ),
+    ),
     "PRM002": (
         Example(bad={"config/robot.yaml": prm002.GOOD + "    depth: 5\n"}, good={}, on="config"),
         Example(bad={"config/robot.yaml": prm002.GOOD + "    depth: '5'\n"}, good={}, on="config"),

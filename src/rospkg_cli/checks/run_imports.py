@@ -7,7 +7,7 @@ from functools import cached_property
 
 from ..languages.python.file import Import, PythonFile
 from ..light_dataclasses import dataclass
-from ..package.file_role import Role
+from ..package.file_role import Role, is_set_aside, role_of
 from ..package.python.python_imports import PackageImports
 from ..package.python_modules import PythonModules
 from .ros1_import import ros1_import
@@ -36,6 +36,15 @@ class RunImports:
             for each in file.imports:
                 if not each.is_optional and not each.is_for_typing:
                     yield file, each
+
+    @property
+    def uninstalled(self) -> Iterator[tuple[PythonFile, Import]]:
+        """The same for files that nothing installs, and that may be run where they lie."""
+        for role, file in self.files:
+            if role == "aside" and role_of(file.path) == "run" and not is_set_aside(file.path):
+                for each in file.imports:
+                    if not each.is_optional and not each.is_for_typing:
+                        yield file, each
 
     @cached_property
     def changes_path(self) -> bool:

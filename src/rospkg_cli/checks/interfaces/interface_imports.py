@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from ...languages.python.alias_span import alias_span
 from ...languages.python.file import Import, PythonFile
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
+from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.interfaces import KINDS
 from ...source import Span
@@ -31,6 +32,7 @@ class WrongInterfaceImport:
     is_local: bool
     is_left: bool
     """Whether it is in a module that nothing starts or imports, beside programs."""
+    is_uninstalled: bool = False
 
 
 @dataclass(frozen=True)
@@ -42,24 +44,35 @@ class InterfaceImports:
 
     def wrong(self) -> Iterator[WrongInterfaceImport]:
         for file, each in self.run.certain:
-            package, _, rest = each.module.partition(".")
-            if each.level or not rest:
-                continue
-            kind, _, deeper = rest.partition(".")
-            found: list[WrongInterfaceImport] = []
-            if kind in KINDS and not deeper:
-                found += self.of_kind(file, each, package, kind)
-            elif kind and (meant := self.meant_module(package, kind)):
-                found.append(self.hit(file, each, each.span, package, kind, "", f"{package}.{meant}"))
-            if found and not self.has_module(each.module):  # last, as it looks through all packages
-                yield from found
+            yield from self.of_import(file, each)
+        for file, each in self.run.uninstalled:
+            if self.known.is_here(each.module.partition(".")[0]):
+                yield from (replace(wrong, is_uninstalled=True) for wrong in self.of_import(file, each) if wrong.name)
+
+    def of_import(self, file: PythonFile, each: Import) -> Iterator[WrongInterfaceImport]:
+        package, _, rest = each.module.partition(".")
+        if each.level or not rest:
+            return
+        kind, _, deeper = rest.partition(".")
+        found: list[WrongInterfaceImport] = []
+        if kind in KINDS and not deeper:
+            found += self.of_kind(file, each, package, kind)
+        elif kind and (meant := self.meant_module(package, kind)):
+            found.append(self.hit(file, each, each.span, package, kind, "", f"{package}.{meant}"))
+        if found and not self.has_module(each.module):  # last, as it looks through all packages
+            yield from found
 
     def has_module(self, module: str) -> bool:
-        """Return whether a package of the workspace installs a module of that name itself, or may do so."""
-        top = module.partition(".")[0]
+        """Return whether a package of the workspace installs a module of that name itself, or may do so.
+
+        One that generates such a module is not likely to have another of the name.
+        """
+        top, _, kind = module.partition(".")
         named = self.workspace.named(top)
         installing = [*self.workspace.having("modules", top), *([named] if named is not None else ())]
-        return any(module in facts.modules or not facts.knows("modules") for facts in installing)
+        return any(
+            module in facts.modules or not (facts.knows("modules") or makes(facts, kind)) for facts in installing
+        )
 
     def meant_module(self, package: str, word: str) -> str | None:
         facts = self.workspace.named(package)
@@ -84,3 +97,8 @@ class InterfaceImports:
     ) -> WrongInterfaceImport:
         is_left = self.reached is not None and self.reached.is_left(file.path)
         return WrongInterfaceImport(file.path, span, package, kind, name, meant, each.is_local, is_left)
+
+
+def makes(facts: PackageFacts, kind: str) -> bool:
+    """Return whether a package generates a module `msg`, `srv` or `action`."""
+    return any(each.startswith(f"{kind}/") for each in facts.interfaces)

@@ -20,7 +20,8 @@ GOOD = "from std_msgs.msg import String\n\nprint(String)\n"
     over=InterfaceImports,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a function, which may not be called, or in a module that nothing starts or imports"
+        Severity.WARNING: "it is in a function, which may not be called, or in a module that nothing starts or imports",
+        Severity.INFO: "nothing installs the file",
     },
     examples=(
         Example(
@@ -53,7 +54,8 @@ def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
     ## When it is quiet
     Where the package is not in the workspace, unless one of its messages has a near name or the name is that of a
     service or action of it; where it makes its interfaces while it is built, or has a Python module of that name; for
-    optional imports, and in files that nothing installs. A module that no entry point and no other file of the package
+    optional imports, and in files that nothing installs, but for an info on a name that a package of the workspace
+    lacks. A module that no entry point and no other file of the package
     names or imports, beside others that start, is a warning.
 
     ## Fix safety
@@ -61,6 +63,7 @@ def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
     """
     for wrong in imports.wrong():
         level = Severity.WARNING if wrong.is_local or wrong.is_left else None
+        level = Severity.INFO if wrong.is_uninstalled else level
         fix = None
         if wrong.kind not in NAMES:
             fix = Fix(f"write `{wrong.meant}`", (Edit(wrong.path, wrong.span, wrong.meant),), Safety.UNSAFE)
@@ -79,4 +82,5 @@ def message(wrong: WrongInterfaceImport) -> str:
         what = f"`{package}` has no {NAMES[kind]}s: importing `{package}.{kind}` raises ModuleNotFoundError"
         advice = f"write `from {module} import {name}`" if module else f"import from the package with the .{kind} file"
         return f"{what}; {advice}"
+    what += ", as soon as this file is run: nothing installs it" if wrong.is_uninstalled else ""
     return f"{what}; {advice}" if module else what
