@@ -152,6 +152,25 @@ def test_a_name_with_slashes_or_a_sign(name: str, found: str) -> None:
     assert all(f"warning: {found}" in text for text in texts)
 
 
+@pytest.mark.parametrize("name, count", [("arm/frame", 1), ("arm.frame", 0), ("arm/other", 0)])
+def test_slashes_in_a_parameter_file(name: str, count: int) -> None:
+    text = f"talker_node:\n  ros__parameters:\n    rate: 1.0\n    {name}: map\n"
+    files = {"CMakeLists.txt": CMAKE, "src/talk.cpp": CPP, "launch/a.launch.xml": NODE.format("")}
+    texts = said("PRM007", {**files, "config/a.yaml": text})
+    assert len(texts) == count
+    assert all(
+        "`arm/frame`: the value is dropped, and slashes are of ROS 1; write `arm.frame`" in text for text in texts
+    )
+
+
+@pytest.mark.parametrize(
+    "name, count", [("costmap/rate", 0), ("FollowPath/max_vel_x", 0), ("general_goal_checker.xy_goal_tolerance", 0)]
+)
+def test_slashes_of_what_nobody_declares(name: str, count: int) -> None:
+    text = f"controller_server:\n  ros__parameters:\n    {name}: 1.0\n"
+    assert len(said("PRM007", {"CMakeLists.txt": CMAKE, "src/talk.cpp": CPP, "config/a.yaml": text})) == count
+
+
 @pytest.mark.parametrize(
     "name, found",
     [

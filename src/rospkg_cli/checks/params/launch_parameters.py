@@ -16,6 +16,7 @@ from ...package.package_facts import PackageFacts
 from ...package.params.declared_parameter import DeclaredParameter
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
+from ...ros.known_nodes import known_nodes
 from ...suggest import near_names
 from ...unreadable import READABLE, Unreadable
 from .declaring_packages import ParameterContext, is_its_own
@@ -170,7 +171,7 @@ class LaunchParameters:
                     if not found and self.is_only_for_named(file):
                         is_only = len(file.blocks) == 1
                         found = [each for each in without_block if is_only or self.declares(each, block)]
-                    is_alone = len(file.blocks) == 1 and found == readers
+                    is_alone = len(file.blocks) == 1 and found == readers and key not in known_nodes()
                     if found and (is_alone or len({each.known_name for each in found}) == 1):
                         yield file, block, found
 

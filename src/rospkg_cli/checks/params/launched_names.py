@@ -106,7 +106,7 @@ def given_names(launched: LaunchParameters) -> Iterator[tuple[str, Span, str]]:
 def strange_names(launched: LaunchParameters) -> Iterator[tuple[str, Span, str, str]]:
     """Yield path, place and name of what no package here declares, and what may be meant.
 
-    That is nearly `use_sim_time`, or has the sign of the command line at its end: `rate:=`.
+    That is nearly `use_sim_time`, or has the sign of the command line at its end, `rate:=`, or slashes for dots.
     """
     packages = launched.workspace.packages
     for path, span, name in given_names(launched):
@@ -114,6 +114,32 @@ def strange_names(launched: LaunchParameters) -> Iterator[tuple[str, Span, str, 
         meant = SIM_TIME if is_time else name.rstrip(SIGNS) if SIGN.search(name) else ""
         if meant and not any(each.fits(name) for facts in packages for each in facts.parameters):
             yield path, span, name, meant
+    yield from slashed_names(launched)
+
+
+def why_dropped(name: str, meant: str) -> str:
+    """Return what is said of a strange name."""
+    if meant == SIM_TIME:
+        return "the node runs on the wall clock"
+    return "slashes are of ROS 1" if "/" in name else "`:=` is for the command line alone"
+
+
+def slashed_names(launched: LaunchParameters) -> Iterator[tuple[str, Span, str, str]]:
+    """Yield path, place and name of what a parameter file gives with slashes, and this package or one that it needs
+    declares with dots.
+    """
+    needed = [launched.workspace.named(each.name) for each in launched.package.dependencies]
+    owners = [launched.package, *(facts for facts in needed if facts is not None)]
+    for file in launched.files:
+        for block in file.blocks:
+            given = {each.name for each in block.parameters}
+            for each in block.parameters:
+                dotted = each.name.strip("/").replace("/", ".")
+                if "/" not in each.name.strip("/") or dotted in given:
+                    continue
+                declared = [one for facts in owners for one in facts.parameters]
+                if any(one.name == dotted for one in declared) and not any(one.fits(each.name) for one in declared):
+                    yield file.path, each.key.span, each.name, dotted
 
 
 def unknown_to_known(nodes: KnownNodes) -> Iterator[LaunchedName]:
@@ -132,7 +158,7 @@ def unknown_of(group: KnownGroup) -> Iterator[LaunchedName]:
     is_owner = len(unknown) <= (1 - ENOUGH) * len(group.values) or len(group.values) == 1
     for each in unknown:
         is_removed = any(one.fits(each.name) for one in group.removed)
-        near = list(meant(each, group)) if is_owner or is_removed or each.name[0] == "/" else []
+        near = list(meant(each, group)) if is_owner or is_removed or "/" in each.name else []
         if len(near) == 1:
             names = each.name, near[0], is_removed
             yield LaunchedName(
@@ -153,7 +179,11 @@ def meant(value: GivenValue, group: KnownGroup) -> Iterator[str]:
     names = {one.name for one in group.declared if not one.is_tail} | {f"{before}.{end}" for end in ends}
     for name in sorted(names - given):
         end = name.removeprefix(f"{before}.") if dot else name
-        if f"/{name}" == value.name or (len(last) >= SHORTEST and is_slip(last, end)):
+        if (
+            f"/{name}" == value.name
+            or name == value.name.replace("/", ".")
+            or (len(last) >= SHORTEST and is_slip(last, end))
+        ):
             yield name
 
 

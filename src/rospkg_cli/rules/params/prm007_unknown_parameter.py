@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.declaring_packages import ParameterGroup, given_type
-from ...checks.params.launched_names import SIM_TIME, strange_names, unknown_to_known
+from ...checks.params.launched_names import strange_names, unknown_to_known, why_dropped
 from ...checks.params.unknown_parameters import UnknownParameters, undeclared, unread
 from ...edits.plain_names import only_plain_names
 from ...example import Example, manifest
@@ -114,9 +114,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         others = tuple(Related(named.path, span, "and this one") for span in named.others)
         yield Hit(named.path, named.span, f"{message}; did you mean `{named.meant}`?", level, others)
     for path, span, name, meant in strange_names(scope.known.launched):
-        ends = "the node runs on the wall clock" if meant == SIM_TIME else "`:=` is for the command line alone"
-        message = f"no node has a parameter `{name}`: the value is dropped, and {ends}"
-        yield Hit(path, span, f"{message}; write `{meant}`")
+        what = f"the value is dropped, and {why_dropped(name, meant)}"
+        yield Hit(path, span, f"no node has a parameter `{name}`: {what}; write `{meant}`")
     for limit in scope.joints.mistyped():
         others = tuple(Related(limit.path, span, "and here") for span in limit.others)
         yield Hit(limit.path, limit.span, unread(limit), related=others)
