@@ -11,11 +11,11 @@ NODE = "add_executable(node src/node.cpp)\ninstall(TARGETS node DESTINATION lib/
 FOR_TESTS = "if(BUILD_TESTING)\n  find_package({0} REQUIRED)\nendif()\n"
 
 
-def told(code: str, lines: str, depends: str) -> list[tuple[str, str]]:
+def told(code: str, lines: str, depends: str, source: str = "") -> list[tuple[str, str]]:
     files = {
         "CMakeLists.txt": CMAKE.replace("ament_package()", f"{lines}ament_package()"),
         "package.xml": manifest(depends, "ament_cmake"),
-        "src/node.cpp": "int main() {return 0;}\n",
+        "src/node.cpp": f"{source}int main() {{return 0;}}\n",
     }
     found = lint_files(files, [code]).findings
     return [(each.severity.value, each.message) for each in found]
@@ -66,3 +66,18 @@ def test_what_is_found_for_tests_alone(name: str, target: str) -> None:
         f"{links('other')}{for_tests}",
     )
     assert [told("DEP107", lines, depends) for lines in quiet] == [[], [], []]
+
+
+def test_what_is_declared_included_and_found_by_another() -> None:
+    depends = "  <depend>rosbag2_cpp</depend>\n  <depend>rosbag2_storage</depend>\n  <depend>rclcpp</depend>\n"
+    source = "#include <rosbag2_storage/serialized_bag_message.hpp>\n"
+    lines = f"find_package(rosbag2_cpp REQUIRED)\n{NODE}ament_target_dependencies(node rosbag2_cpp)\n"
+    (level, message), *others = told("DEP107", lines, depends, source)
+    assert (level, others) == ("info", [])
+    assert message.startswith("`rosbag2_storage` is declared and included")
+    assert told("DEP107", f"find_package(rosbag2_storage REQUIRED)\n{lines}", depends, source) == []
+    assert told("DEP107", lines, "  <depend>rosbag2_cpp</depend>\n", source) == []
+    assert (
+        told("DEP107", f"find_package(ament_cmake_auto)\nament_auto_find_build_dependencies()\n{lines}", depends) == []
+    )
+    assert told("DEP107", lines, depends, "#include <rcl_interfaces/msg/parameter.hpp>\n") == []

@@ -67,6 +67,18 @@ class MissingFindPackages:
                     told.add(each.name)
                     yield replace(each, is_declared=False)
 
+    def brought(self) -> Iterator[MissingFindPackage]:
+        """Yield each declared package once whose headers are included, and that certainly comes with one that is found.
+
+        What all users of rclcpp get from it is left out.
+        """
+        if self.declared.is_checked and self.is_complete:
+            there, _ = self.declared.transitive_names_of(self.found)
+            for each in self.headers(maybe=True):
+                is_new = each.name in there - self.found and not self.is_everywhere(each.name)
+                if is_new and self.is_declared(each):
+                    yield each
+
     def is_everywhere(self, name: str) -> bool:
         """Return whether it is of the interfaces that rclcpp or the generators find, or of the tools of ament."""
         return name in FOUND_WITH_GENERATORS | OF_CLIENT_LIBRARIES or name.startswith(("rosidl_", "ament_"))

@@ -53,7 +53,7 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     Finds ROS packages that CMake uses without a `find_package()`.
     Targets are linked with the package or interfaces depend on it, whether it is declared or not, or headers of a
     declared one are included. What is found for tests alone counts as not found where a target of the package itself is
-    linked with it. Packages that come with one that is found are left alone, and so is everything where a
+    linked with it. Everything is left alone where a
     command such as `ament_auto_find_build_dependencies()` finds what is declared. Of libraries with a folder of headers
     of their own (Eigen, OpenCV, PCL), declared ones are told that no CMake file has a word of, in such packages too.
 
@@ -62,8 +62,8 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     only as long as another package happens to find this one.
 
     ## When it is quiet
-    What certainly comes with a package that is found is left alone; where that is not known, it is an info, and so is a
-    package that a target is linked with, that comes with another one, and that package.xml does not declare either.
+    What certainly comes with a package that is found is one info where it is declared and included, or where a target
+    is linked with it and package.xml does not declare it either; where that is not known, it is an info too.
     Nothing is said where a command such as `ament_auto_find_build_dependencies()` finds what is declared, where a part
     of CMake can't be evaluated, or where something is found that may be the same under another name.
 
@@ -76,6 +76,8 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
         yield in_one(brought)
     if libraries := list(unfound_libraries(missing.includes)):
         yield not_found(libraries)
+    if included := list(missing.brought()):
+        yield found_by_others(included)
     yield from map(only_for_tests, found_for_tests(missing.includes))
     for each in found if not brought[1:] else (each for each in found if each not in brought):
         line = f"find_package({each.name} REQUIRED)"
@@ -88,6 +90,18 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
             edits = (*edits, add_dependency(missing.declared.manifest, tag, each.name))
         fix = Fix(f"add {line}", edits, Safety.UNSAFE) if edits else None
         yield Hit(each.path, each.span, message, Severity.INFO if each.may_be_transitive else None, fix=fix)
+
+
+def found_by_others(included: Sequence[MissingFindPackage]) -> Hit:
+    """Return one info for all that is declared and included, and comes with what CMake looks for."""
+    first, *others = included
+    names = in_ticks([each.name for each in included])
+    message = (
+        f"{names} {'are' if others else 'is'} declared and included, and CMake never looks for "
+        f"{'them' if others else 'it'}: other packages bring {'them' if others else 'it'} today; find what you use"
+    )
+    related = tuple(Related(each.path, each.span, each.usage) for each in others)
+    return Hit(first.path, first.span, message, Severity.INFO, related)
 
 
 def only_for_tests(each: FoundForTests) -> Hit:
