@@ -81,3 +81,36 @@ def test_what_is_declared_included_and_found_by_another() -> None:
         told("DEP107", f"find_package(ament_cmake_auto)\nament_auto_find_build_dependencies()\n{lines}", depends) == []
     )
     assert told("DEP107", lines, depends, "#include <rcl_interfaces/msg/parameter.hpp>\n") == []
+
+
+LIBRARY = """\
+{0}add_library(core SHARED src/node.cpp)
+target_link_libraries(core {1} yaml-cpp::yaml-cpp)
+install(DIRECTORY include/ DESTINATION include/${{PROJECT_NAME}})
+install(TARGETS core EXPORT export_core DESTINATION lib)
+ament_export_targets(export_core HAS_LIBRARY_TARGET)
+{2}"""
+YAML = "find_package(yaml-cpp REQUIRED)\n"
+
+
+@pytest.mark.parametrize(
+    "found, scope, exports, levels",
+    [
+        (YAML, "PUBLIC", "", ["info"]),
+        (YAML, "", "ament_export_dependencies(rclcpp)\n", ["info"]),
+        (YAML, "PRIVATE", "", []),
+        (YAML, "PUBLIC", "ament_export_dependencies(yaml-cpp)\n", []),
+        (YAML, "PUBLIC", "ament_export_dependencies(yaml_cpp_vendor)\n", []),
+        (YAML, "PUBLIC", "ament_export_dependencies(${{MORE}})\n", []),
+        ("", "PUBLIC", "", []),
+    ],
+)
+def test_a_target_of_a_library_that_is_handed_on(found: str, scope: str, exports: str, levels: list[str]) -> None:
+    lines = LIBRARY.format(found, scope, exports).replace("{{", "{").replace("}}", "}")
+    files = {
+        "CMakeLists.txt": CMAKE.replace("ament_package()", f"{lines}ament_package()"),
+        "package.xml": manifest("  <depend>yaml-cpp</depend>\n", "ament_cmake"),
+        "src/node.cpp": "#include <my_pkg/core.hpp>\n",
+        "include/my_pkg/core.hpp": "#pragma once\n",
+    }
+    assert [each.severity.value for each in lint_files(files, ["CMK113"]).findings] == levels

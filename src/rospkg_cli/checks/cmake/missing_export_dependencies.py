@@ -13,11 +13,14 @@ from ...package.cmake.installed_headers import INCLUDES, PLUGINS, PublicHeaders
 from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
+from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
 from ...ros.link_targets import MESSAGES
 from ...ros.read_table import rows
 
 BUILD = ("build_depend",)
 TABLES = ("exported_dependencies", "runtime_dependencies")
+IN_OTHERS = frozenset({"Boost", "Eigen3", "OpenMP", "Qt5"})
+"""What many other libraries look for themselves."""
 REGISTERS = ("PLUGINLIB_EXPORT_CLASS", "RCLCPP_COMPONENTS_REGISTER_NODE", "CLASS_LOADER_REGISTER_CLASS")
 VARIABLE = regex(r"\$\{([\w.+-]+?)_TARGETS\}")
 """Targets by a variable. `${std_msgs_LIBRARIES}` are paths of libraries, which no one has to find again."""
@@ -63,7 +66,8 @@ class ExportedDependencies:
             package = self.package_of(link)
             passed = link.is_public and link.target in self.libraries and not link.call.maybe and not link.word.maybe
             included = package in self.needed
-            needed = included or (link.target in self.targets and self.is_target(package, link))
+            is_target = self.is_target(package, link) or self.is_library(package, link)
+            needed = included or (link.target in self.targets and is_target)
             if passed and needed and package not in self.there[0] | seen | self.of_families:
                 seen.add(package)
                 loads = plugins or link.target in components or self.registers_classes(link.target)
@@ -78,6 +82,18 @@ class ExportedDependencies:
         has_some = any(each != "-" for each in rows("cmake_targets.txt").get(package, ()))
         of_ros = MESSAGES.fullmatch(package) is not None or has_some
         return package in self.found & self.declared and (of_ros or not link.package)
+
+    def is_library(self, package: str, link: TargetLink) -> bool:
+        """Return whether a link hands a target of a library of the system on (`yaml-cpp::yaml-cpp`), which is found.
+
+        What other libraries or packages use may come with them, and a module of the package may find it for users.
+        """
+        keys = frozenset(keys_for_cmake(package)) - {NOTHING_NEEDED}
+        others = {each for each in self.there[0] if keys_for_cmake(each)} if package in IN_OTHERS else set[str]()
+        is_own = any(f"Find{package}.cmake" in path for path in self.headers.package.cmake.package_files.paths)
+        lower = {each.lower() for each in self.there[0]}
+        is_listed = not keys.isdisjoint(self.there[0]) or bool(others) or is_own or package.lower() in lower
+        return "::" in link.word.text and package in self.found and bool(keys) and not is_listed
 
     @cached_property
     def is_built_against(self) -> bool:

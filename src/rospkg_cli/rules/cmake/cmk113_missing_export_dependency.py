@@ -67,9 +67,9 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     ## What it does
     Finds public dependencies of an exported library that `ament_export_dependencies()` does not name.
     A dependency is public if the library is linked with it (PUBLIC, INTERFACE, or without a keyword) and one of its
-    installed headers includes it, or the library is exported as a target that names one of the dependency. What comes
-    with a package that is named is left alone. A plugin or a component that no package of the workspace builds against
-    may only be loaded.
+    installed headers includes it, or the library is exported as a target that names one of the dependency, also where
+    that is of the system (`yaml-cpp::yaml-cpp`). What comes with a package that is named is left alone. A plugin or a
+    component that no package of the workspace builds against may only be loaded.
 
     ## Why is this bad?
     This package builds. Another one that links the library stops with "the target was not found", or at the first
