@@ -243,3 +243,22 @@ def test_a_block_of_a_file_that_nothing_names(launch: str, count: int) -> None:
     texts = said("PRM003", {**files, "config/a.yaml": "speaker:\n  ros__parameters:\n    rate: 2.0\n"})
     assert len(texts) == count
     assert all(text.startswith("info: no node is called `speaker`: this package's is") for text in texts)
+
+
+@pytest.mark.parametrize(
+    "key, one, other, count",
+    [
+        ("solver", "10", "10.0", 1),
+        ("solver", "10.0", "12.5", 0),
+        ("solver", "10", "12", 0),
+        ("/**", "10", "10.0", 0),
+        ("talker_node", "10", "10.0", 0),
+    ],
+)
+def test_an_int_that_another_file_has_as_a_double(key: str, one: str, other: str, count: int) -> None:
+    name = "damping" if key == "solver" else "rate"
+    texts = [f"{key}:\n  ros__parameters:\n    {name}: {value}\n    arm.frame: a\n" for value in (one, other)]
+    files = {"CMakeLists.txt": CMAKE, "src/talk.cpp": CPP, "config/a.yaml": texts[0], "config/b.yaml": texts[1]}
+    found = [text for text in said("PRM006", files) if "an int here" in text]
+    assert len(found) == count
+    assert all(text.startswith(f"info: `{name}` is an int here and a double in `config/b.yaml`") for text in found)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass
 from ...package.params.parameter_file import ParameterFile
+from ...source import Span
 from ..older_distribution import OlderDistribution
 from .declaring_packages import ParameterContext
 from .known_given import GivenValue, KnownNodes, PartKind
@@ -31,6 +32,13 @@ class MistypedValues:
     known: KnownNodes
     uses: ParameterFileUses
     distribution: OlderDistribution
+
+    def with_types(self) -> Iterator[tuple[str, Span]]:
+        """Yield the values whose type is known: path and place."""
+        for group in self.given.groups():
+            yield from ((group.file.path, each.value.span) for each in group.parameters if group.wanted_type(each))
+        for known in self.known.groups():
+            yield from ((known.path, each.value) for each in known.values if known.wanted_type(each.name))
 
 
 def mistyped_known(nodes: KnownNodes) -> Iterator[MistypedValue]:

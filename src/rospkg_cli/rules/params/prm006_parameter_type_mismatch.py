@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.declaring_packages import given_type
-from ...checks.params.mistyped_known import MistypedValue, MistypedValues, mistyped_known
+from ...checks.params.differing_numbers import differing_numbers
+from ...checks.params.mistyped_known import MistypedValues, mistyped_known
+from ...edits.double_numbers import INTEGERS, as_double, known_as_double
 from ...example import CMAKE, Example, manifest
-from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...languages.yaml.nodes import ScalarNode, SequenceNode
-from ...lazy_regex import regex
-from ...package.params.parameter_file import Parameter
+from ...finding import Hit, Related, Safety, Severity
+from ...package.params.parameter_file import Parameter, ParameterFile
 from ...rule import rule
-from ...source import Span
 
 NODE = """\
 class Talker : public rclcpp::Node
@@ -53,7 +52,10 @@ def example(bad: str, good: str, fix: Safety | None = None) -> Example:
     "parameter-type-mismatch",
     over=MistypedValues,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "nothing names the file, or the block is one of a well-known node by its name alone"},
+    levels={
+        Severity.INFO: "nothing names the file, the block is one of a well-known node by its name alone, or another "
+        "file has a double"
+    },
     examples=(
         example("rate: «50»", "rate: 50.0", Safety.SAFE),
         example("frames: «odom»", "frames: [odom]"),
@@ -75,7 +77,8 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     Finds values in a parameter file whose type differs from the declared type.
     Types are declared by `declare_parameter` and its like in C++ and Python, and by definitions for
     generate_parameter_library. Those of packages that everybody uses (nav2, ros2_control, slam_toolbox,
-    robot_localization and others) are known without their sources, for values in launch files as well.
+    robot_localization and others) are known without their sources, for values in launch files as well. Where a type is
+    not known, and another file of the package gives the same node a double for an int, that is an info.
 
     ## Why is this bad?
     A parameter never changes its type. `50` is an integer, and a node that declared a double stops when it starts:
@@ -109,32 +112,21 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
             given += ", but not in Foxy" if is_old else ""
             level = Severity.INFO if is_idle or is_old or not each.is_certain else None
             yield Hit(each.path, each.value.value, f"{message}: {given}; write {article(each.wanted)}", level, fix=fix)
+    if not is_old:
+        for file, several in differing_numbers(scope.given.files, set(scope.with_types())):
+            yield unequal(file, several)
+
+
+def unequal(file: ParameterFile, several: list[tuple[Parameter, str]]) -> Hit:
+    (first, other), *rest = several
+    more = f" (so with {len(rest)} more)" if rest else ""
+    message = f"`{first.name}` is an int here and a double in `{other}`{more}: a parameter has one type"
+    others = tuple(Related(file.path, each.value.span, f"`{each.name}` too") for each, _ in rest)
+    what = f"{message}, and one of the two stops the node if it declares it; write them alike"
+    return Hit(file.path, first.value.span, what, Severity.INFO, others, as_double(file.path, first))
 
 
 def article(kind: str) -> str:
     """Return a type with its article: "a list of double", "an int"."""
     one = kind.removesuffix("[]")
     return f"a list of {one}" if one != kind else f"an {one}" if one == "int" else f"a {one}"
-
-
-INTEGERS = (("int", "double"), ("int[]", "double[]"))
-DECIMAL = regex(r"[+-]?(?:0|[1-9][0-9]*)")
-
-
-def as_double(path: str, parameter: Parameter) -> Fix | None:
-    """Put `.0` behind whole numbers that are written in decimal."""
-    value = parameter.value
-    items = value.items if isinstance(value, SequenceNode) else [value]
-    numbers = [item for item in items if isinstance(item, ScalarNode) and DECIMAL.fullmatch(item.text)]
-    if len(numbers) != len(items):
-        return None
-    edits = tuple(Edit(path, number.span, f"{number.text}.0") for number in numbers)
-    return Fix("write it with `.0`", edits)
-
-
-def known_as_double(each: MistypedValue) -> Fix | None:
-    """Put `.0` behind whole numbers for a well-known node."""
-    if each.value.written is not None:
-        return as_double(each.path, each.value.written)
-    place = Span(each.value.value.end, each.value.value.end)
-    return Fix("write it with `.0`", (Edit(each.path, place, ".0"),)) if DECIMAL.fullmatch(each.value.text) else None
