@@ -68,6 +68,13 @@ def test_what_is_found_for_tests_alone(name: str, target: str) -> None:
     assert [told("DEP107", lines, depends) for lines in quiet] == [[], [], []]
 
 
+def test_variables_in_other_letters_are_those_of_a_library() -> None:
+    lines = f"find_package(yaml-cpp REQUIRED)\n{NODE}target_link_libraries(node ${{YAML_CPP_LIBRARIES}})\n"
+    assert [level for level, _ in told("DEP201", lines, "  <build_depend>yaml-cpp</build_depend>\n")] == ["info"]
+    assert told("DEP201", lines, "  <depend>yaml-cpp</depend>\n") == []
+    assert told("DEP201", lines.replace("YAML_CPP", "OTHER"), "  <build_depend>yaml-cpp</build_depend>\n") == []
+
+
 def test_what_is_declared_included_and_found_by_another() -> None:
     depends = "  <depend>rosbag2_cpp</depend>\n  <depend>rosbag2_storage</depend>\n  <depend>rclcpp</depend>\n"
     source = "#include <rosbag2_storage/serialized_bag_message.hpp>\n"

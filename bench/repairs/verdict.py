@@ -18,8 +18,8 @@ from rospkg_cli.cli.lint.run import lint_to
 Repair = dict[str, str]
 BRINGER = re.compile(r"\bcomes? with [^;:]*")
 """Names a package that serves today in place of the one that lacks: it is not at fault."""
-KEY = r"(?:python3-)?"
-"""How the key of rosdep for a module begins: `python3-imageio` names `imageio`."""
+KEY, DEV = r"(?:python3-|lib)?", r"(?:-dev)?"
+"""How the key of rosdep for a module or library begins and ends: `libceres-dev` names `ceres`."""
 
 
 def verdict(mirror: Path, repair: Repair) -> str:
@@ -57,8 +57,8 @@ def findings(tree: Path, package: str) -> list[dict[str, Any]]:
 def naming(repair: Repair, found: Sequence[dict[str, Any]]) -> list[str]:
     """Return the codes of the fitting findings that name the fault: its token as a word, a file also by its path."""
     token = repair["token"].lower()
-    key = KEY if FITTING[repair["class"]] is DEPENDENCY else ""
-    word = re.compile(rf"(?<![\w-]){key}{re.escape(token)}(?![\w-])")
+    key, dev = (KEY, DEV) if FITTING[repair["class"]] is DEPENDENCY else ("", "")
+    word = re.compile(rf"(?<![\w-]){key}{re.escape(token)}{dev}(?![\w-])")
     codes = []
     for finding in found:
         text = BRINGER.sub("", finding["message"].lower()) + (f" {finding['path'].lower()}" if "." in token else "")

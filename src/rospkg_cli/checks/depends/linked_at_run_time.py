@@ -53,9 +53,15 @@ def package_name(includes: IncludeDependencies, link: TargetLink) -> str:
     """Return what find_package calls the package of an argument of a link; "" where that is not known."""
     written = includes.cmake.source_text(link.word).strip('"')
     if found := VARIABLE.fullmatch(written):
-        return str(found[1])
+        name = str(found[1])
+        return next((each.name for each in includes.cmake.packages if plain(each.name) == plain(name)), name)
     is_certain = link.word.is_known and not link.word.maybe and "$<" not in link.word.text
     return link.word.text.partition("::")[0] if is_certain else ""
+
+
+def plain(name: str) -> str:
+    """Return a name as its variables have it or not: `YAML_CPP_LIBRARIES` are those of `yaml-cpp`."""
+    return name.lower().replace("-", "_")
 
 
 def is_served_at_run_time(names: tuple[str, ...], run_names: frozenset[str]) -> bool:
