@@ -60,6 +60,15 @@ DEEP = FILES | {"include/my_pkg/core.hpp": INCLUDE.format("more"), "src/my_pkg/m
 WITH = DEEP | {"include/my_pkg/core.hpp": "#if WITH\n" + INCLUDE.format("more") + "#endif\n"}
 WINDOW = FILES | {"include/my_pkg/core.hpp": '#include "ui_main.h"\n', "src/main.ui": "<ui/>\n"}
 EXPORTED = "ament_export_include_directories(include)\nament_export_libraries(core)\n"
+GENERATES = 'find_package(rosidl_default_generators REQUIRED)\nrosidl_generate_interfaces(my_pkg "msg/A.msg")\n'
+INTERFACES = """\
+  <buildtool_depend>rosidl_default_generators</buildtool_depend>
+  <exec_depend>rosidl_default_runtime</exec_depend>
+  <member_of_group>rosidl_interface_packages</member_of_group>
+"""
+USES = "#include <my_pkg/msg/a.hpp>\n"
+GENERATED = {"msg/A.msg": "bool a\n", "src/talker.cpp": USES + "int main() {return 0;}\n"}
+SWITCHED = GENERATED | {"src/talker.cpp": f"#if WITH\n{USES}#endif\nint main() {{return 0;}}\n"}
 CASES = {
     "CMK003": (
         Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", "autoware_package")}, good={}, on="ament_cmake"),
@@ -98,6 +107,16 @@ CASES = {
         package(LINKED.format("std_msgs", "PRIVATE std_msgs"), MAIN),
         package(LINKED.format("std_msgs", "${std_msgs_TARGETS}"), MAIN),
         package(LINKED.format("acme_msgs", "acme_msgs::acme_msgs acme_msgs"), MAIN),
+        package(GENERATES + PROGRAM.replace("talker core", "talker my_pkg"), GENERATED, INTERFACES),
+        package(GENERATES + PROGRAM.replace("talker core", "talker my_pkg"), GENERATED, INTERFACES, "humble"),
+        package(
+            GENERATES + 'rosidl_get_typesupport_target(support pkg "rosidl_typesupport_cpp")\n', GENERATED, INTERFACES
+        ),
+        package(
+            GENERATES + 'rosidl_get_typesupport_target(support my_pkg "rosidl_typesupport_cpp")\n',
+            GENERATED,
+            INTERFACES,
+        ),
         package(
             "find_package(std_msgs REQUIRED)\nadd_library(std_msgs::std_msgs INTERFACE IMPORTED)\n"
             + LINKED.format("std_msgs", "std_msgs::std_msgs"),
@@ -124,6 +143,20 @@ CASES = {
         package(LIBRARY.replace("DESTINATION lib)", "DESTINATION lib/my_pkg)")),
         package(LIBRARY + "ament_export_libraries(core)\n"),
         beside_user(LIBRARY),
+    ),
+    "CMK121": (
+        *(
+            package(GENERATES + PROGRAM.replace("talker core", links) + more, GENERATED, INTERFACES)
+            for links, more in (
+                ("talker m", ""),
+                ('talker "${support}"', 'rosidl_get_typesupport_target(support my_pkg "rosidl_typesupport_cpp")\n'),
+                ("talker ${support}", ""),
+                ("talker m", 'rosidl_target_interfaces(talker my_pkg "rosidl_typesupport_cpp")\n'),
+                ("talker my_pkg__rosidl_typesupport_cpp", ""),
+                ("talker m", "find_package(my_pkg REQUIRED)\n"),
+            )
+        ),
+        package(GENERATES + PROGRAM.replace("talker core", "talker m"), SWITCHED, INTERFACES),
     ),
     "CMK123": (
         package(PUBLIC.format("PUBLIC include", EXPORT)),

@@ -22,11 +22,15 @@ NEW = ("lyrical", "rolling")
 class MessageTarget:
     word: Word
     package: str
+    """The released one; "" where the target is that of the package's own interfaces."""
     level: Level
 
     @property
     def sentence(self) -> str:
         text, package = self.word.text, self.package
+        if not package:
+            why = f'`{text}` is what generates the interfaces and no library: CMake stops with "may not be linked"'
+            return f"{why}; link what `rosidl_get_typesupport_target()` returns"
         if text == package:
             why = f"`{package}` has no library of its name: the linker finds no `-l{package}`"
         else:
@@ -45,7 +49,12 @@ class MessageTargets:
         if not cmake.is_complete or cmake.reads_unknown_files:
             return
         seen: set[str] = set()
+        own = {each.target.text for each in cmake.interface_targets if each.target.is_known}
         for link in TargetLinks(cmake).all:
+            is_sure = link.word.is_known and not (link.package or link.word.maybe or link.call.maybe)
+            if is_sure and link.word.text in own - seen and (level := self.level_of_new()):
+                seen.add(link.word.text)
+                yield MessageTarget(link.word, "", level)
             package, colons, target = link.word.text.partition("::")
             if package in CORE_MESSAGES and target in ("", package) and self.is_sure(link):
                 level = self.level_of_new() if colons else "error"

@@ -18,6 +18,8 @@ FIRST_IS_TARGET = (
     "target_compile_options", "target_sources", "target_link_options", "ament_target_dependencies",
     "rosidl_target_interfaces", "add_dependencies",
 )  # fmt: skip
+OF_INTERFACES = ("rosidl_get_typesupport_target", "rosidl_target_interfaces")
+"""Commands whose second argument is what rosidl_generate_interfaces() was given."""
 EXPORTS = ("ament_export_targets", "ament_export_interfaces")
 
 OF_TESTS = ("gtest", "gtest_main", "gmock", "gmock_main")
@@ -79,6 +81,8 @@ class TargetReferences:
         for call in self.cmake.named("set_target_properties"):
             end = call.texts.index("PROPERTIES") if "PROPERTIES" in call.texts else 0
             yield from (TargetReference(word, call) for word in call.words[:end])
+        for call in self.cmake.named(*OF_INTERFACES):
+            yield from (TargetReference(word, call) for word in call.words[1:2])
         for rule in self.cmake.installs:
             if rule.kind == "TARGETS":
                 yield from (TargetReference(word, rule.call) for word in rule.items)
@@ -116,7 +120,7 @@ class TargetReferences:
         """The calls of unknown commands: each may add a target named by any of its arguments."""
         from ...languages.cmake.commands import COMMANDS
 
-        known = {*COMMANDS, *MAKERS, *self.cmake.functions}
+        known = {*COMMANDS, *MAKERS, *OF_INTERFACES, *self.cmake.functions}
         return [call for call in self.cmake.calls if call.name not in known]
 
 

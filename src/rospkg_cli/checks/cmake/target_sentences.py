@@ -12,7 +12,8 @@ STOPS = {
     "set_target_properties": "can not find target to add properties to",
     "add_dependencies": "Cannot add target-level dependencies to non-existent target",
     "ament_target_dependencies": "the first argument must be a valid target name",
-    "rosidl_target_interfaces": "the first argument … must be a valid target name",
+    "rosidl_target_interfaces": "the … argument … must be a valid target name",
+    "rosidl_get_typesupport_target": "is not a CMake target",
 }
 """How CMake says it; the commands for targets all end their sentence in the same way."""
 

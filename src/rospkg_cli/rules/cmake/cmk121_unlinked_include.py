@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ...checks.depends.own_interfaces import OwnInterface, OwnInterfaces
 from ...checks.depends.unlinked_includes import UnlinkedInclude, UnlinkedIncludes
 from ...checks.enumeration import in_ticks
 from ...example import CMAKE, Example, manifest
@@ -51,7 +52,8 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     ## What it does
     Finds targets that include headers of a package that CMake finds, and are not linked with it.
     `find_package()` alone tells no target where the headers are: `target_link_libraries()` does, or
-    `ament_target_dependencies()` up to Kilted.
+    `ament_target_dependencies()` up to Kilted. So are the headers of the package's own interfaces, which come with what
+    `rosidl_get_typesupport_target()` returns.
 
     ## Why is this bad?
     From Humble on each package has a folder of headers of its own, so the build ends with "No such file or directory";
@@ -68,6 +70,8 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     ## References
     - [ament_cmake user documentation](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Documentation.html)
     """
+    if hit := without_own(list(OwnInterfaces(includes).all())):
+        yield hit
     perhaps: list[UnlinkedInclude] = []
     for each in includes.all():
         if each.bringer:
@@ -85,6 +89,18 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
         yield Hit(each.path, each.span, message, None if each.is_own_folder or each.keeper else Severity.INFO)
     for target in dict.fromkeys(each.target.name for each in perhaps):
         yield perhaps_brought([each for each in perhaps if each.target.name == target])
+
+
+def without_own(found: Sequence[OwnInterface]) -> Hit | None:
+    """Return the hit of all targets that include what is generated here and are not linked with it."""
+    if not found:
+        return None
+    first, *others = found
+    start = f"`{first.header}` is generated in this package, and `{first.target.name}` is not linked with it"
+    link = "link what `rosidl_get_typesupport_target()` returns"
+    related = tuple(Related(each.path, each.span, f"`{each.target.name}` lacks it, too") for each in others)
+    message = f'{start}: the build ends with "No such file or directory"; {link}'
+    return Hit(first.path, first.span, message, related=related)
 
 
 def perhaps_brought(found: Sequence[UnlinkedInclude]) -> Hit:
