@@ -128,6 +128,13 @@ FITTING: dict[str, tuple[str, ...]] = {
     "missing-include-directory": ("CMK",),
     "param-unknown-link": ("PRM", "URD"),
     "rviz-absolute-path": ("URD002", "LCH003"),
+    "launch-absolute-path": ("LCH003", "LCH004", "URD002", "DEP118"),
+    "param-bad-package": ("PRM", "DEP", "LCH003", "URD002"),
+    "cmake-compile-definition": ("CMK",),
+    "missing-include": ("CMK201", "DEP105", "IDL", "CMK"),
+    "launch-source-mismatch": ("LCH",),
+    "duplicate-package-name": ("WSP001",),
+    "launch-not-installed": ("SET206", "SET207", "CMK101", "LCH003", "LCH004"),
 }
 NAMELESS = {
     "malformed-xml",
