@@ -27,7 +27,7 @@ FITTING: dict[str, tuple[str, ...]] = {
     "entry-point-invalid": ("SET10",),
     "cmake-unknown-export-dependency": ("CMK110", "CMK117", "DEP"),
     "cmake-unknown-package": ("DEP104", "DEP0", "DEP1", "CMK110", "CMK117"),
-    "cmake-unknown-target": ("CMK110", "CMK118", "CMK107"),
+    "cmake-unknown-target": ("CMK110", "CMK118", "CMK107", "CMK108"),
     "cmake-unknown-variable": ("CMK",),
     "cmake-install-destination": ("CMK104", "CMK103", "CMK101", "CMK123", "LCH004"),
     "cmake-install-missing-path": ("CMK102", "CMK123"),

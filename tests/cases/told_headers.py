@@ -100,6 +100,14 @@ CASES = {
         package(CORE.format("") + REACHED.format("PUBLIC include") + PROGRAM, OWN),
         package(CORE.format("") + REACHED.format("include") + PROGRAM, OWN),
     ),
+    "CMK108": (
+        package(
+            "find_package(rclcpp_components REQUIRED)\nadd_library(core SHARED src/core.cpp)\n"
+            'rclcpp_components_register_node(talker PLUGIN "my_pkg::Talker" EXECUTABLE talker)\n',
+            FILES,
+            "  <depend>rclcpp_components</depend>\n",
+        ),
+    ),
     "CMK110": (
         package(LINKED.format("std_msgs", "std_msgs::std_msgs"), MAIN),
         package(LINKED.format("std_msgs", "std_msgs::std_msgs"), MAIN, "", "humble"),

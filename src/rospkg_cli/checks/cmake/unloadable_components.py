@@ -37,6 +37,8 @@ class UnloadableComponent:
 def unloadable_components(registration: ComponentRegistration) -> Iterator[UnloadableComponent]:
     """Yield the first component of each such target; a class that no source registers is told for that alone.
 
+    But for the program that the command itself makes, which is a fault of its own.
+
     It is an error where the command makes a program, which does nothing else than load it.
     """
     cmake = registration.package.cmake
@@ -48,7 +50,9 @@ def unloadable_components(registration: ComponentRegistration) -> Iterator[Unloa
         name = component.target.text
         made = [target for target in cmake.targets if target.name == name]
         kinds = {kind_of(target) for target in made}
-        if len(kinds) != 1 or name in seen or component.plugin.text in told or any(each.call.maybe for each in made):
+        is_itself = component.executable is not None and component.executable.text == name
+        is_told = component.plugin.text in told and not is_itself
+        if len(kinds) != 1 or name in seen or is_told or any(each.call.maybe for each in made):
             continue
         seen.add(name)
         if what := kinds.pop():
