@@ -1,0 +1,117 @@
+"""Paths in one person's home folder that launch files, YAML, CMake and code name: nobody else has them."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from functools import cached_property
+
+from ..files import PackageFiles
+from ..lazy_regex import regex
+from ..light_dataclasses import dataclass
+from ..package.file_role import is_set_aside, role_of
+from ..package.package_facts import PackageFacts
+from ..package.workspace import Workspace
+from ..source import Span
+
+MARKUP = (".launch", ".launch.xml", "_launch.xml")
+YAML = (".yaml", ".yml", ".rviz")
+CPP = (".cpp", ".cc", ".cxx", ".hpp", ".h")
+NO = r"${}<>%\s\"'`,;:*()"
+PATH = rf"(?:/home/(?P<user>[^/{NO}]+)/|/Users/(?P<mac>[^/{NO}]+)/)[^{NO}]+"
+QUOTED = regex(rf"(?<=[\"'=])(?:file://)?(?P<path>{PATH})(?=[\"'])")
+PLAIN = regex(rf"(?m)(?<=[:-])[ \t]+(?:file://)?(?P<path>{PATH})(?=[ \t]*(?:#.*)?$)")
+"""The value of a key, or an element of a list, without quotes."""
+
+IN_CMAKE = regex(rf"(?<![\w./-])(?<!DESTINATION )(?P<path>{PATH})(?![\w*$])")
+COMMENTS = {CPP: regex(r"(?s)/\*.*?\*/|//[^\n]*"), MARKUP: regex(r"(?s)<!--.*?-->")}
+OF_MANY = frozenset(
+    "admin app dev developer docker jetson nvidia pi robot root ros ros2 runner ubuntu user username vscode you".split()
+)
+"""Accounts that robots, containers and examples have: the path may be the same for everyone."""
+ASKS = regex(r"\b(?:exists|isfile|is_file|isdir|is_dir|access)\(")
+
+
+@dataclass(frozen=True, slots=True)
+class HomePath:
+    path: str
+    """Of the file that names it."""
+    span: Span
+    text: str
+    of_package: str | None
+    """The package of the workspace in whose folders it lies."""
+    below: str
+    """The rest of the path, below that package or its share directory."""
+    is_image: bool
+    """Whether it is the image of a map."""
+    may_be_there: bool
+    """Whether many have an account of that name, or the code asks first whether it exists."""
+
+
+@dataclass(frozen=True)
+class HomePaths:
+    files: PackageFiles
+    facts: PackageFacts
+    workspace: Workspace
+
+    @cached_property
+    def found(self) -> tuple[HomePath, ...]:
+        """Each path once a file; those into this workspace first."""
+        found = [each for path in self.files.paths if self.is_read(path) for each in self.of(path)]
+        return tuple(sorted(found, key=lambda each: each.of_package is None))
+
+    def is_read(self, path: str) -> bool:
+        """Return whether a file is a launch file, YAML, CMake or code of what is built and runs."""
+        if role_of(path) not in ("run", "launch") or is_set_aside(path):
+            return False
+        read = (".py", *MARKUP, *YAML, *CPP, "CMakeLists.txt")
+        return path.endswith(read) and not path.startswith((".", "build/", "install/", "log/"))
+
+    def of(self, path: str) -> Iterator[HomePath]:
+        if not any(self.files.holds(path, each) for each in (b"/home/", b"/Users/")):
+            return
+        text = self.files.readable_text(path)
+        bare = without_comments(path, text)
+        is_asked = ASKS.search(bare) is not None
+        places: dict[str, re.Match[str]] = {}
+        for pattern in patterns(path):
+            for match in pattern.finditer(bare):
+                places.setdefault(match["path"], match)
+        for named, match in sorted(places.items(), key=lambda each: each[1].start()):
+            is_image = bare[: match.start("path")].rstrip(" \t\"'").endswith("image:")
+            may_be_there = is_asked or is_of_many(match["user"] or match["mac"])
+            yield HomePath(path, Span(*match.span("path")), named, *self.home_of(named), is_image, may_be_there)
+
+    def home_of(self, named: str) -> tuple[str | None, str]:
+        """Return the package of the workspace that a path leads into, and the rest; None where none is known."""
+        folders = named.rstrip("/").split("/")[3:]
+        for start in range(len(folders) - 1, 0, -1):
+            name, rest = folders[start - 1], "/".join(folders[start:])
+            if self.workspace.named(name) is not None:
+                return name, rest.removeprefix(f"share/{name}/")
+        for start in range(len(folders) - 1):
+            rest = "/".join(folders[start:])
+            if self.files.is_there(posixpath.normpath(rest)):
+                return self.facts.name, rest
+        return None, named
+
+
+def patterns(path: str) -> tuple[re.Pattern[str], ...]:
+    if path.endswith("CMakeLists.txt"):
+        return (IN_CMAKE,)
+    return (QUOTED, PLAIN) if path.endswith(YAML) else (QUOTED,)
+
+
+def without_comments(path: str, text: str) -> str:
+    """Return a text with blanks in place of comments, so that what is left keeps its place."""
+    for suffixes, pattern in COMMENTS.items():
+        if path.endswith(suffixes):
+            return pattern.sub(lambda match: " " * len(match[0]), text)
+    lines = (line if not line.lstrip().startswith("#") else " " * len(line) for line in text.split("\n"))
+    return "\n".join(lines)
+
+
+def is_of_many(user: str) -> bool:
+    lower = user.lower()
+    return lower in OF_MANY or "your" in lower or lower.startswith(("user", "my_", "<"))

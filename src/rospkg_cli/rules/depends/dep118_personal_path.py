@@ -1,0 +1,111 @@
+"""DEP118 personal-path."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator, Sequence
+
+from ...checks.home_paths import CPP, HomePath, HomePaths
+from ...example import SETUP_PY_FOR_ALL, Example, manifest
+from ...finding import Hit, Related, Severity
+from ...rule import rule
+
+LAUNCH = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription(
+        [Node(package='my_pkg', executable='talker', parameters=[{}])]
+    )
+"""
+SHARE = "from ament_index_python.packages import get_package_share_path\n"
+SETUP = SETUP_PY_FOR_ALL.replace(
+    "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
+)
+FILES = {
+    "package.xml": manifest(
+        "  <exec_depend>ament_index_python</exec_depend>\n"
+        "  <exec_depend>launch</exec_depend>\n"
+        "  <exec_depend>launch_ros</exec_depend>\n"
+        "  <exec_depend>ros2launch</exec_depend>\n"
+    ),
+    "setup.py": SETUP,
+    "my_pkg/talker.py": "def main():\n    pass\n",
+    "config/robot.yaml": "/**:\n  ros__parameters:\n    rate: 2.0\n",
+}
+
+
+@rule(
+    "DEP118",
+    "personal-path",
+    over=HomePaths,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "the file is not of the workspace, many have an account of that name, or code asks first"},
+    examples=(
+        Example(
+            bad={**FILES, "launch/robot.launch.py": LAUNCH.format("'«/home/ada/ws/src/my_pkg/config/robot.yaml»'")},
+            good={
+                "launch/robot.launch.py": SHARE
+                + LAUNCH.format("str(get_package_share_path('my_pkg') / 'config' / 'robot.yaml')")
+            },
+        ),
+        Example(
+            bad={
+                **FILES,
+                "maps/office.pgm": "P2 1 1 1 0\n",
+                "maps/office.yaml": "image: «/home/ada/ws/src/my_pkg/maps/office.pgm»\nresolution: 0.05\n",
+            },
+            good={"maps/office.yaml": "image: office.pgm\nresolution: 0.05\n"},
+        ),
+    ),
+)
+def personal_path(paths: HomePaths) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds paths in one person's home folder.
+    Launch files, YAML, CMakeLists.txt and code are read for `/home/ada/…` and `/Users/ada/…`. Those of a package are
+    one finding; those that lead to files of the workspace are told apart from the others.
+
+    ## Why is this bad?
+    The package works on one machine. Everybody else meets "No such file or directory", or a node that starts with its
+    defaults, and there where the workspace is moved or only installed.
+
+    ## When it is quiet
+    Tests, comments, what a substitution fills in, and paths below the home of an account that robots, containers and
+    examples have (`/home/ubuntu`) or in code that asks whether something exists, unless they lead into the workspace:
+    then they are an info. Robots and worlds are URD002's, what setup.py installs is SET205's.
+    """
+    into = sorted((each for each in paths.found if each.of_package is not None), key=lambda each: each.may_be_there)
+    others = [each for each in paths.found if each.of_package is None and not each.may_be_there]
+    if into:
+        yield one(into, Severity.INFO if into[0].may_be_there else Severity.WARNING, advice(into[0]))
+    if others:
+        in_build = others[0].path.endswith("CMakeLists.txt")
+        how = "find it with find_package() or find_path()" if in_build else "let a parameter or an argument give it"
+        yield one(others, Severity.INFO, how)
+
+
+def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
+    first, *others = found
+    again = tuple(Related(each.path, each.span, f"`{each.text}` too") for each in others)
+    more = f" and {len(others)} more" if others else ""
+    verb, them = ("are", "they are") if others else ("is", "it is")
+    message = f"`{first.text}`{more} {verb} on one machine: elsewhere {them} missing; {how}"
+    return Hit(first.path, first.span, message, level, again)
+
+
+def advice(found: HomePath) -> str:
+    """Return how everybody can name a file of the workspace, in the language of the file that names it."""
+    package, below = found.of_package, found.below
+    if found.path.endswith((".py", *CPP)):
+        quote = "'" if found.path.endswith(".py") else '"'
+        return f"join `get_package_share_directory({quote}{package}{quote})` and `{below}`"
+    if found.path.endswith("CMakeLists.txt"):
+        return f"find `{package}` with find_package(), or write the path from ${{CMAKE_CURRENT_SOURCE_DIR}}"
+    if found.path.endswith(".xml") or "launch" in posixpath.basename(found.path):
+        return f"write `$(find-pkg-share {package})/{below}`"
+    if found.is_image and posixpath.dirname(found.path) == posixpath.dirname(below):
+        return f"write `{posixpath.basename(below)}`: a map's image is looked for beside this file"
+    return f"have the launch file give it, from the share directory of `{package}`"

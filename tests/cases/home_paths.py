@@ -1,0 +1,33 @@
+"""Paths in somebody's home folder: what no example shows."""
+
+from __future__ import annotations
+
+from .setups import python
+
+HOME = "/home/ada/ws/src/my_pkg"
+FILES = {"data/people.txt": "Ada\n"}
+
+CASES = {
+    "DEP118": (
+        python(
+            {
+                **FILES,
+                "my_pkg/talker.py": f"open('«{HOME}/data/people.txt»')\nopen('«/home/ada/out.txt»')\n",
+                "my_pkg/listener.py": "# open('/home/ada/never.txt')\nopen('/Users/ada/code/data/people.txt')\n",
+                "my_pkg/words.py": "open('/home/ubuntu/words.txt')\nopen(f'/home/ada/{name}.txt')\n",
+            }
+        ),
+        python({"my_pkg/talker.py": "open('«/home/ubuntu/ws/src/my_pkg/data/people.txt»')\n", **FILES}),
+        python(
+            {
+                **FILES,
+                "my_pkg/talker.py": f"if exists('«{HOME}/data/people.txt»'):\n    open('/home/ada/out.txt')\n",
+            }
+        ),
+        python({"src/talker.cpp": f'/* "/home/ada/a.txt" */ auto a = open("«{HOME}/a.txt»");\n'}),
+        python({"launch/a.launch.xml": f'<launch>\n  <let name="a" value="«{HOME}/a.yaml»"/>\n</launch>\n'}),
+        python({"config/a.yaml": "a:\n  - «/home/ada/one.txt»\n  - '/home/ada/two.txt' # two\nb: see /home/ada/c\n"}),
+        python({"CMakeLists.txt": "# /home/ada/a\ninclude_directories(«/home/ada/acme/include» /home/ada/${X})\n"}),
+        python({"CMakeLists.txt": "set(WORDS\n  «/home/ada/ws/src/my_pkg/data/people.txt»)\n", **FILES}),
+    )
+}
