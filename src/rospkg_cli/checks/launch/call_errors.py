@@ -16,9 +16,10 @@ from ..fault import Fault, softer
 from ..older_distribution import OlderDistribution
 from .argument_types import TYPE_CHECKS, action_list_faults
 from .idle_actions import UNUSED, never_added
-from .joined_commands import joined_command
+from .joined_commands import joined_command, joined_words
 from .lone_commas import added_faults, at_the_comma, lone_commas
 from .performed_texts import performed_faults
+from .program_prefixes import PROCESSES
 from .python_truth import Truth, test_faults, truth_values, use_faults
 from .relative_parameter_files import values_as_files
 from .removed_arguments import renamed
@@ -85,6 +86,8 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
             yield from function_faults(call, launch)
         elif class_of(call) == "Command":
             yield from joined_command(call)
+        elif class_of(call) in PROCESSES:
+            yield from joined_words(call)
 
 
 def signature_faults(call: Call, name: str, signature: Signature) -> Iterator[Fault]:

@@ -1,15 +1,19 @@
-"""Programs that `Command` joins with what follows: it puts no blanks between the parts of its list (LCH014)."""
+"""Words that launch joins without blanks: the parts of `Command`, of a prefix, and of a list inside a list (LCH014)."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
-from ...languages.python.evaluate.values import Call, PartialText, Sequence, Text, Value
+from ...languages.python.evaluate.values import Call, PartialText, Sequence, Text, Unknown, Value
 from ...lazy_regex import regex
 from ...package.launch.launch_classes import is_substitution
 from ..fault import Fault
 
 PROGRAM = regex(r"[A-Za-z][\w.]*")
+OPTION = regex(r"--[a-z][\w-]*")
+WORD = regex(r"-|[A-Za-z0-9]")
+LISTS = ("cmd", "arguments", "ros_arguments")
 
 
 def joined_command(call: Call) -> Iterator[Fault]:
@@ -23,6 +27,37 @@ def joined_command(call: Call) -> Iterator[Fault]:
         yield Fault(
             command.places[0], f"{joins}, and the launch stops, as there is no such program; write `'{program.text} '`"
         )
+
+
+def joined_words(call: Call) -> Iterator[Fault]:
+    """Yield the first word of a prefix, and of a list inside the words of a process, that the next one continues."""
+    given = call.get("prefix")
+    for prefix in given.options if isinstance(given, Unknown) else (given,):
+        if isinstance(prefix, Sequence) and (word := continued(prefix, PROGRAM)):
+            message = f"`prefix` puts no blanks between its parts: {stops(word)}"
+            yield Fault(prefix.places[0], message, "warning" if isinstance(given, Unknown) else None)
+    for name in LISTS:
+        words = call.get(name)
+        for index, inner in enumerate(words.items) if isinstance(words, Sequence) else ():
+            is_program = name == "cmd" and index == 0
+            if isinstance(inner, Sequence) and (word := continued(inner, PROGRAM if is_program else OPTION)):
+                start = f"a list inside `{name}` is one word, without blanks between its parts"
+                what = stops(word) if is_program else f"`{word}` is joined with what follows, and is no option then"
+                message = f"{start}: {what}; put each word into `{name}` itself"
+                yield Fault(inner.places[0], message, None if is_program else "warning")
+
+
+def continued(words: Sequence, pattern: re.Pattern[str]) -> str:
+    """Return the first of several words, where a second one begins with no blank; "" for anything else."""
+    first, second = (*words.items, None, None)[:2]
+    if not isinstance(first, Text) or not pattern.fullmatch(first.text) or first.is_path:
+        return ""
+    is_word = isinstance(second, Text) and WORD.match(second.text)
+    return first.text if is_word or (pattern is OPTION and second is not None and is_substitution(second)) else ""
+
+
+def stops(word: str) -> str:
+    return f"`{word}` and the next become one word, and the launch stops, as there is no such program"
 
 
 def is_file(value: Value) -> bool:

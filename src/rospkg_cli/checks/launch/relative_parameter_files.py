@@ -51,8 +51,10 @@ def given_files(file: LaunchFile) -> Iterator[tuple[LaunchText, bool]]:
     defaults = {each.name.literal: each.default for each in file.arguments if each.name.literal in known}
     for given in (each for node in file.nodes for each in node.parameters):
         match given.file.parts if given.file else ():
-            case (Substitution(name="var", arguments=(name,)),):
+            case (Substitution(name="var", arguments=(name, *inline)),):
                 default = defaults.get(name.literal)
+                if default is None and name.literal not in file.set_configurations:
+                    default = next(iter(inline), None)
                 if default is not None:
                     yield default, True
             case _ if given.file is not None:
@@ -64,12 +66,19 @@ def values_as_files(file: LaunchFile) -> Iterator[Fault]:
     for text, is_default in given_files(file):
         value = (text.literal or "").strip()
         if is_default and value and not PATH.search(value):
-            names = {each.name.literal for each in file.arguments if each.default is text}
-            name = next(iter(names), None) or "name"
+            names = [each.name.literal for each in file.arguments if each.default is text]
+            name = next(iter(names), None) or next(named_inline(file, text), None) or "name"
             if FOR_FILES.search(name):
                 continue
             message = f"`{name}` stands among parameters, where launch_ros takes files; its default `{value}` is none"
             yield Fault(text.span, f"{message}: the node does not get it; write `{{'{name}': …}}`", "warning")
+
+
+def named_inline(file: LaunchFile, default: LaunchText) -> Iterator[str]:
+    """Yield the launch configuration that has a default where it is used: `LaunchConfiguration('x', default=…)`."""
+    for each in file.configurations():
+        if each.arguments[1:] == (default,) and each.arguments[0].literal:
+            yield each.arguments[0].literal
 
 
 def is_for_nodes(scope: LaunchContext, missing: MissingReference) -> bool:

@@ -12,7 +12,7 @@ from ...light_dataclasses import dataclass
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText
 from ...package.params.parameter_file import NodeBlock, Parameter, ParameterFile
-from ...package.params.scalar_types import FALSE, TRUE, yaml_type
+from ...package.params.scalar_types import DOUBLE, FALSE, TRUE, yaml_type
 from ...ros.known_nodes import KnownParameter, known_nodes, known_parameters, removed_parameters
 from ...ros.well_known import packages_with_plugin
 from ...source import Span
@@ -163,7 +163,21 @@ def launch_value(launch: LaunchFile, name: LaunchText, value: LaunchText) -> Ite
     is_written = source.slice(value.span) == text and name.span.end <= value.span.start
     before = source.text[name.span.end : value.span.start] if is_written else ""
     kind = type_of_text(text) if is_written and not CONVERTED.search(before) else ""
+    kind = "" if is_cast_behind(launch, value) else kind
+    if kind and launch.frontend != "xml" and before[-1:] in ("'", '"'):
+        kind = "string" if launch.frontend == "python" and not is_number_of_rcl(text) else ""
     return (GivenValue(name.literal, name.span, value.span, text, kind),)
+
+
+def is_cast_behind(launch: LaunchFile, value: LaunchText) -> bool:
+    """Return whether XML names the type of a value behind it."""
+    end = value.span.end
+    return launch.frontend == "xml" and "type=" in launch.source.text[end : launch.source.text.find(">", end)]
+
+
+def is_number_of_rcl(text: str) -> bool:
+    """Return whether PyYAML writes a text without quotes that rcl reads as a number: `1e-3`."""
+    return yaml_type(text) == "string" and bool(DOUBLE.fullmatch(text))
 
 
 def type_of_text(text: str) -> str:

@@ -22,6 +22,8 @@ class MistypedValue:
     kind: PartKind
     file: ParameterFile | None = None
     is_certain: bool = True
+    how: str = ""
+    """The argument whose default it is, `perform()` for a text that this returns, "" for what is written there."""
 
 
 @dataclass(frozen=True)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from ...light_dataclasses import dataclass
-from ...package.params.parameter_file import ParameterFile
+from ...package.params.parameter_file import Parameter, ParameterFile
 from .declaring_packages import ParameterContext
 from .forgotten_declarations import ForgottenDeclarations
 from .joint_limits import JointLimits, MistypedLimit
 from .known_given import KnownNodes
 from .launched_names import LaunchedNames
+from .other_variants import unlike_variants
 from .parameter_file_use import ParameterFileUses
 from .unknown_reads import ParameterReads, UnknownRead
 
@@ -31,6 +32,12 @@ class UnknownParameters:
         """Return what code gets and nothing declares, each place once."""
         found = [*self.reads.in_cpp(), *self.reads.in_python()]
         return [*found, *self.forgotten.all({(each.path, each.span.start) for each in found})]
+
+    def unlike_variants(self) -> list[tuple[ParameterFile, Parameter, str, str]]:
+        """Return the names that another file of the same name has otherwise, each place once; but for similar ones."""
+        told = {(group.file.path, each.key.span) for group in self.given.groups() for each, _ in group.unknown()}
+        found = {(each[0].path, each[1].key.span): each for each in unlike_variants(self.given)}
+        return [each for place, each in found.items() if place not in told]
 
     def is_idle(self, file: ParameterFile | None) -> bool:
         """Return whether nothing names a parameter file."""

@@ -36,3 +36,11 @@ def portable(path: str) -> str:
     """Return how everybody can name a file: by its package, where the path goes through an install folder."""
     found = INSTALLED.search(path)
     return f"package://{found['package']}/{found['path']}" if found else "package://<package>/<path>"
+
+
+def of_one_machine(found: list[tuple[Span, str]]) -> tuple[str, str]:
+    """Return what is said of such paths, and what to do."""
+    more = f" and {len(found) - 1} more" if found[1:] else ""
+    verb, them = ("are", "they are") if more else ("is", "it is")
+    path = found[0][1]
+    return f"`{path}`{more} {verb} on one machine: elsewhere {them} missing", f"write `{portable(path)}`"

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...checks.params.declaring_packages import given_type
 from ...checks.params.differing_numbers import differing_numbers
 from ...checks.params.mistyped_known import MistypedValues, mistyped_known
+from ...checks.params.mistyped_launched import article, mistyped_launched, what_stops
 from ...edits.double_numbers import INTEGERS, as_double, known_as_double
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Safety, Severity
@@ -77,8 +78,9 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     Finds values in a parameter file whose type differs from the declared type.
     Types are declared by `declare_parameter` and its like in C++ and Python, and by definitions for
     generate_parameter_library. Those of packages that everybody uses (nav2, ros2_control, slam_toolbox,
-    robot_localization and others) are known without their sources, for values in launch files as well. Where a type is
-    not known, and another file of the package gives the same node a double for an int, that is an info.
+    robot_localization and others) are known without their sources. Values in launch files are compared likewise, with
+    the defaults of arguments, and the texts that `perform` returns in Python, as YAML makes no number of these. Where a
+    type is not known, and another file of the package gives the same node a double for an int, that is an info.
 
     ## Why is this bad?
     A parameter never changes its type. `50` is an integer, and a node that declared a double stops when it starts:
@@ -112,6 +114,9 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
             given += ", but not in Foxy" if is_old else ""
             level = Severity.INFO if is_idle or is_old or not each.is_certain else None
             yield Hit(each.path, each.value.value, f"{message}: {given}; write {article(each.wanted)}", level, fix=fix)
+    for each in () if is_old else mistyped_launched(scope.known.launched):
+        fix = known_as_double(each) if (each.value.type, each.wanted) in INTEGERS and not each.how else None
+        yield Hit(each.path, each.value.value, what_stops(each), fix=fix)
     if not is_old:
         for file, several in differing_numbers(scope.given.files, set(scope.with_types())):
             yield unequal(file, several)
@@ -124,9 +129,3 @@ def unequal(file: ParameterFile, several: list[tuple[Parameter, str]]) -> Hit:
     others = tuple(Related(file.path, each.value.span, f"`{each.name}` too") for each, _ in rest)
     what = f"{message}, and one of the two stops the node if it declares it; write them alike"
     return Hit(file.path, first.value.span, what, Severity.INFO, others, as_double(file.path, first))
-
-
-def article(kind: str) -> str:
-    """Return a type with its article: "a list of double", "an int"."""
-    one = kind.removesuffix("[]")
-    return f"a list of {one}" if one != kind else f"an {one}" if one == "int" else f"a {one}"

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.declaring_packages import ParameterGroup, given_type
 from ...checks.params.launched_names import strange_names, unknown_to_known, why_dropped
 from ...checks.params.unknown_parameters import UnknownParameters, undeclared, unread
+from ...edits.parameter_names import renamed
 from ...edits.plain_names import only_plain_names
 from ...example import Example, manifest
-from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...package.params.parameter_file import Parameter
+from ...finding import Hit, Related, Safety, Severity
 from ...rule import rule
-from ...source import Span
 
 NODE = """\
 class Talker : public rclcpp::Node
@@ -83,7 +81,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     The package that declares the other parameters of the block declares the similar one, and the block does not give
     it. Names in launch files are compared with what the node's package declares; `wheels` is for `number_of_wheels`
     there. Well-known packages are known without their sources, and `use_sim_time` is of every node; so are the names in
-    `joint_limits.yaml`. Slashes of ROS 1 stand for dots, and no name ends with the `:=` of the command line.
+    `joint_limits.yaml`. So is the one name in which two files differ that are called alike in two folders, where the
+    code declares the other one's. Slashes of ROS 1 stand for dots, and no name ends with the `:=` of the command line.
     In code `get_parameter` is checked likewise: the file declares a similar name without getting it, or it makes its
     node, and the name stands nowhere else in the code of the package.
 
@@ -107,6 +106,10 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
             message = f"`{by}` declares no parameter `{parameter.name}`: the value is dropped; did you mean `{last}`?"
             is_idle, fix = scope.is_idle(group.file), only_plain_names(renamed(group, parameter, meant), last)
             yield Hit(group.file.path, parameter.key.span, message, Severity.INFO if is_idle else None, fix=fix)
+    for file, parameter, meant, other in scope.unlike_variants():
+        message = f"`{scope.given.package.name}` declares no parameter `{parameter.name}`: the value is dropped"
+        level = Severity.INFO if scope.is_idle(file) else None
+        yield Hit(file.path, parameter.key.span, f"{message}; `{other}` has `{meant}` in its place", level)
     for named in (*scope.launched.unknown(), *unknown_to_known(scope.known)):
         more = " any more" if named.is_removed else ""
         level = Severity.INFO if more or not named.is_certain or scope.is_idle(named.file) else None
@@ -123,18 +126,3 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         others = tuple(Related(read.path, span, "and this one") for _, span in read.more)
         level = Severity.ERROR if read.throws and read.suggestion else None
         yield Hit(read.path, read.span, undeclared(read), level, others)
-
-
-def renamed(group: ParameterGroup, parameter: Parameter, meant: str) -> Fix | None:
-    """Return the fix that writes another name; None where the declared type is another one."""
-    last, value = meant.rpartition(".")[2], parameter.value
-    wanted = group.type_of(meant)
-    given = given_type(value)
-    edits = [Edit(group.file.path, parameter.key.span, last)]
-    if wanted == f"{given}[]":
-        start, end = value.span.start, value.span.end
-        edits += [Edit(group.file.path, Span(start, start), "["), Edit(group.file.path, Span(end, end), "]")]
-    elif wanted and given != wanted:
-        return None
-    is_written = parameter.key.text == parameter.name.rpartition(".")[2]
-    return Fix(f"write `{last}`", tuple(edits), Safety.UNSAFE) if is_written else None

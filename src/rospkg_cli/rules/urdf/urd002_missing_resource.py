@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.fault import Fault, softer
+from ...checks.urdf.bare_meshes import bare_meshes, without_scheme
 from ...checks.urdf.missing_files import RobotInWorkspace
 from ...checks.urdf.missing_resource import MissingResource, advice, also, wrong
-from ...checks.urdf.personal_paths import personal_paths, portable
+from ...checks.urdf.personal_paths import of_one_machine, personal_paths
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
 from ...light_dataclasses import replace
@@ -82,7 +83,8 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     Finds meshes, includes and other files that a robot or a world names and that do not exist.
     It follows `package://name/…`, `$(find name)/…` and relative includes of urdf, xacro, sdf and world files into this
     package and the others of the workspace, and checks whether the file is among what they install; `model://name/…`
-    it follows into models that lie here. Files in somebody's home folder (`file:///home/ada/…`) are told, too.
+    it follows into models that lie here. Files in somebody's home folder (`file:///home/ada/…`) are told, too, and
+    meshes that are named by a path alone, where the package has the file: only URLs are looked for.
 
     Several files of one missing folder are one finding, and so are three or more of a folder of which none is there.
 
@@ -107,7 +109,9 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
         level, message = judged(scope, each)
         yield Hit(scope.robot.path, each.span, message, level, again)
     if found := list(personal_paths(scope.robot.document)):
-        yield in_home(scope, found)
+        yield of_several(scope, found, *of_one_machine(found))
+    if (bare := bare_meshes(scope.robot.document, scope.files, scope.package)) and not scope.is_idle:
+        yield of_several(scope, list(bare), *without_scheme(bare))
 
 
 def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity | None, str]:
@@ -127,14 +131,9 @@ def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity 
     return Severity(level) if level else None, best.message + advice(missing)
 
 
-def in_home(scope: RobotInWorkspace, found: list[tuple[Span, str]]) -> Hit:
-    (first, path), *others = found
-    more = f" and {len(others)} more" if others else ""
-    verb, them = ("are", "they are") if others else ("is", "it is")
-    message = f"`{path}`{more} {verb} on one machine: elsewhere {them} missing"
+def of_several(scope: RobotInWorkspace, found: list[tuple[Span, str]], message: str, advice: str) -> Hit:
+    (first, _), *others = found
     best = scope.weighed(Fault(first, message, "warning"))
-    if scope.is_idle:
-        best = softer(best, "info", "as soon as something opens this robot")
+    best = softer(best, "info", "as soon as something opens this robot") if scope.is_idle else best
     again = tuple(Related(scope.robot.path, span, f"`{other}` too") for span, other in others)
-    text = f"{best.message}; write `{portable(path)}`"
-    return Hit(scope.robot.path, first, text, Severity(best.level or "warning"), again)
+    return Hit(scope.robot.path, first, f"{best.message}; {advice}", Severity(best.level or "warning"), again)

@@ -1,0 +1,161 @@
+"""Types of values that launch files give to nodes whose code is here, and names that variants of a file differ in."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import manifest
+from rospkg_cli.testing import lint_files
+
+NODE = """\
+#include "rclcpp/rclcpp.hpp"
+class Talker : public rclcpp::Node {
+public:
+  Talker() : Node("talker") {
+    declare_parameter("rate", 10.0);
+    declare_parameter<int>("count", 1);
+    declare_parameter("is_on", false);
+    declare_parameter<std::string>("frame", "x");
+  }
+};
+int main(int c, char ** v) { rclcpp::init(c, v); rclcpp::spin(std::make_shared<Talker>()); }
+"""
+CMAKE = """\
+cmake_minimum_required(VERSION 3.20)
+project(my_pkg)
+find_package(ament_cmake REQUIRED)
+find_package(rclcpp REQUIRED)
+add_executable(talker src/talker.cpp)
+target_link_libraries(talker rclcpp::rclcpp)
+install(TARGETS talker DESTINATION lib/${PROJECT_NAME})
+install(DIRECTORY config launch urdf DESTINATION share/${PROJECT_NAME})
+ament_package()
+"""
+PYTHON = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+from launch_ros.parameter_descriptions import ParameterValue
+
+
+def words(text):
+    found = text.strip()
+    if not found:
+        return []
+    return ['taskset', '--cpu-list', found]
+
+
+def setup(context):
+    is_on = LaunchConfiguration('is_on').perform(context)
+    return [Node(package='my_pkg', executable='talker', {})]
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('is_on', default_value='true'),
+        DeclareLaunchArgument('rate', default_value='10'),
+        OpaqueFunction(function=setup),
+    ])
+"""
+XML = '<launch><arg name="rate" default="10"/><node pkg="my_pkg" exec="talker">{}</node></launch>\n'
+YAML = "launch:\n- node: {{pkg: my_pkg, exec: talker, param: [{{name: rate, value: {}}}]}}\n"
+RATE = "LaunchConfiguration('rate')"
+
+
+def said(files: dict[str, str], *codes: str) -> list[str]:
+    package = {"package.xml": manifest("  <depend>rclcpp</depend>\n", "ament_cmake"), "CMakeLists.txt": CMAKE}
+    found = lint_files({**package, "src/talker.cpp": NODE, **files}, list(codes)).findings
+    return [each.message for each in found]
+
+
+@pytest.mark.parametrize(
+    ("value", "part"),
+    [
+        ("'rate': 10", "an int stops the node"),
+        ("'rate': -1", "an int stops the node"),
+        ("'rate': '10.0'", "a string stops the node"),
+        (f"'rate': {RATE}", "the default of `rate` is an int, which stops the node"),
+        (f"'rate': {RATE}, 'rate': 1.0", ""),
+        (f"'rate': ParameterValue({RATE}, value_type=float)", ""),
+        (f"'rate': ParameterValue(value={RATE}, value_type=float)", ""),
+        (f"'rate': float({RATE}.perform(context))", ""),
+        ("'rate': '1e-3'", ""),
+        ("'is_on': is_on", "`perform` returns a string, which stops the node"),
+        ("'is_on': is_on == 'true'", ""),
+        ("'is_on': 1", "an int stops the node"),
+        ("'is_on': 'true'", "a string stops the node"),
+        ("'frame': is_on", ""),
+        ("'frame': LaunchConfiguration('is_on')", "the default of `is_on` is a bool"),
+        (f"'frame': ['a', {RATE}]", ""),
+        ("'frame': 5", "an int stops the node"),
+        ("'count': 2.5", "a double stops the node"),
+        ("'count': int('5')", ""),
+        ("'other': 5", ""),
+    ],
+)
+def test_values_in_python(value: str, part: str) -> None:
+    launch = PYTHON.replace("{}", f"parameters=[{{{value}}}]")
+    found = said({"launch/a.launch.py": launch}, "PRM006")
+    assert [part in each for each in found] == [True] * bool(part)
+
+
+@pytest.mark.parametrize(
+    ("param", "count"),
+    [
+        ('<param name="rate" value="10"/>', 1),
+        ('<param name="rate" value="10."/>', 0),
+        ('<param name="rate" value="10" type="float"/>', 0),
+        ('<param name="rate" value="$(var rate)"/>', 1),
+        ('<param name="rate" value="$(var rate)" type="float"/>', 0),
+        ('<param name="is_on" value="1"/>', 1),
+        ('<param name="rate" value="10"/><param name="rate" value="10.0"/>', 0),
+        ("""<param name="frame" value="'5'"/>""", 0),
+    ],
+)
+def test_values_in_xml(param: str, count: int) -> None:
+    assert len(said({"launch/a.launch.xml": XML.format(param)}, "PRM006")) == count
+
+
+@pytest.mark.parametrize(("value", "count"), [("10", 1), ("10.0", 0), ('"10"', 0)])
+def test_values_in_yaml(value: str, count: int) -> None:
+    assert len(said({"launch/a.launch.yaml": YAML.format(value)}, "PRM006")) == count
+
+
+@pytest.mark.parametrize(
+    ("given", "part"),
+    [
+        ("parameters=[LaunchConfiguration('speed', default=10.0)]", "`speed` stands among parameters"),
+        ("parameters=[LaunchConfiguration('speed', default='a/b.yaml')]", ""),
+        ("parameters=[LaunchConfiguration('speed_file', default='x')]", ""),
+        ("prefix=['xterm', '-e']", "`xterm` and the next become one word"),
+        ("prefix=['xterm ', '-e']", ""),
+        ("prefix=['xterm -e']", ""),
+        ("prefix=words(is_on)", "`taskset` and the next become one word"),
+        ("arguments=[['--id', 'y']]", "`--id` is joined with what follows"),
+        ("arguments=[['--id=', 'y']]", ""),
+        ("arguments=['--id', ['a', 'b']]", ""),
+    ],
+)
+def test_lists_of_launch_ros(given: str, part: str) -> None:
+    found = said({"launch/a.launch.py": PYTHON.replace("{}", given)}, "LCH014")
+    assert [part in each for each in found] == [True] * bool(part)
+
+
+@pytest.mark.parametrize(("more", "count"), [("", 1), ("    count: 2\n", 0)])
+def test_a_name_that_the_variant_for_another_robot_has_otherwise(more: str, count: int) -> None:
+    start = "/**:\n  ros__parameters:\n    frame: map\n"
+    files = {"config/boat/a.yaml": f"{start}    speed: 1.0\n{more}", "config/car/a.yaml": f"{start}    rate: 2.0\n"}
+    launch = XML.format('<param from="$(find-pkg-share my_pkg)/config/$(env ROBOT)/a.yaml"/>')
+    assert len(said({**files, "launch/a.launch.xml": launch}, "PRM007")) == count
+
+
+@pytest.mark.parametrize(
+    ("mesh", "count"),
+    [("a.stl", 1), ("../meshes/a.STL", 0), ("package://my_pkg/urdf/a.stl", 0), ("file:///a.stl", 0), ("b.stl", 0)],
+)
+def test_meshes_without_a_scheme(mesh: str, count: int) -> None:
+    robot = f'<robot name="r"><link name="a"><visual><geometry><mesh filename="{mesh}"/></geometry></visual></link>'
+    launch = '<launch><let name="m" value="$(find-pkg-share my_pkg)/urdf/r.urdf"/></launch>\n'
+    files = {"urdf/r.urdf": f"{robot}</robot>\n", "urdf/a.stl": "solid a\n", "launch/a.launch.xml": launch}
+    assert len(said(files, "URD002")) == count
