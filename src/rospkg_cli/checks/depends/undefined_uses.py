@@ -91,8 +91,12 @@ class UndefinedUses:
     def when(self, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
         if found.span in certain and not (found.is_annotation or found.is_caught):
             return "certainly"
-        is_idle = self.reached.is_left(file.path) or self.uncalled.has(file.path, found.span)
-        return "never" if is_idle or self.is_in_idle_function(file, found.span) else "maybe"
+        return "never" if self.is_idle(file, found.span) else "maybe"
+
+    def is_idle(self, file: PythonFile, span: Span) -> bool:
+        """Return whether nothing in the package leads to a place."""
+        is_left = self.reached.is_left(file.path) or self.uncalled.has(file.path, span)
+        return is_left or self.is_in_idle_function(file, span)
 
     def certain_spans(self, file: PythonFile) -> frozenset[Span]:
         """Return where the names stand that a program or a module reads whenever it is started or imported."""

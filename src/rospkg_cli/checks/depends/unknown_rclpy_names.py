@@ -1,0 +1,114 @@
+"""Names that code takes from rclpy or from its own node, and that these do not have (DEP120)."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from functools import cached_property
+
+from ...languages.python.file import PythonFile
+from ...languages.python.nodes import nodes_of_kind
+from ...light_dataclasses import dataclass
+from ...ros.rclpy_names import OF_ROSPY, members_of_nodes, names_of_rclpy
+from ...source import Span
+from ...suggest import near_names
+from .own_members import members
+from .undefined_uses import UndefinedUses, When
+
+NODES = frozenset({"Node", "LifecycleNode"})
+HOMES = frozenset({"rclpy.node", "rclpy.lifecycle"})
+DYNAMIC = ("setattr(", "__getattr__", "__dict__")
+FAR = 2
+"""How many letters a name may be away from one that exists."""
+
+
+@dataclass(frozen=True, slots=True)
+class UnknownName:
+    file: PythonFile
+    span: Span
+    name: str
+    owner: str
+    """`rclpy`, or `self`."""
+    better: str
+    when: When
+
+
+@dataclass(frozen=True)
+class UnknownRclpyNames:
+    uses: UndefinedUses
+
+    def all(self) -> Iterator[UnknownName]:
+        """Yield each name once a file."""
+        for role, file in self.uses.run.files:
+            if role == "aside" or "rclpy" not in file.source.text or file.has_dynamic_names:
+                continue
+            seen: set[str] = set()
+            for node, owner, better in (*of_module(file), *self.of_nodes(file)):
+                if node.attr not in seen:
+                    seen.add(node.attr)
+                    yield self.unknown(file, node, owner, better, is_test=role == "test")
+
+    def unknown(self, file: PythonFile, node: ast.Attribute, owner: str, better: str, *, is_test: bool) -> UnknownName:
+        whole = file.span(node)
+        span = Span(whole.end - len(node.attr), whole.end)
+        certain = self.uses.certain_spans(file)
+        is_certain = file.span(node.value) in certain and not is_test
+        when: When = "certainly" if is_certain else "never" if self.uses.is_idle(file, span) else "maybe"
+        return UnknownName(file, span, node.attr, owner, better, when)
+
+    def of_nodes(self, file: PythonFile) -> Iterator[tuple[ast.Attribute, str, str]]:
+        """Yield calls of methods that a class of a node does not have, and nearly has."""
+        if any(word in file.source.text for word in DYNAMIC):
+            return
+        names = {name for each in file.imports if each.module in HOMES for name in each.names} & NODES
+        known = members_of_nodes()
+        for owner in nodes_of_kind(file.tree, ast.ClassDef):
+            if not owner.bases or not all(is_node(base, names) for base in owner.bases):
+                continue
+            for call in nodes_of_kind(owner, ast.Call):
+                method = call.func
+                if isinstance(method, ast.Attribute) and ast.unparse(method.value) == "self":
+                    name = method.attr
+                    is_known = name in known or name.startswith("_") or name in self.defined
+                    near = [] if is_known or len(name) <= FAR * 3 else near_names(name, public(known), FAR)
+                    if near:
+                        yield method, "self", OF_ROSPY.get(name, f"self.{near[0]}")
+
+    @cached_property
+    def defined(self) -> frozenset[str]:
+        """What any class of the package has: a subclass may bring what its base calls."""
+        owners = (each for _, file in self.uses.run.files for each in nodes_of_kind(file.tree, ast.ClassDef))
+        return frozenset(name for each in owners for name in members(each))
+
+
+def of_module(file: PythonFile) -> Iterator[tuple[ast.Attribute, str, str]]:
+    """Yield attributes of the module that are nearly one of its own, or that rospy had."""
+    if not any(each.module == "rclpy" and not each.names for each in file.imports) or rebinds(file):
+        return
+    known = names_of_rclpy()
+    for node in nodes_of_kind(file.tree, ast.Attribute):
+        if not (isinstance(node.value, ast.Name) and node.value.id == "rclpy" and isinstance(node.ctx, ast.Load)):
+            continue
+        if node.attr in known or node.attr.startswith("_"):
+            continue
+        near = near_names(node.attr, public(known), FAR)
+        if better := OF_ROSPY.get(node.attr) or (f"rclpy.{near[0]}" if near else ""):
+            yield node, "rclpy", better
+
+
+def rebinds(file: PythonFile) -> bool:
+    """Return whether a file binds `rclpy` itself, or gives the module attributes."""
+    names = any(each.id == "rclpy" and isinstance(each.ctx, ast.Store) for each in nodes_of_kind(file.tree, ast.Name))
+    return names or any(
+        isinstance(each.ctx, ast.Store) and ast.unparse(each.value) == "rclpy"
+        for each in nodes_of_kind(file.tree, ast.Attribute)
+    )
+
+
+def is_node(base: ast.expr, names: set[str]) -> bool:
+    text = ast.unparse(base)
+    return text in names or text in {f"{home}.{name}" for home in HOMES for name in NODES}
+
+
+def public(names: frozenset[str]) -> frozenset[str]:
+    return frozenset(each for each in names if not each.startswith("_"))

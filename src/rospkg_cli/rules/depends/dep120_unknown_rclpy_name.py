@@ -1,0 +1,87 @@
+"""DEP120 unknown-rclpy-name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.depends.unknown_rclpy_names import UnknownRclpyNames
+from ...example import Example, manifest, scripts, setup_py
+from ...finding import Hit, Severity
+from ...ros.rclpy_names import OF_ROSPY
+from ...rule import rule
+
+FILES = {
+    "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"),
+    "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+}
+NODE = """\
+import rclpy
+from rclpy.node import Node
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+        self.get_logger().info('here')
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+
+
+@rule(
+    "DEP120",
+    "unknown-rclpy-name",
+    over=UnknownRclpyNames,
+    severity=Severity.ERROR,
+    levels={
+        Severity.WARNING: "it is in a function or a branch that may not run, or in a test",
+        Severity.INFO: "nothing in the package calls the function, or imports the module",
+    },
+    examples=(
+        Example(
+            bad={**FILES, "my_pkg/talker.py": NODE.replace("rclpy.spin", "rclpy.«spinn»")},
+            good={"my_pkg/talker.py": NODE},
+        ),
+        Example(
+            bad={**FILES, "my_pkg/talker.py": NODE.replace("create_timer", "«creat_timer»")},
+            good={"my_pkg/talker.py": NODE},
+        ),
+    ),
+)
+def unknown_rclpy_name(names: UnknownRclpyNames) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds names that code takes from rclpy or from its own node, and that these do not have.
+    It tells a name that is a letter or two from one that exists (`rclpy.spinn`, `self.create_publishr`), and those of
+    rospy (`rclpy.Rate`, `rclpy.loginfo`).
+
+    ## Why is this bad?
+    Nothing looks before the line runs: the build is green, and the node ends with AttributeError.
+
+    ## When it is quiet
+    For any other name, as a newer rclpy may have it; for classes that have other bases than rclpy's nodes, for methods
+    that any class of the package has, and in files that bind `rclpy` themselves or set names by `setattr`.
+
+    ## References
+    The names of all branches of ros2/rclpy from Foxy on.
+    """
+    for each in names.all():
+        what = "`rclpy` has no" if each.owner == "rclpy" else "a node has no"
+        is_of_rospy = each.name in OF_ROSPY
+        advice = f"rospy has it; write `{each.better}`" if is_of_rospy else f"did you mean `{each.better}`?"
+        message = f"{what} `{each.name}`: {ENDS[each.when]} with AttributeError; {advice}"
+        yield Hit(each.file.path, each.span, message, LEVELS[each.when])
+
+
+LEVELS = {"certainly": None, "maybe": Severity.WARNING, "never": Severity.INFO}
+ENDS = {
+    "certainly": "the start ends here",
+    "maybe": "the line ends",
+    "never": "the line ends, once something calls it,",
+}
