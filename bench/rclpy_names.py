@@ -16,10 +16,11 @@ from pathlib import Path
 from bench.tables import Origin, Revision, write
 
 BRANCHES = ("foxy", "galactic", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling", "master")
-ABOUT = (
-    "The names of the module rclpy, and of the members of its nodes, in any distribution from Foxy on; behind "
+TABLE = "rclpy_names.txt"
+ABOUT = {
+    TABLE: "The names of the module rclpy, and of the members of its nodes, in any distribution from Foxy on; behind "
     "`submodules` those that exist once something imports them."
-)
+}
 ORIGIN = Origin("https://github.com/ros2/rclpy, its branches", "Apache-2.0", "bench/rclpy_names.py")
 CLASSES = {"Node": "rclpy/rclpy/node.py", "LifecycleNodeMixin": "rclpy/rclpy/lifecycle/node.py"}
 
@@ -38,7 +39,7 @@ def main(folder: Path) -> None:
                 found.setdefault(name, set()).update(members(ast.parse(text), name))
     newest = run([*git, "log", "-1", "--format=%H %cs", BRANCHES[-1]]).split()
     rows = [" ".join([name, *sorted(found[name])]) for name in ("rclpy", "submodules", *CLASSES)]
-    write("rclpy_names.txt", ABOUT, rows, ORIGIN, Revision(*newest))
+    write(TABLE, ABOUT[TABLE], rows, ORIGIN, Revision(*newest))
 
 
 def run(command: list[str]) -> str:
