@@ -16,6 +16,7 @@ public:
     declare_parameter<int>("count", 1);
     declare_parameter("is_on", false);
     declare_parameter<std::string>("frame", "x");
+    declare_parameter<std::vector<double>>("gains", {1.0});
   }
 };
 int main(int c, char ** v) { rclcpp::init(c, v); rclcpp::spin(std::make_shared<Talker>()); }
@@ -91,6 +92,8 @@ def said(files: dict[str, str], *codes: str) -> list[str]:
         ("'frame': 5", "an int stops the node"),
         ("'count': 2.5", "a double stops the node"),
         ("'count': int('5')", ""),
+        ("'gains': '1.0,2.0'", "a string stops the node"),
+        ("'gains': [1.0, 2.0]", ""),
         ("'other': 5", ""),
     ],
 )
@@ -159,3 +162,31 @@ def test_meshes_without_a_scheme(mesh: str, count: int) -> None:
     launch = '<launch><let name="m" value="$(find-pkg-share my_pkg)/urdf/r.urdf"/></launch>\n'
     files = {"urdf/r.urdf": f"{robot}</robot>\n", "urdf/a.stl": "solid a\n", "launch/a.launch.xml": launch}
     assert len(said(files, "URD002")) == count
+
+
+@pytest.mark.parametrize(
+    ("words", "count"),
+    [
+        ("'load_controller', '--set-state', 'start', 'arm'", 1),
+        ("'load_controller', 'arm', '--set-state', 'configure'", 1),
+        ("'load_controller', '--set-state', 'active', 'arm'", 0),
+        ("'load_controller', 'start'", 0),
+        ("'load_start_controller', 'arm'", 1),
+    ],
+)
+def test_words_of_ros2_control(words: str, count: int) -> None:
+    launch = PYTHON.replace("OpaqueFunction\n", "ExecuteProcess\n").replace(
+        "        OpaqueFunction(function=setup),\n", ""
+    )
+    launch = launch.replace(
+        "return LaunchDescription([\n",
+        f"run = ExecuteProcess(cmd=['ros2', 'control', {words}])\n    return LaunchDescription([run,\n",
+    )
+    assert len(said({"launch/a.launch.py": launch.replace("{}", "")}, "LCH005")) == count
+
+
+def test_a_former_name_in_a_parameter_file() -> None:
+    values = "/**:\n  ros__parameters:\n    camera_info_url: package://{}/config/camera.yaml\n"
+    files = {"config/camera.yaml": "image_width: 5\n", "config/a.yaml": values.format("former_name_of_my_pkg")}
+    assert "did you mean `my_pkg`" in said(files, "DEP106")[0]
+    assert not said({**files, "config/a.yaml": values.format("my_pkg")}, "DEP106")

@@ -13,6 +13,7 @@ TYPES = regex(
     r"(?m)^[ \t-]*(?:interface|message|service|action)_type[ \t]*:[ \t]*"
     r"['\"]?(([a-z][a-z0-9_]*)/(?:msg|srv|action)/[A-Z]\w*)['\"]?[ \t]*(?:#.*)?$"
 )
+NAMES = regex(r"(?m)^[^#\n]*?:[ \t]*['\"]?package://([A-Za-z]\w*)/([\w./-]+\.\w+)['\"]?[ \t]*(?:#.*)?$")
 SUFFIXES = (".yaml", ".yml")
 
 
@@ -23,6 +24,15 @@ def found_by_parameters(files: PackageFiles) -> Iterator[tuple[str, str, Span]]:
         if "$(find-pkg-" in text:
             for found in FINDS.finditer(text):
                 yield found[1], path, Span(*found.span(1))
+
+
+def named_by_parameters(files: PackageFiles) -> Iterator[tuple[str, str, str, Span]]:
+    """Yield the package of each `package://` value, with the path in it, the path of the file and the place."""
+    for path in files.paths:
+        text = files.readable_text(path) if path.endswith(SUFFIXES) else ""
+        if "package://" in text:
+            for found in NAMES.finditer(text):
+                yield found[1], found[2], path, Span(*found.span(1))
 
 
 def typed_by_parameters(files: PackageFiles) -> Iterator[tuple[str, str, str, Span]]:

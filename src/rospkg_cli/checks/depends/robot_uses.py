@@ -21,7 +21,7 @@ from ..launch.package_references import every_reference
 from ..urdf.opened_robots import OpenedRobots
 from ..urdf.xacro_calls import CONDITIONS, ancestors
 from .declared_dependencies import DeclaredDependencies
-from .found_by_parameters import found_by_parameters, typed_by_parameters
+from .found_by_parameters import found_by_parameters, named_by_parameters, typed_by_parameters
 from .opened_parameters import OpenedParameters
 from .spawned_blocks import block_of, types_beside
 from .undeclared_launch_packages import LaunchDependencies
@@ -67,7 +67,8 @@ class RobotUses:
         found: dict[str, list[RobotUse]] = {}
         if self.declared.is_checked:
             reported = self.launch.missing(tests=False)
-            for name, use in (*self.references(), *self.found_by_parameters(), *self.typed(), *self.plugins()):
+            named = (*self.references(), *self.found_by_parameters(), *self.named(), *self.typed(), *self.plugins())
+            for name, use in named:
                 if name not in reported and not self.declared.has([name]):
                     found.setdefault(name, []).append(use)
         return merged_navigation(found)
@@ -102,6 +103,12 @@ class RobotUses:
             if path not in launches and is_known and self.is_used(path):
                 yield name, RobotUse(path, span, "and its files are named here", "they are not found", True)
 
+    def named(self) -> Iterator[tuple[str, RobotUse]]:
+        """Yield the unknown packages whose files installed parameter files name, and that a package here has."""
+        for name, _, path, span in named_by_parameters(self.launch.files):
+            if name != self.declared.facts.name and self.is_used(path) and self.renamed(name)[0]:
+                yield name, RobotUse(path, span, "and its files are named here", "they are not found")
+
     def typed(self) -> Iterator[tuple[str, RobotUse]]:
         """Yield the packages of interfaces that installed parameter files tell a node to load by their names."""
         for name, interface, path, span in typed_by_parameters(self.launch.files):
@@ -127,7 +134,8 @@ class RobotUses:
         of its own path elsewhere wraps that one.
         """
         named = [(robot, each) for robot in self.robots for each in robot.references if each.package == name]
-        paths = list(dict.fromkeys(each.path for _, each in named if each.path))
+        listed = [file for package, file, *_ in named_by_parameters(self.launch.files) if package == name]
+        paths = list(dict.fromkeys([*(each.path for _, each in named if each.path), *listed]))
         is_wrapped = any(robot.path == each.path for robot, each in named)
         if not paths or is_wrapped or not self.launch.is_unknown_package(name):
             return "", []

@@ -33,7 +33,7 @@ def mistyped_launched(launched: LaunchParameters) -> Iterator[MistypedValue]:
             found = declared(each, facts, value.name) if facts is not None else []
             wanted = type_named(found, value.name)
             is_new = (each.launch.path, value.value) not in seen
-            if wanted and "[" not in wanted and value.type and value.type != wanted and is_new:
+            if wanted and value.type and value.type != wanted and is_new:
                 seen.add((each.launch.path, value.value))
                 yield MistypedValue(each.launch.path, value, wanted, found[0].path, "node", how=how)
 

@@ -13,6 +13,8 @@ from ...source import Span
 
 BARE = regex(r"(?:\./|\.\./)*[\w-][\w. +-]*(?:/[\w. +-]+)*\.(?:stl|dae|obj|glb|gltf|ply)", re.IGNORECASE)
 """A relative path; with what a substitution fills in it may be anything."""
+FOUND = regex(r"\$\(find +[\w-]+ *\)/[^\s$]+")
+"""An absolute path, which is no URL either."""
 
 
 def bare_meshes(document: Document, files: PackageFiles, package: PackageFacts) -> dict[tuple[Span, str], str]:
@@ -20,7 +22,9 @@ def bare_meshes(document: Document, files: PackageFiles, package: PackageFacts) 
     found = {}
     for element in document.root.walk() if document.root.tag == "robot" else ():
         filename = element.attributes.get("filename") if element.tag == "mesh" else None
-        if filename is not None and BARE.fullmatch(filename.value):
+        if filename is not None and FOUND.fullmatch(filename.value):
+            found[filename.value_span, filename.value] = f"file://{filename.value}"
+        elif filename is not None and BARE.fullmatch(filename.value):
             end = f"/{posixpath.basename(filename.value)}"
             known = [each for each in package.share_files or files.paths if f"/{each}".endswith(end)]
             if len(known) == 1:
@@ -32,4 +36,4 @@ def without_scheme(found: dict[tuple[Span, str], str]) -> tuple[str, str]:
     """Return what is said of such meshes, and what to do."""
     (_, path), url = next(iter(found.items()))
     them = f"`{path}` and {len(found) - 1} more are no URLs" if len(found) > 1 else f"`{path}` is no URL"
-    return f"{them}: RViz and MoveIt look for no file beside the robot, and don't find the mesh", f"write `{url}`"
+    return f"{them}: RViz and MoveIt take no path without a scheme, and don't find the mesh", f"write `{url}`"

@@ -57,7 +57,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     Finds undeclared packages that robots, worlds, RViz configs and parameter files need.
     Installed files need packages whose files they name (`package://…`, `$(find …)`) and whose plugins they name
     (`nav2_navfn_planner::NavfnPlanner`), and parameter files those of `interface_type: std_srvs/srv/Empty`. What
-    parameter files look for (`$(find-pkg-share …)`) is an info. Parameter files of tests need a test_depend where
+    parameter files look for (`$(find-pkg-share …)`) is an info; a former name in their `package://…` is told where a
+    package here has the file. Parameter files of tests need a test_depend where
     launch files start what loads plugins.
 
     ## Why is this bad?

@@ -59,7 +59,8 @@ def removed_launch_argument(calls: LaunchCalls) -> Iterator[Hit]:
     ## What it does
     Finds arguments of nodes that launch_ros removed, such as `node_executable`.
     They are `node_executable`, `node_name`, `node_namespace` and `node_plugin`, which launch_ros had up to Foxy, and
-    `type=` of nodes, which is ROS 1's.
+    `type=` of nodes, which is ROS 1's. States and verbs that `ros2 control` no longer has are told, too
+    (`load_controller --set-state start`).
 
     ## Why is this bad?
     The launch stops with `__init__() got an unexpected keyword argument 'node_executable'` or `missing 1 required
