@@ -110,6 +110,12 @@ CASES = {
     ),
     "CMK110": (
         package(LINKED.format("std_msgs", "std_msgs::std_msgs"), MAIN),
+        package(
+            LINKED.format("std_msgs", "std_msgs::std_msgs"), MAIN | {"README.md": "Built with Humble and Jazzy.\n"}
+        ),
+        package(
+            LINKED.format("std_msgs", "std_msgs::std_msgs"), MAIN | {"README.md": "Built with Humble, and Rolling.\n"}
+        ),
         package(LINKED.format("std_msgs", "std_msgs::std_msgs"), MAIN, "", "humble"),
         package(LINKED.format("std_msgs", "std_msgs::std_msgs"), MAIN, "", "lyrical"),
         package(LINKED.format("std_msgs", "PRIVATE std_msgs"), MAIN),

@@ -11,6 +11,7 @@ from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...ros.core_messages import CORE_MESSAGES
 from ...ros.distros import Targets
 from ..fault import Level
+from ..older_distribution import OlderDistribution
 from .mistyped_links import MistypedLinks
 
 AUTOMATIC = ("ament_auto_find_build_dependencies", "autoware_package")
@@ -42,6 +43,7 @@ class MessageTarget:
 class MessageTargets:
     links: MistypedLinks
     targets: Targets
+    distribution: OlderDistribution
 
     def all(self) -> Iterator[MessageTarget]:
         """Yield each name at its first place; nothing where other files may make targets."""
@@ -57,7 +59,7 @@ class MessageTargets:
                 yield MessageTarget(link.word, "", level)
             package, colons, target = link.word.text.partition("::")
             if package in CORE_MESSAGES and target in ("", package) and self.is_sure(link):
-                level = self.level_of_new() if colons else "error"
+                level = self.level_of_exported() if colons else "error"
                 if level and link.word.text not in seen:
                     seen.add(link.word.text)
                     yield MessageTarget(link.word, package, level)
@@ -74,6 +76,13 @@ class MessageTargets:
         """The packages that CMake certainly finds: DEP107 tells of others."""
         cmake = self.links.package.cmake
         return self.links.found if cmake.named(*AUTOMATIC) else frozenset(each.name for each in cmake.packages)
+
+    def level_of_exported(self) -> Level | None:
+        """Return how bad a target of a released package is: None unless an older distribution is certainly meant."""
+        if self.targets.names:
+            return self.level_of_new()
+        named = self.distribution.named
+        return "warning" if named and named.isdisjoint(NEW) else None
 
     def level_of_new(self) -> Level | None:
         """Return how bad it is to link what new distributions alone export."""

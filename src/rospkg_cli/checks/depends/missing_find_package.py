@@ -22,6 +22,9 @@ AUTOMATIC = regex(r"ament_auto_find_\w+|(?!find_|ament_|gz_|ign_|nav2_|moveit_)\
 FOUND_WITH_GENERATORS = frozenset({"action_msgs", "builtin_interfaces", "service_msgs", "unique_identifier_msgs"})
 """Interfaces that `rosidl_default_generators` finds: those of all services and actions."""
 
+WITH_KIN = frozenset({"rcutils", "rcpputils", "std_msgs", "tf2"})
+"""Packages that all users of their kin get: `tf2` with `tf2_ros`, `std_msgs` with other messages."""
+
 MIN_LETTERS = 5
 
 
@@ -60,7 +63,8 @@ class MissingFindPackages:
                 if each.name not in seen and self.is_undeclared(each.name) and not self.has_another_name(each.name):
                     seen.add(each.name)
                     yield replace(each, is_declared=False)
-            told = {name for each in self.includes.packages() for name in (each.cmake, *each.names)}
+            included = (*self.includes.packages(), *self.includes.undeclared())
+            told = {name for each in included for name in (each.cmake, *each.names)}
             for each in self.linked(maybe=True):
                 is_new = each.name in there and each.name not in self.found | told | {self.declared.facts.name}
                 if is_new and self.is_undeclared(each.name) and not self.is_everywhere(each.name):
@@ -70,13 +74,13 @@ class MissingFindPackages:
     def brought(self) -> Iterator[MissingFindPackage]:
         """Yield each declared package once whose headers are included, and that certainly comes with one that is found.
 
-        What all users of rclcpp get from it is left out.
+        What all users of rclcpp get from it is left out, and what tests include.
         """
         if self.declared.is_checked and self.is_complete:
             there, _ = self.declared.transitive_names_of(self.found)
             for each in self.headers(maybe=True):
-                is_new = each.name in there - self.found and not self.is_everywhere(each.name)
-                if is_new and self.is_declared(each):
+                is_new = each.name in there - self.found - WITH_KIN and not self.is_everywhere(each.name)
+                if is_new and not each.testing and self.is_declared(each):
                     yield each
 
     def is_everywhere(self, name: str) -> bool:

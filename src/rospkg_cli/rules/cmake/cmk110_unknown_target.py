@@ -104,8 +104,10 @@ def unknown_target(messages: MessageTargets) -> Iterator[Hit]:
     Where a file that can't be read, FetchContent or a submodule may add targets, where a command of another package is
     given the name, for libraries that `find_library()` looks for or that lie in the package, for names with `::` that
     are near to none of a package whose targets are known (of others only their own name with letters swapped, or a long
-    one with a letter wrong, is reported), and for `gtest` and `gmock`. Under a condition that can't be evaluated. In
-    both cases, names of eight letters and more that are one or two off one that the package makes are reported.
+    one with a letter wrong, is reported), and for `gtest` and `gmock`. For `std_msgs::std_msgs` where no distribution
+    before Lyrical is asked for or named alone by the pages, scripts and workflows of the repository. Under a condition
+    that can't be evaluated. In the first and the last case, names of eight letters and more that are one or two off one
+    that the package makes are reported.
     """
     package = messages.links.package
     for of_messages in messages.all():

@@ -71,7 +71,7 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     The call is added after the other `find_package()` calls. A target may have to be linked with the package as well.
     """
     cmake, found = missing.includes.cmake, list(missing.packages())
-    brought = [each for each in found if each.may_be_transitive and not each.is_declared]
+    brought = [each for each in found if each.may_be_transitive]
     if brought[1:]:
         yield in_one(brought)
     if libraries := list(unfound_libraries(missing.includes)):
@@ -116,13 +116,12 @@ def only_for_tests(each: FoundForTests) -> Hit:
 
 
 def in_one(brought: Sequence[MissingFindPackage]) -> Hit:
-    """Return one info for all that targets are linked with and that other packages bring."""
+    """Return one info for all that is used and that other packages bring."""
     first, *others = brought
-    names = in_ticks([each.name for each in brought])
-    message = (
-        f"CMake never looks for {names}, and package.xml does not declare them, but targets are linked "
-        "with them: it builds only while other packages bring them; find and declare them"
-    )
+    names, lacking = in_ticks([each.name for each in brought]), [e.name for e in brought if not e.is_declared]
+    start = f"CMake never looks for {names}" + f", and package.xml lacks {in_ticks(lacking)}" * bool(lacking)
+    todo = "find and declare them" if lacking else "find them"
+    message = f"{start}, but uses them: it builds only while other packages bring them; {todo}"
     related = tuple(Related(each.path, each.span, f"`{each.name}`: {each.usage}") for each in others)
     return Hit(first.path, first.span, message, Severity.INFO, related)
 
