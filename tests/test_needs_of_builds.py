@@ -121,3 +121,34 @@ def test_a_target_of_a_library_that_is_handed_on(found: str, scope: str, exports
         "include/my_pkg/core.hpp": "#pragma once\n",
     }
     assert [each.severity.value for each in lint_files(files, ["CMK113"]).findings] == levels
+
+
+def test_interfaces_that_only_the_generators_find() -> None:
+    lines = (
+        "find_package(rosidl_default_generators REQUIRED)\n{}"
+        'rosidl_generate_interfaces(${{PROJECT_NAME}} "msg/A.msg" DEPENDENCIES builtin_interfaces)\n'
+    )
+    depends = "  <buildtool_depend>rosidl_default_generators</buildtool_depend>\n"
+    (level, message), *others = told("DEP107", lines.format(""), depends)
+    assert (level, others) == ("info", [])
+    assert message.startswith("CMake never looks for `builtin_interfaces`")
+    assert told("DEP107", lines.format("find_package(builtin_interfaces REQUIRED)\n"), depends) == []
+    assert told("DEP107", lines.format(""), f"{depends}  <depend>builtin_interfaces</depend>\n") == []
+
+
+def test_packages_of_the_workspace_bring_targets() -> None:
+    core = (
+        "add_library(core SHARED src/core.cpp)\ninstall(TARGETS core EXPORT core_targets DESTINATION lib)\n"
+        "ament_export_targets(core_targets)\n"
+    )
+    user = (
+        "find_package(core REQUIRED)\nfind_package(pybind11 REQUIRED)\npybind11_add_module(fast src/fast.cpp)\n"
+        "ament_target_dependencies(fast core)\n"
+    )
+    files = {}
+    for name, lines in (("core", core), ("user", user)):
+        cmake = CMAKE.replace("my_pkg", name).replace("ament_package()", f"{lines}ament_package()")
+        files |= {f"{name}/CMakeLists.txt": cmake, f"{name}/package.xml": manifest("", "ament_cmake", name)}
+    assert [each.severity.value for each in lint_files(files, ["CMK122"]).findings] == ["error"]
+    files["core/CMakeLists.txt"] = CMAKE.replace("my_pkg", "core")
+    assert not lint_files(files, ["CMK122"]).findings

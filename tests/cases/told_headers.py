@@ -69,9 +69,43 @@ INTERFACES = """\
 USES = "#include <my_pkg/msg/a.hpp>\n"
 GENERATED = {"msg/A.msg": "bool a\n", "src/talker.cpp": USES + "int main() {return 0;}\n"}
 SWITCHED = GENERATED | {"src/talker.cpp": f"#if WITH\n{USES}#endif\nint main() {{return 0;}}\n"}
+MODULE = (
+    "find_package(pybind11 REQUIRED)\npybind11_add_module(fast src/fast.cpp)\ninstall(TARGETS fast DESTINATION {})\n"
+)
+MODULES = {"src/fast.cpp": "int fast() {return 1;}\n"}
+HANDED = (
+    "find_package(rclcpp REQUIRED)\n{}add_executable(talker src/talker.cpp)\nament_target_dependencies(talker {})\n"
+)
 CASES = {
     "CMK003": (
         Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", "autoware_package")}, good={}, on="ament_cmake"),
+    ),
+    "CMK104": (
+        package(MODULE.format("lib/${PROJECT_NAME}"), MODULES),
+        package(MODULE.format("lib/${PROJECT_NAME}"), MODULES | {"my_pkg/__init__.py": "from . import fast\n"}),
+        package(MODULE.format("lib/python3.12/site-packages/my_pkg"), MODULES),
+        package(MODULE.format("lib"), MODULES | {"README.md": "Set PYTHONPATH.\n"}),
+        package(
+            MODULE.format("lib/my_pkg") + "install(PROGRAMS scripts/talk.py DESTINATION lib/my_pkg)\n",
+            MODULES | {"scripts/talk.py": NODE + "import fast\n"},
+        ),
+    ),
+    "CMK114": (
+        package("find_package(ament_lint_auto REQUIRED)\nament_lint_auto_find_test_files()\n"),
+        package("find_package(ament_cmake_python REQUIRED)\nament_install_python_package(my_pkg)\n"),
+        package("find_package(ament_cmake_auto REQUIRED)\nament_auto_add_gmock(x)\n"),
+        package("function(ament_lint_auto_find_test_files)\nendfunction()\nament_lint_auto_find_test_files()\n"),
+    ),
+    "CMK117": (
+        package(HANDED.format("", "rclcpp tf_ros"), MAIN),
+        package(HANDED.format("find_package(Eigen3 REQUIRED)\n", "rclcpp tf_ros"), MAIN),
+        package(HANDED.format("find_package(acme REQUIRED)\n", "rclcpp tf_ros"), MAIN),
+        package(HANDED.format("set(tf_ros_FOUND 1)\n", "rclcpp tf_ros"), MAIN),
+        package(HANDED.format("", "rclcpp soup"), MAIN),
+    ),
+    "CMK118": (
+        package(LIBRARY + "ament_export_libraries(core core_robot other)\n"),
+        package("find_package(core_robot REQUIRED)\n" + LIBRARY + "ament_export_libraries(core core_robot)\n"),
     ),
     "CMK103": (
         *(
@@ -121,6 +155,9 @@ CASES = {
         package(LINKED.format("std_msgs", "PRIVATE std_msgs"), MAIN),
         package(LINKED.format("std_msgs", "${std_msgs_TARGETS}"), MAIN),
         package(LINKED.format("acme_msgs", "acme_msgs::acme_msgs acme_msgs"), MAIN),
+        package(LINKED.format("rclcpp", "PUBLIC rclcpp"), MAIN),
+        package("link_directories(/opt/ros/jazzy/lib)\n" + LINKED.format("rclcpp", "rclcpp"), MAIN),
+        package(LINKED.format("acme_core", "acme_core"), MAIN),
         package(GENERATES + PROGRAM.replace("talker core", "talker my_pkg"), GENERATED, INTERFACES),
         package(GENERATES + PROGRAM.replace("talker core", "talker my_pkg"), GENERATED, INTERFACES, "humble"),
         package(
@@ -173,6 +210,11 @@ CASES = {
         package(GENERATES + PROGRAM.replace("talker core", "talker m"), SWITCHED, INTERFACES),
     ),
     "CMK123": (
+        package("add_compile_options(-Wall WITH_ARM=1 -include MY_FILE -D WITH_LEG)\n"),
+        package("add_definitions(-DWITH_ARM WITH_LEG)\n"),
+        package('set(libs "")\nset(libs "${libs} m")\n' + LINKED.format("std_msgs", '"${libs}"'), MAIN),
+        package('set(libs "${UNKNOWN} m")\n' + LINKED.format("std_msgs", '${libs} " "'), MAIN),
+        package(CORE.format("") + "target_compile_options(core PRIVATE -Wall USE_ARM ${FLAGS})\n"),
         package(PUBLIC.format("PUBLIC include", EXPORT)),
         package(PUBLIC.format("PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include", EXPORT)),
         package(PUBLIC.format("PRIVATE include", EXPORT)),

@@ -76,5 +76,14 @@ class ExportedLibraries:
             return
         libraries = {target.name for target in cmake.targets if target.is_library and target.is_built}
         near = nearest(name, libraries, 2)
-        if near is not None or name == self.package.facts.name:
+        if near is not None or name == self.package.facts.name or self.is_called_like(name, libraries):
             yield WrongExport(word, "unknown", near or "")
+
+    def is_called_like(self, name: str, libraries: set[str]) -> bool:
+        """Return whether a name begins like one of the package: with its own, or with that of a library of it.
+
+        One of another package, as `moveit_core` has for `moveit_core_plugins`, may be handed on.
+        """
+        found = {each.name for each in self.package.cmake.packages}
+        starts = (name.startswith((f"{each}-", f"{each}_")) for each in (*libraries, self.package.facts.name))
+        return any(starts) and len(libraries) > 0 and not any(name.startswith(each) for each in found)

@@ -10,6 +10,7 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.syntax import CommandInvocation
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.workspace import Workspace
 from ...ros.link_targets import link_targets
 from .ament_target_dependencies import KEYWORDS, LINK_KEYWORDS, LINK_PLAINLY, REMOVED
 
@@ -42,6 +43,7 @@ class MixedLink:
 @dataclass(frozen=True)
 class LinkSignatures:
     package: CMakePackage
+    workspace: Workspace
 
     def mixed(self) -> Iterator[MixedLink]:
         """Yield, once for a target, the first call that links it otherwise than one before."""
@@ -86,7 +88,7 @@ class LinkSignatures:
             return False
         if not named or not items[0].is_known or items[0].maybe:
             return None
-        if call.name == REMOVED and not any(has_targets(name) for name in named):
+        if call.name == REMOVED and not any(map(self.has_targets, named)):
             return None
         return items[0].text in KEYWORDS if not OLDER & set(call.texts) else None
 
@@ -94,7 +96,7 @@ class LinkSignatures:
     def links_automatically(self) -> bool:
         needed = (each for each in self.package.manifest.dependencies if each.tag in ("depend", "build_depend"))
         finds = self.package.cmake.named("ament_auto_find_build_dependencies")
-        return bool(finds) and any(has_targets(each.name) for each in needed)
+        return bool(finds) and any(self.has_targets(each.name) for each in needed)
 
     @cached_property
     def branches(self) -> dict[int, Path]:
@@ -111,8 +113,10 @@ class LinkSignatures:
                 waiting += [(below, (*path, (id(each), at))) for below in branch.body]
         return found
 
-
-def has_targets(package: str) -> bool:
-    """Return whether a package certainly exports targets, which ament_target_dependencies then links."""
-    found = link_targets(package)
-    return found.certain and bool(found.targets)
+    def has_targets(self, package: str) -> bool:
+        """Return whether a package certainly exports targets, which ament_target_dependencies then links."""
+        facts = self.workspace.named(package)
+        if facts is not None and facts.name != self.package.facts.name and facts.knows("cmake_targets"):
+            return bool(facts.cmake_targets)
+        found = link_targets(package)
+        return found.certain and bool(found.targets)

@@ -6,15 +6,23 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.cmake.values import Word
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...ros.core_messages import CORE_MESSAGES
 from ...ros.distros import Targets
+from ...ros.link_targets import link_targets
 from ..fault import Level
 from ..older_distribution import OlderDistribution
 from .mistyped_links import MistypedLinks
 
 AUTOMATIC = ("ament_auto_find_build_dependencies", "autoware_package")
+OF_ROS = regex(
+    r"rcl\w*|rmw\w*|rcutils|rcpputils|tf2\w*|pluginlib|class_loader|image_transport|cv_bridge|message_filters|nav2_\w+|"
+    r"\w+_interface|image_geometry|laser_geometry|diagnostic_updater|rosbag2_\w+|moveit_\w+|realtime_tools"
+)
+"""Packages whose libraries ROS alone brings, in a folder where no linker looks."""
+FOLDERS = ("link_directories", "target_link_directories", "add_link_options", "target_link_options")
 NEW = ("lyrical", "rolling")
 """The distributions in which rosidl exports one target for all of a package's interfaces."""
 
@@ -25,6 +33,8 @@ class MessageTarget:
     package: str
     """The released one; "" where the target is that of the package's own interfaces."""
     level: Level
+    target: str = ""
+    """What the package exports to be linked instead of its name."""
 
     @property
     def sentence(self) -> str:
@@ -32,6 +42,9 @@ class MessageTarget:
         if not package:
             why = f'`{text}` is what generates the interfaces and no library: CMake stops with "may not be linked"'
             return f"{why}; link what `rosidl_get_typesupport_target()` returns"
+        if text == package and self.target:
+            why = f"`{text}` is no target, and no linker looks for `-l{text}` where ROS has its libraries"
+            return f"{why}: the build stops; link `{self.target}`"
         if text == package:
             why = f"`{package}` has no library of its name: the linker finds no `-l{package}`"
         else:
@@ -63,6 +76,18 @@ class MessageTargets:
                 if level and link.word.text not in seen:
                     seen.add(link.word.text)
                     yield MessageTarget(link.word, package, level)
+            if not colons and package not in seen and (meant := self.exported_by(package)) and self.is_sure(link):
+                seen.add(package)
+                yield MessageTarget(link.word, package, "error", meant)
+
+    def exported_by(self, package: str) -> str:
+        """Return the target that a package of ROS exports, where its library has no plain name; else ""."""
+        cmake = self.links.package.cmake
+        if not OF_ROS.fullmatch(package) or cmake.named(*FOLDERS):
+            return ""
+        known = link_targets(package)
+        own = [each for each in known.targets if each.startswith(f"{package}::")]
+        return own[0] if known.certain and own else ""
 
     def is_sure(self, link: TargetLink) -> bool:
         """Return whether CMake certainly links the released package by this word."""

@@ -81,7 +81,9 @@ class ExportedDependencies:
         """
         has_some = any(each != "-" for each in rows("cmake_targets.txt").get(package, ()))
         of_ros = MESSAGES.fullmatch(package) is not None or has_some
-        return package in self.found & self.declared and (of_ros or not link.package)
+        if package not in self.declared:  # DEP104 tells of it, too
+            return package in self.found and MESSAGES.fullmatch(package) is not None
+        return package in self.found and (of_ros or not link.package)
 
     def is_library(self, package: str, link: TargetLink) -> bool:
         """Return whether a link hands a target of a library of the system on (`yaml-cpp::yaml-cpp`), which is found.

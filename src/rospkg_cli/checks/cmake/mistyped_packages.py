@@ -122,12 +122,23 @@ class MistypedPackages:
         return near.pop() if len(near) == 1 else None
 
     def is_nowhere(self, word: Word, call: EvaluatedCommand) -> bool:
-        """Return whether a package is exported that nobody knows, and that no other command and no file names."""
+        """Return whether a package is given that nobody knows, and that no other command and no file names."""
         cmake, name = self.package.cmake, word.text
         unclear = not cmake.is_complete or cmake.reads_unknown_files or not self.is_looked_for_in_vain(name)
-        if call.name != EXPORTED or unclear or keys_for_cmake(name):
+        if unclear or keys_for_cmake(name) or (call.name == HANDED and self.may_be_found(name)):
             return False
-        return not any(name in text for each in cmake.calls if each.name != EXPORTED for text in each.texts)
+        return not any(name in text for each in cmake.calls if each.name not in TAKING for text in each.texts)
+
+    def may_be_found(self, name: str) -> bool:
+        """Return whether it is no name of a ROS package, or a package that is found may find it, as none is released.
+
+        Libraries of the system find no packages of ROS.
+        """
+        found = (each.name for each in self.package.cmake.packages)
+        return "_" not in name or any(self.workspace.named(e) is not None or not self.is_public(e) for e in found)
+
+    def is_public(self, name: str) -> bool:
+        return self.workspace.index.is_package(name) or bool(keys_for_cmake(name))
 
     def is_own(self, word: Word, call: EvaluatedCommand) -> bool:
         """Return whether a package looks for itself, before it is installed, and brings no module to be found by."""

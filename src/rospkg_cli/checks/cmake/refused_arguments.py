@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.values import UNKNOWN, Word
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.install_rules import ARTIFACTS
@@ -23,6 +24,11 @@ FOREIGN = frozenset({*KINDS, "TARGETS", *(set(ARTIFACTS) - {"INCLUDES", "RESOURC
 """Keywords of the other forms of install()."""
 NOT_LINKED = frozenset({"SHARED", "STATIC", "MODULE", "REQUIRED", "COMPONENTS"})
 """Keywords of add_library() and find_package(), which target_link_libraries() links."""
+OPTIONS = ("add_compile_options", "target_compile_options", "add_definitions")
+"""Commands whose arguments the compiler gets as they are."""
+WHOLE = ("-W", "-O", "-f", "-std", "-g", "-m", "-D", "-p")
+"""How options begin that have their value in them."""
+DEFINITION = regex(r"[A-Z_][A-Z0-9]*_[A-Z0-9_]*(=\w*)?|[A-Z_][A-Z0-9_]+=\w*")
 COUNTS = {
     "pluginlib_export_plugin_description_file": (2, "the package of the base class and the description's path"),
     "generate_parameter_library": (2, "the library's name and the YAML file"),
@@ -55,6 +61,7 @@ def refused_calls(cmake: CMake) -> Iterator[RefusedArgument]:
         yield from foreign_keywords(cmake, call)
         yield from linked_keywords(cmake, call)
         yield from too_few(call)
+        yield from without_sign(call)
 
 
 def unscoped(call: EvaluatedCommand) -> Iterator[RefusedArgument]:
@@ -102,6 +109,12 @@ def foreign_keywords(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedAr
 
 def linked_keywords(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedArgument]:
     for word in call.words[1:] if call.name == "target_link_libraries" else ():
+        if word.text.strip() and word.text != word.text.strip():
+            why = 'CMake stops with "has leading or trailing whitespace"'
+            message = (
+                f"blanks stand around what is linked here: {why}; separate names with `;`, and leave out the quotes"
+            )
+            yield RefusedArgument(call, word, message)
         if word.text in NOT_LINKED and not word.quoted and cmake.target(word.text) is None:
             start = f"`{word.text}` is no keyword of `target_link_libraries`"
             yield RefusedArgument(
@@ -114,3 +127,15 @@ def too_few(call: EvaluatedCommand) -> Iterator[RefusedArgument]:
         count, which = COUNTS[call.name]
         if len(call.words) < count:
             yield RefusedArgument(call, None, f"`{call.name}` wants {which}: CMake stops; name them all")
+
+
+def without_sign(call: EvaluatedCommand) -> Iterator[RefusedArgument]:
+    """Yield definitions among options that lack their `-D`, but for values of the flag before them."""
+    before = ""
+    for word in call.words[call.name.startswith("target_") :] if call.name in OPTIONS else ():
+        is_value = (before.startswith("-") and not before.startswith(WHOLE)) or before in ("-D", "-mllvm")
+        before = word.text
+        if word.is_known and not is_value and word.text not in SCOPES and DEFINITION.fullmatch(word.text):
+            start = f"`{word.text}` is a definition without its `-D`"
+            todo = f"write `-D{word.text}`"
+            yield RefusedArgument(call, word, f"{start}: the compiler takes it for a file, and the build stops; {todo}")

@@ -16,6 +16,10 @@ from .mistyped_links import digits
 
 SHORTEST = 6
 """Letters; a shorter name that is unknown may be anybody's."""
+RESERVED = ("ament", "rosidl", "rclcpp", "pluginlib")
+"""First words of commands that are all known."""
+FEWEST = 3
+"""Words of a command that another one shares with it."""
 SHORT = 8
 """Letters of a name from which two may be wrong."""
 
@@ -42,10 +46,22 @@ class UnknownCommands:
 
         None where all its words are those of commands: `add_gtest` may be somebody's own.
         """
+        if (of_family := self.of_family(name)) is not None:
+            return of_family
         if len(name) < SHORTEST or self.words.issuperset(name.split("_")):
             return None
         alike = (each for each in self.known if digits(each) == digits(name))
         return next(iter(near_names(name, alike, 1 if len(name) < SHORT else 2)), None)
+
+    def of_family(self, name: str) -> str | None:
+        """Return the one command of ROS that has the same words, but for their order or the last one."""
+        words = name.split("_")
+        family = [each for each in self.known if each.partition("_")[0] == words[0] and words[0] in RESERVED]
+        same = [each for each in family if sorted(each.split("_")) == sorted(words)]
+        start = f"{'_'.join(words[:-1])}_"
+        begun = [each for each in family if each.startswith(start)] if len(words) > FEWEST else []
+        near = same or begun
+        return near[0] if len(near) == 1 else None
 
     @cached_property
     def known(self) -> frozenset[str]:

@@ -25,6 +25,7 @@ FOUND_WITH_GENERATORS = frozenset({"action_msgs", "builtin_interfaces", "service
 WITH_KIN = frozenset({"rcutils", "rcpputils", "std_msgs", "tf2"})
 """Packages that all users of their kin get: `tf2` with `tf2_ros`, `std_msgs` with other messages."""
 
+LISTED = "`rosidl_generate_interfaces` depends on it"
 MIN_LETTERS = 5
 
 
@@ -62,6 +63,9 @@ class MissingFindPackages:
             for each in (*certain, *(self.linked(maybe=False) if known else ())):
                 if each.name not in seen and self.is_undeclared(each.name) and not self.has_another_name(each.name):
                     seen.add(each.name)
+                    yield replace(each, is_declared=False)
+            for each in self.with_generators():
+                if each.name not in self.found and self.is_undeclared(each.name):
                     yield replace(each, is_declared=False)
             included = (*self.includes.packages(), *self.includes.undeclared())
             told = {name for each in included for name in (each.cmake, *each.names)}
@@ -144,10 +148,17 @@ class MissingFindPackages:
             for word in target.dependencies:
                 is_certain = word.is_known and not (word.maybe or target.call.maybe)
                 if is_certain and word.text not in there | FOUND_WITH_GENERATORS:
-                    usage = "`rosidl_generate_interfaces` depends on it"
                     yield MissingFindPackage(
-                        word.text, word.path, word.span, target.call.testing, usage, may_be_transitive=not known
+                        word.text, word.path, word.span, target.call.testing, LISTED, may_be_transitive=not known
                     )
+
+    def with_generators(self) -> Iterator[MissingFindPackage]:
+        """Yield what the interfaces depend on by name alone, and the generators find; DEP108 tells of types."""
+        named = {each.package for interface in self.includes.interfaces for each in interface.types}
+        for target in self.includes.cmake.interface_targets:
+            for word in target.dependencies if not target.call.maybe else ():
+                if word.text in FOUND_WITH_GENERATORS - named and not word.maybe:
+                    yield MissingFindPackage(word.text, word.path, word.span, target.call.testing, LISTED, True)
 
     def headers(self, maybe: bool) -> Iterator[MissingFindPackage]:
         for each in self.includes.packages():

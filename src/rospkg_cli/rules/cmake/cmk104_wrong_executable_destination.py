@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from ...checks.cmake.doubled_folders import astray
 from ...checks.cmake.misplaced_executables import MisplacedExecutable, MisplacedExecutables
+from ...checks.cmake.misplaced_modules import MisplacedModules
 from ...edits.cmake_destination import to_libexec
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -79,7 +80,8 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
     Finds executables and scripts that are not installed to `lib/${PROJECT_NAME}`.
     A tool that is no node may lie elsewhere on purpose, and a node may be in bin/ if it is in both. Executable nodes in
     Python count too where a rule for files or folders installs them into bin/ or share/, and all files that land in
-    `share` itself, scripts of a folder that lands in `lib` itself, and folders that land in one of their own name.
+    `share` itself, scripts of a folder that lands in `lib` itself, and folders that land in one of their own name. So
+    do modules of Python that CMake builds (`pybind11_add_module()`), where no interpreter looks.
 
     ## Why is this bad?
     `ros2 run` and launch files look in `lib/<package>` alone: "No executable found".
@@ -115,6 +117,13 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
         yield Hit(first.word.path, first.word.span, message, severity, related, fix)
     for word, sentence in astray(misplaced.package):
         yield Hit(word.path, word.span, sentence, Severity.INFO)
+    for module in MisplacedModules(misplaced.package).all():
+        yield Hit(
+            module.word.path,
+            module.word.span,
+            module.sentence,
+            Severity.WARNING if module.is_imported else Severity.INFO,
+        )
 
 
 def together(

@@ -92,7 +92,8 @@ def unknown_target(messages: MessageTargets) -> Iterator[Hit]:
     `install(… EXPORT …)` fills. Of imported targets (`rclcpp::rclcpp`) it finds those that are one or two letters off,
     those that a package of the workspace does not export, and `std_msgs::std_msgs` and the like, which Lyrical is the
     first to have (`std_msgs` alone is in none); of libraries by a plain name those that are one or two
-    letters off a library of the package.
+    letters off a library of the package, and packages of ROS (`rclcpp`) that export a target of another name, where no
+    folder is given to the linker.
     It finds targets that are named above the command that makes them, and in lists of packages two names without a
     space between them.
 

@@ -52,8 +52,9 @@ def unknown_command(commands: UnfoundCommands) -> Iterator[Hit]:
     ## What it does
     Finds commands in CMakeLists.txt that are defined nowhere.
     They are nearly called like a known one (of CMake, ament, rosidl and the like, or of the package's own functions;
-    near is one or two letters), are of ROS 1 (`catkin_package()`), or come with a package that no `find_package()`
-    looks for: `ament_package()` without `find_package(ament_cmake REQUIRED)`.
+    near is one or two letters; for commands of ament and rosidl also the same words in another order, or all but the
+    last), are of ROS 1 (`catkin_package()`), or come with a package that no `find_package()` looks for:
+    `ament_package()` without `find_package(ament_cmake REQUIRED)`.
 
     ## Why is this bad?
     CMake stops with "Unknown CMake command".

@@ -71,7 +71,7 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     Finds packages that CMake looks for, links or exports and that are one or two letters off.
     It reads `find_package(… REQUIRED)`, `ament_target_dependencies()` and `ament_export_dependencies()`. In the last
     two it also finds targets of the package itself, which are no packages, in the last one libraries
-    (`${OpenCV_LIBRARIES}`) and packages that nobody knows and that the package neither finds nor declares, and in the
+    (`${OpenCV_LIBRARIES}`), in both packages that nobody knows and that are neither found nor declared, and in the
     first one the package itself and names of targets (`Eigen3::Eigen`), required or not; in the second one keywords
     that it does not take (PRIVATE); in the last two targets of packages (`rclcpp::rclcpp`), which are no packages.
 
@@ -80,9 +80,10 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     What is exported stops the packages that build against this one.
 
     ## When it is quiet
-    For names that a package or a rosdep key has, that package.xml declares (DEP001 judges these), or that nothing known
-    is near to. Near are only packages that CMake finds or package.xml declares; what `find_package()` looks for is
-    compared with those declared that are not found otherwise. Under a condition that can't be evaluated.
+    Where a package that is found and not released may find one that a target is given. For names that a package or a
+    rosdep key has, that package.xml declares (DEP001 judges these), or that nothing known is near to. Near are only
+    packages that CMake finds or package.xml declares; what `find_package()` looks for is compared with those declared
+    that are not found otherwise. Under a condition that can't be evaluated.
 
     ## Fix safety
     The nearest name may not be the one that was intended.

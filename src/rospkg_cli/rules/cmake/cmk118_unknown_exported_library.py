@@ -58,7 +58,7 @@ def unknown_exported_library(exported: ExportedLibraries) -> Iterator[Hit]:
     ## What it does
     Finds libraries in `ament_export_libraries()` that cannot be linked.
     They are programs, have no file (INTERFACE and OBJECT libraries), or are nearly called like a library of the
-    package; or they are called like the package, which has no such target.
+    package; or their names are those of the package or of a library of it, alone or with more words behind it.
 
     ## Why is this bad?
     The package itself builds. One that calls `find_package()` for it stops with "Package … exports the library … which

@@ -119,9 +119,11 @@ def in_one(brought: Sequence[MissingFindPackage]) -> Hit:
     """Return one info for all that is used and that other packages bring."""
     first, *others = brought
     names, lacking = in_ticks([each.name for each in brought]), [e.name for e in brought if not e.is_declared]
-    start = f"CMake never looks for {names}" + f", and package.xml lacks {in_ticks(lacking)}" * bool(lacking)
+    lacks = f", and package.xml lacks {in_ticks(lacking)}" if lacking else ""
     todo = "find and declare them" if lacking else "find them"
-    message = f"{start}, but uses them: it builds only while other packages bring them; {todo}"
+    message = (
+        f"CMake never looks for {names}{lacks}, but uses them: it builds only while other packages bring them; {todo}"
+    )
     related = tuple(Related(each.path, each.span, f"`{each.name}`: {each.usage}") for each in others)
     return Hit(first.path, first.span, message, Severity.INFO, related)
 
