@@ -147,6 +147,10 @@ CASES = {
     "LCH013": (
         python(lch013.BAD.replace("«DeclareLaunchArgument»('rate', default_value='10')", "LogInof(msg='x')")),
         python(lch013.BAD.replace("«DeclareLaunchArgument»('rate', default_value='10')", "something_else")),
+        python(
+            "import os\n"
+            + lch013.BAD.replace("«DeclareLaunchArgument»('rate', default_value='10')", "os.path.joint('a')")
+        ),
         *(python(WRONG_MODULE.format(module, name)) for module, name in MODULES),
     ),
     "LCH014": (python(lch014.BAD.replace("package='tf2_ros', executable=", "").replace("arguments=", "")),),

@@ -223,6 +223,8 @@ CASES = {
         for start, lines in (
             ("", "    py_modules=glob.glob('a/*.py'),\n"),
             ("", "    py_modules=[os.path.join('a', 'b')],\n"),
+            ("import os\n\n", "    py_modules=[os.path.joint('a', 'b')],\n"),
+            ("import os\n\n\ndef found():\n    return os.listdirs('a')\n\n\n", ""),
             ("import sys\n\n", "    py_modules=[os.path.join('a', 'b')],\n"),
             ("import ast\n\n", "    py_modules=[os.path.join('a', 'b')],\n"),
             ("def found():\n    return os.listdir('a')\n\n\n", ""),

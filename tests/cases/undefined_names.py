@@ -58,6 +58,20 @@ CASES = {
         *map(talker, STRAIGHT),
         *map(talker, QUIET),
         talker("def main():\n    print(raw_input())\n"),
+        talker(
+            "import os.path\nimport sys as system\n\n\ndef main():\n    os.path.exist('a')\n    if system.args:\n"
+            "        os.join('a', os.linesep, os.startfile, os.environment)\n"
+        ),
+        talker("import time\nfrom time import slep\n\n\ndef main(): ...\n"),
+        talker(
+            "import os, time, sys\n\n\ndef main():\n    time = 1\n    time.clock()\n    try:\n        sys.maxint\n"
+            "    except AttributeError:\n        pass\n    if sys.version_info[0] < 3:\n        os.getcwdu()\n"
+        ),
+        talker("import sys\n\n\ndef main():\n    if hasattr(sys, 'args'):\n        print(sys.args)\n"),
+        talker(
+            "def main(): ...\n",
+            launch__a_launch="import os\n\n\ndef generate_launch_description():\n    return os.path.joint('a')\n",
+        ),
         talker("from .words import *\n\n\ndef main():\n    print(GREETING, GRETING)\n"),
         talker("from my_pkg.words import hi\n\n\ndef main():\n    print(GREETING)\n"),
         talker("def main(): ...\n", my_pkg__other="print(modes)\n"),
@@ -77,6 +91,8 @@ CASES = {
                 **MIXED,
                 "CMakeLists.txt": PROGRAM,
                 "scripts/talk.py": "def main():\n    print(modes)\n\n\nif __name__ == '__main__':\n    main()\n",
+                "scripts/plot.py": "print(modes)\n",
+                "scripts/old/plot.py": "print(modes)\n",
             },
             good={},
         ),

@@ -12,17 +12,19 @@ from ...languages.python.nodes import nodes_of_kind
 from ...languages.python.undefined_names import UndefinedName, is_in_branch, undefined_names
 from ...languages.python.unreached_functions import unreached_functions
 from ...light_dataclasses import dataclass
+from ...package.file_role import Role, is_set_aside, role_of
 from ...package.install_table import InstallTable
 from ...source import Span
 from ..installed_modules import InstalledModules
 from ..interfaces.uncalled_methods import UncalledMethods
+from ..module_attributes import AbsentAttribute, absent_attributes
 from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
 
-When = Literal["certainly", "maybe", "never"]
-"""When a name is used: whenever the program is started or the module imported, in some runs, where nothing leads."""
+When = Literal["certainly", "maybe", "never", "aside"]
+"""When a name is used: at every start or import, in some runs, where nothing leads, in what nothing installs."""
 
-ORDER: tuple[When, ...] = ("certainly", "maybe", "never")
+ORDER: tuple[When, ...] = ("certainly", "maybe", "never", "aside")
 OF_LAUNCH = frozenset({"generate_launch_description", "generate_test_description"})
 PYTHON_2 = frozenset(
     "unicode xrange raw_input basestring long unichr reduce file cmp execfile buffer reload apply intern".split()
@@ -57,13 +59,27 @@ class UndefinedUses:
     reached: ReachedModules
     uncalled: UncalledMethods
 
-    def all(self) -> Iterator[UndefinedUse]:
+    @property
+    def files(self) -> Iterator[tuple[Role, PythonFile]]:
+        """The files that are installed, or may be run where they lie, without those of LCH013."""
         for role, file in self.run.files:
+            may_run = role != "aside" or (role_of(file.path) != "aside" and not is_set_aside(file.path))
             is_launched = role == "launch" and "__main__" in file.source.text
-            if role != "aside" and OF_LAUNCH.isdisjoint(file.functions) and not is_launched:  # LCH013 tells those
-                yield from self.of(file, is_test=role == "test")
+            if may_run and OF_LAUNCH.isdisjoint(file.functions) and not is_launched:
+                yield role, file
 
-    def of(self, file: PythonFile, *, is_test: bool) -> Iterator[UndefinedUse]:
+    def all(self) -> Iterator[UndefinedUse]:
+        for role, file in self.files:
+            yield from self.of(file, role)
+
+    def absent(self) -> Iterator[tuple[PythonFile, AbsentAttribute, When]]:
+        """Yield the names that modules of the standard library do not have, and when they are read."""
+        for role, file in self.files:
+            for each in absent_attributes(file):
+                found = UndefinedName(each.name, each.root, frozenset())
+                yield file, each, self.when_in(role, file, found, self.certain_spans(file))
+
+    def of(self, file: PythonFile, role: Role) -> Iterator[UndefinedUse]:
         uses: dict[str, list[UndefinedName]] = {}
         for found in undefined_names(file, everywhere=True):
             if found.name not in GIVEN and not self.is_for_python_2(file, found):
@@ -73,7 +89,7 @@ class UndefinedUses:
         certain = self.certain_spans(file)
         for name, places in uses.items():
             if not self.may_come_by_star(file, name):
-                times: list[When] = ["maybe" if is_test else self.when(file, each, certain) for each in places]
+                times = [self.when_in(role, file, each, certain) for each in places]
                 when = min(times, key=ORDER.index)
                 first = places[times.index(when)]
                 others = tuple(each for each in places if each is not first)
@@ -87,6 +103,10 @@ class UndefinedUses:
         stars = (each for each in file.imports if "*" in each.names)
         modules = [self.installed.absolute(each, file.path) for each in stars]
         return any(each not in self.installed.sources or self.installed.offers(each, name) for each in modules)
+
+    def when_in(self, role: Role, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
+        by_role: dict[Role, When] = {"test": "maybe", "aside": "aside"}
+        return by_role.get(role) or self.when(file, found, certain)
 
     def when(self, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
         if found.span in certain and not (found.is_annotation or found.is_caught):

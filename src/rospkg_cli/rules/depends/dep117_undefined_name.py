@@ -53,7 +53,7 @@ WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function or a branch that may not run, in a test, or in an annotation",
-        Severity.INFO: "nothing in the package calls the function, or imports the module",
+        Severity.INFO: "nothing in the package calls the function, imports the module, or installs the file",
     },
     examples=(
         Example(
@@ -73,16 +73,18 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
     """
     ## What it does
     Finds names that installed Python code and tests use, and that nothing defines or imports.
-    Each name is one finding of its file.
+    Each name is one finding of its file. Misspelt names of common modules of Python are told, too (`os.path.joint`,
+    `sys.args`).
 
     ## Why is this bad?
     Nothing looks before the line runs: the build is green, and the node ends with NameError, often only in a callback
     that a rare message reaches.
 
     ## When it is quiet
-    In files that nothing installs or runs, that import `*` from a package of others, that set names by `exec`,
-    `globals()` or `setattr`, and where a NameError is caught; for names that some branch or handler binds, for builtins
-    of Python 2 in a branch, and for what newer Pythons, notebooks, profilers and build tools have among the builtins.
+    In files of folders for docs, tools, templates or leftovers that nothing installs, in those that import `*` from a
+    package of others, that set names by `exec`, `globals()` or `setattr`, and where a NameError is caught; for names
+    that some branch or handler binds, for builtins of Python 2 in a branch, and for what newer Pythons, notebooks,
+    profilers and build tools have among the builtins.
     Launch files have a rule of their own, and setup.py, too.
 
     ## Fix safety
@@ -98,12 +100,17 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
         message = f"`{name}` is neither defined nor imported: {ends}{advice(use, line)}"
         places = tuple(Related(file.path, each.span, "here too") for each in use.others)
         yield Hit(file.path, use.found.span, message, LEVELS[use.when], places, fix)
+    for file, each, when in uses.absent():
+        ends = ENDS[when].replace("NameError", each.raised)
+        message = f"`{each.module}` has no `{each.name}`: {ends}; did you mean `{each.meant}`?"
+        yield Hit(file.path, each.span, message, LEVELS[when])
 
 
-LEVELS = {"certainly": None, "maybe": Severity.WARNING, "never": Severity.INFO}
+LEVELS = {"certainly": None, "maybe": Severity.WARNING, "never": Severity.INFO, "aside": Severity.INFO}
 ENDS = {
     "certainly": "the start ends here with NameError",
     "maybe": "the line raises NameError when it runs",
+    "aside": "the line raises NameError when somebody runs this file, which nothing installs",
     "never": "the line raises NameError once something calls it, which nothing here does",
 }
 OF_TYPE = "before Python 3.14, which Lyrical has, importing the module raises NameError"

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.launch.late_names import late_names
 from ...checks.launch.wrong_imports import wrong_attributes, wrong_imports
+from ...checks.module_attributes import absent_attributes
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...languages.python.file import PythonFile
@@ -67,10 +68,7 @@ class UseOfName:
             good={"launch/a.launch.py": BAD.replace("import LogInfo", "import DeclareLaunchArgument, LogInfo")},
         ),
         Example(
-            bad={
-                "package.xml": NEEDED,
-                "launch/a.launch.py": BAD_IMPORT,
-            },
+            bad={"package.xml": NEEDED, "launch/a.launch.py": BAD_IMPORT},
             good={"launch/a.launch.py": BAD_IMPORT.replace("launch.sub", "launch_ros.sub")},
         ),
     ),
@@ -80,8 +78,8 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     ## What it does
     Finds undefined names and wrong launch imports in Python launch files.
     A name is neither defined nor imported, a name of launch or launch_ros is imported from a module that does not have
-    it or read from one (`launch.substitution.x`), or a local name is used above the one line of its function that
-    assigns it. Files that import `*`, or run strings as code, are left alone.
+    it or read from one (`launch.substitution.x`), one of Python is misspelt (`os.path.joint`), or a local name is used
+    above the one line of its function that assigns it. Files that import `*`, or run strings as code, are left alone.
 
     ## Why is this bad?
     The launch stops with a NameError as soon as the name is used (often only for one value of an argument), or with an
@@ -115,6 +113,11 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
         raised = "AttributeError" if each.is_attribute else "ImportError"
         message = f"`{each.module}` has no `{each.name}`: {stops_with(file.python)} {raised}; {better}"
         yield Hit(file.path, each.span, message)
+    for absent in absent_attributes(file.python):
+        use = weighed(file.python, UndefinedName(absent.name, absent.span, frozenset()))
+        ends = use.ends.replace("NameError", absent.raised)
+        message = f"`{absent.module}` has no `{absent.name}`: {ends}; did you mean `{absent.meant}`?"
+        yield Hit(file.path, absent.span, message, use.level)
 
 
 def weighed(file: PythonFile, found: UndefinedName) -> UseOfName:

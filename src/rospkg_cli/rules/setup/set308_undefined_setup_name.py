@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.module_attributes import absent_attributes
 from ...edits.setup_py import import_name, import_standard
 from ...example import SETUP_PY, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
@@ -61,7 +62,8 @@ def undefined_setup_name(setup: SetupPy) -> Iterator[Hit]:
     """
     ## What it does
     Finds names that setup.py uses and that it neither defines nor imports.
-    It finds modules too that are called like the function of their name: `import glob`, and then `glob(…)`.
+    It finds modules too that are called like the function of their name: `import glob`, and then `glob(…)`, and
+    misspelt names of Python's modules (`os.path.joint`).
 
     ## Why is this bad?
     The build stops with a NameError, or with a TypeError. A `glob(…)` that was copied without its import is the usual
@@ -92,6 +94,10 @@ def undefined_setup_name(setup: SetupPy) -> Iterator[Hit]:
             Severity.WARNING if is_in_function(setup.file, found.span) else None,
             fix=fix,
         )
+    for absent in absent_attributes(setup.file):
+        level = Severity.WARNING if is_in_function(setup.file, absent.span) else None
+        ends = f"setup.py stops with {absent.raised}; did you mean `{absent.meant}`?"
+        yield Hit(setup.path, absent.span, f"`{absent.module}` has no `{absent.name}`: {ends}", level)
 
 
 def advice_for(called: CalledModule) -> str:

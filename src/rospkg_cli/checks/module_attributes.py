@@ -1,0 +1,105 @@
+"""Names that modules of Python's standard library do not have: `os.path.joint`, `from time import slep`."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from ..languages.python.called_modules import is_bound
+from ..languages.python.file import PythonFile
+from ..languages.python.guarded_nodes import guarded_nodes
+from ..languages.python.nodes import nodes_of_kind
+from ..languages.python.undefined_names import is_in_branch
+from ..light_dataclasses import dataclass
+from ..ros.module_attributes import ATTRIBUTES, MEANT
+from ..source import Span
+from ..suggest import near_names
+
+PYTHON_2 = frozenset({"itertools.izip", "os.getcwdu", "sys.maxint", "time.clock"})
+"""Names that code for both Pythons reads in a branch."""
+CATCHING = frozenset({"AttributeError", "ImportError", "Exception", "BaseException"})
+
+
+@dataclass(frozen=True, slots=True)
+class AbsentAttribute:
+    """A name that a module does not have, and the one that is meant."""
+
+    module: str
+    name: str
+    span: Span
+    meant: str
+    raised: str
+    root: Span
+    """The name that the module has in the file, or the imported one."""
+
+
+def absent_attributes(file: PythonFile) -> Iterator[AbsentAttribute]:
+    """Yield each misspelt name of a module once; none in code that asks for names or catches that they are missing."""
+    modules = imported_modules(file)
+    found = [*absent_imports(file), *(read_from(file, modules) if modules else ())]
+    asks = found and any(each.id in ("hasattr", "setattr") for each in nodes_of_kind(file.tree, ast.Name))
+    guarded = frozenset(guarded_nodes(file.tree.body, CATCHING)) if found else frozenset()
+    told: set[tuple[str, str]] = set()
+    for node, each in found:
+        is_old = is_in_branch(file, each.span) and (f"{each.module}.{each.name}" in PYTHON_2 or each.span == each.root)
+        if not (asks or is_old) and id(node) not in guarded and (each.module, each.name) not in told:
+            told.add((each.module, each.name))
+            yield each
+
+
+def imported_modules(file: PythonFile) -> dict[str, str]:
+    """Return the modules that names of a file stand for, where nothing else binds these."""
+    found: dict[str, str] = {}
+    for node in nodes_of_kind(file.tree, ast.Import):
+        for alias in node.names:
+            name = alias.name if alias.asname else alias.name.partition(".")[0]
+            known = found.setdefault(alias.asname or name, name)
+            if known != name:
+                found[alias.asname or name] = ""
+    taken = {alias.asname or alias.name for node in nodes_of_kind(file.tree, ast.ImportFrom) for alias in node.names}
+    usable = {name: module for name, module in found.items() if module in ATTRIBUTES and name not in taken}
+    return {} if "*" in taken else {name: module for name, module in usable.items() if not is_bound(file, name)}
+
+
+def read_from(file: PythonFile, modules: dict[str, str]) -> Iterator[tuple[ast.AST, AbsentAttribute]]:
+    stored = {each.attr for each in nodes_of_kind(file.tree, ast.Attribute) if not isinstance(each.ctx, ast.Load)}
+    for node in nodes_of_kind(file.tree, ast.Attribute):
+        module = module_of(node.value, modules)
+        meant = meant_by(module, node.attr) if module and node.attr not in stored else ""
+        if meant:
+            end = file.span(node).end
+            span, root = Span(end - len(node.attr), end), file.span(root_of(node))
+            yield node, AbsentAttribute(module, node.attr, span, meant, "AttributeError", root)
+
+
+def absent_imports(file: PythonFile) -> Iterator[tuple[ast.AST, AbsentAttribute]]:
+    for node in nodes_of_kind(file.tree, ast.ImportFrom):
+        for alias in node.names if not node.level and node.module else ():
+            meant = meant_by(node.module or "", alias.name)
+            if meant:
+                start = file.span(alias).start
+                span = Span(start, start + len(alias.name))
+                yield node, AbsentAttribute(node.module or "", alias.name, span, meant, "ImportError", span)
+
+
+def module_of(node: ast.expr, modules: dict[str, str]) -> str:
+    """Return the module that an expression is: `os.path` of `os.path.join`."""
+    if isinstance(node, ast.Attribute):
+        around = module_of(node.value, modules)
+        return f"{around}.{node.attr}" if around and f"{around}.{node.attr}" in ATTRIBUTES else ""
+    return modules.get(node.id, "") if isinstance(node, ast.Name) else ""
+
+
+def root_of(node: ast.expr) -> ast.expr:
+    return root_of(node.value) if isinstance(node, ast.Attribute) else node
+
+
+def meant_by(module: str, name: str) -> str:
+    """Return what a name that a module does not have is a slip of; "" where that is not certain."""
+    known = ATTRIBUTES.get(module, frozenset())
+    if not known or name in known or not name.islower() or name.startswith("_"):
+        return ""
+    if f"{module}.{name}" in MEANT:
+        return MEANT[f"{module}.{name}"]
+    near = near_names(name, (each for each in known if each.islower()), 1) if len(name) > 3 else []
+    return f"{module}.{near[0]}" if len(near) == 1 else ""

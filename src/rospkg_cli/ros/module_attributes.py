@@ -1,0 +1,28 @@
+"""What common modules of Python's standard library have, and what is often looked for in them in vain."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from .read_table import sets
+
+ATTRIBUTES: Mapping[str, frozenset[str]] = sets("module_attributes.txt")
+MEANT: Mapping[str, str] = {
+    "itertools.izip": "zip",
+    "math.abs": "abs",
+    "math.max": "max",
+    "math.min": "min",
+    "math.round": "round",
+    "os.getcwdu": "os.getcwd",
+    "os.mkdirs": "os.makedirs",
+    "os.sleep": "time.sleep",
+    "os.path.listdir": "os.listdir",
+    "os.path.makedirs": "os.makedirs",
+    "os.path.mkdir": "os.mkdir",
+    "os.path.walk": "os.walk",
+    "sys.maxint": "sys.maxsize",
+    "time.clock": "time.perf_counter",
+    "time.now": "time.time",
+    **{f"os.{name}": f"os.path.{name}" for name in ATTRIBUTES["os.path"] - ATTRIBUTES["os"] if name.islower()},
+}
+"""Names that no version of Python 3 that ROS 2 runs on has, and what is meant."""
