@@ -93,3 +93,20 @@ def test_what_is_asked_for_is_not_unused() -> None:
             "x.cpp": "",
         }
         assert len(lint_files(files, ["DEP202"]).findings) == count
+
+
+@pytest.mark.parametrize(
+    "body, wanted",
+    [
+        ("", ["<buildtool_depend>cmake</buildtool_depend>"]),
+        ("  <test_depend>ament_cmake_gtest</test_depend>\n", ["<buildtool_depend>cmake</buildtool_depend>"]),
+        ("  <buildtool_depend>cmake</buildtool_depend>\n", []),
+        ("  <buildtool_depend>ament_cmake</buildtool_depend>\n", []),
+    ],
+)
+def test_a_plain_cmake_package_asks_for_cmake(body: str, wanted: list[str]) -> None:
+    files = {"CMakeLists.txt": "project(my_pkg)\n", "package.xml": manifest(body, "cmake")}
+    if "ament_cmake</" not in body:
+        files["package.xml"] = files["package.xml"].replace("  <buildtool_depend>ament_cmake</buildtool_depend>\n", "")
+    found = lint_files(files, ["DEP114"]).findings
+    assert [each.message.rpartition("; add ")[2] for each in found] == wanted

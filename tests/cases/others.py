@@ -89,6 +89,9 @@ IN_FUNCTION = (
 DESCRIBED = "from launch_ros.actions import Node\n\nN = Node(package='turtlesim', executable='a')\n"
 
 TESTED = setup_py("tests_require=['{}'],").replace("    extras_require={'test': ['pytest']},\n", "")
+GO = interfaces("float32 a\n", cmake=dep108.CMAKE_MSG.replace("msg/Pose.msg", "action/Go.action"))
+GOES = Example(bad={**GO.bad, "action/Go.action": "int32 a\n---\n---\n"}, good={}, on="ament_cmake")
+
 CASES = {
     "DEP101": (
         python("", setup_DOT_py="import numpy\n" + setup_py()),
@@ -141,6 +144,7 @@ CASES = {
         interfaces("geometry_msgs/Pose2D pose\n", "  <depend>sensor_msgs</depend>\n"),
         interfaces("geometry_mgs/Pose2D pose\n", "  <depend>geometry_msgs</depend>\n", cmake=dep108.CMAKE_MSG),
         interfaces("builtin_interfaces/Time at\nbuiltin_interfaces/Time to\n"),
+        GOES,
         interfaces("".join(f"geometry_msgs/Pose2D p{number}\n" for number in range(6))),
     ),
     "DEP202": (

@@ -21,6 +21,8 @@ from .part import Part
 from .rendered import identifier
 
 GENERATORS, RUNTIME = "rosidl_default_generators", "rosidl_default_runtime"
+OF_ACTIONS = "action_msgs"
+"""What the code of every action uses; rosidl finds it itself."""
 
 
 def interface_parts(package: Package, form: str, asked: Sequence[str], here: bool = False) -> tuple[Part, ...]:
@@ -41,7 +43,8 @@ def parts_of(manifest: Manifest, wanted: Sequence[RequestedInterface], force: bo
     """Yield the parts of interfaces; `force`: their files may have been edited since."""
     needs = sorted({name for each in wanted for name in each.packages} - {manifest.name})
     yield AddedDependency(GENERATORS, "buildtool")
-    yield from (AddedDependency(name, "all") for name in needs)
+    is_action = any(each.path.endswith(".action") for each in wanted)
+    yield from (AddedDependency(name, "all") for name in sorted({*needs, *([OF_ACTIONS] if is_action else [])}))
     yield AddedDependency(RUNTIME, "exec")
     yield GroupMember(GROUP)
     yield FoundInCMake(GENERATORS)

@@ -34,6 +34,7 @@ STANDS_FOR = {
 """What needs a package without its name."""
 
 BY_FILES = {
+    "action_msgs": (".action",),
     "launch": (".launch.py", "_launch.py", "/test_launch.py"),
     "launch_xml": (".launch.xml", "_launch.xml", ".launch"),
     "launch_yaml": (".launch.yaml", "_launch.yaml", ".launch.yml", "_launch.yml"),

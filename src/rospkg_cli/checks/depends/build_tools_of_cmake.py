@@ -10,6 +10,7 @@ from ...languages.cmake.file import CMakeFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
+from ...ros.distros import Targets
 from ...source import Span
 from .declared_dependencies import DeclaredDependencies
 
@@ -24,6 +25,8 @@ ASKS_PKG_CONFIG = ("pkg_check_modules", "pkg_search_module")
 PKG_CONFIG, ENVIRONMENT = "pkg-config", "ros_environment"
 ERRORS = ("FATAL_ERROR", "SEND_ERROR", "ERROR")
 """The kinds of message() that are meant to stop CMake; ERROR is none of its own, and common."""
+ITSELF = "cmake"
+"""The build type that no build tool of ROS comes with, and the rosdep key of what it needs."""
 VARIABLE = regex(r"\$ENV\{(ROS_DISTRO|ROS_VERSION|ROS_PYTHON_VERSION)\}")
 """The variables that the package ros_environment sets where it is installed."""
 
@@ -51,17 +54,28 @@ class BuildToolsOfCMake:
         seen: set[str] = set()
         there = self.declared.brought_to_build
         for tool in self.used() if self.declared.is_checked else ():
-            if tool.name not in seen and not self.declared.has([tool.name]) and tool.name not in there.certain:
+            is_there = tool.name in there.certain and tool.name != ITSELF
+            if tool.name not in seen and not self.declared.has([tool.name]) and not is_there:
                 yield replace(tool, bringer=there.perhaps.get(tool.name, ""))
             seen.add(tool.name)
 
     def used(self) -> Iterator[BuildTool]:
+        yield from self.cmake_itself()
         for call in self.cmake.calls:
             for name in self.needed_by(call):
                 tag = "test_depend" if call.testing else "buildtool_depend"
                 yield BuildTool(name, call.name, tag, call.path, call.command.name_span)
         for file in self.cmake.files:
             yield from self.read_in(file)
+
+    def cmake_itself(self) -> Iterator[BuildTool]:
+        """Yield the tool of a plain CMake package, unless a tool of ament that it declares brings it."""
+        manifest = self.declared.manifest
+        tools = {each.name for each in manifest.dependencies if each.tag != "test_depend"}
+        for element in manifest.build_types(Targets()):
+            if element.text.strip() == ITSELF and not any(name.startswith("ament_cmake") for name in tools):
+                what = f"<build_type>{ITSELF}</build_type>"
+                yield BuildTool(ITSELF, what, "buildtool_depend", manifest.path, element.span)
 
     def needed_by(self, call: EvaluatedCommand) -> Iterator[str]:
         """Yield what a command fails without, wherever it runs."""

@@ -10,6 +10,9 @@ from ..interfaces.package_interfaces import InterfaceGeneration
 from .declared_dependencies import DeclaredDependencies
 from .name_source import source_of
 
+OF_ACTIONS, CANCELS = "action_msgs", "action_msgs/srv/CancelGoal"
+"""The package of what every action is made of, and its service."""
+
 
 @dataclass(frozen=True, slots=True)
 class InterfaceTypeUse:
@@ -32,7 +35,13 @@ class InterfaceTypeDependencies:
                 if each.package and not self.declared.has([each.package]):
                     use = InterfaceTypeUse(interface.path, each.base_span, f"{each.package}/{each.base}")
                     found.setdefault(each.package, []).append(use)
+            if interface.path.endswith(".action") and self.comes_with_generators(OF_ACTIONS):
+                found.setdefault(OF_ACTIONS, []).append(InterfaceTypeUse(interface.path, Span(0, 0), CANCELS))
         return found
+
+    def comes_with_generators(self, package: str) -> bool:
+        """Return whether generated code uses a package that others bring; without generators XML305 tells."""
+        return not self.declared.has([package]) and self.declared.bringer([package], runs=False) is not None
 
     def meant(self, package: str) -> str | None:
         """Return the one declared dependency that a package nobody knows is a letter or two off."""

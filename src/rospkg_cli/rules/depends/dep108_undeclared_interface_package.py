@@ -51,7 +51,7 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
     """
     ## What it does
     Finds types of other packages in interface files that package.xml does not declare.
-    Such a type is `geometry_msgs/Pose2D` in a message, service or action.
+    Such a type is `geometry_msgs/Pose2D` in a message, service or action. Every action uses `action_msgs`.
 
     ## Why is this bad?
     The generated code includes the other package's headers and imports its modules, here and in every package that
