@@ -37,10 +37,6 @@ class UnregisteredNode:
     path: str
     main: Span
     """Of the name `main` in its definition."""
-    is_alone: bool
-    """Whether every other node of its folder, of which there are some, has an entry point."""
-    starts_itself: bool
-    """Whether it calls its `main` when it is run as a script."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +66,6 @@ class UnregisteredNodes:
         missing = (module for module in known if module and self.package.is_missing(module))
         meant = set(map(self.package.suggestion, missing))  # which SET101 tells
         nodes = {m: main for m in setup.modules if m not in known and (main := self.main_of(m)) is not None}
-        folders = [module.rpartition(".")[0] for module in nodes]
         for module, main in nodes.items():
             folder = module.rpartition(".")[0]
             if module in meant or self.is_started(module.rpartition(".")[2]):
@@ -78,8 +73,7 @@ class UnregisteredNodes:
             has_others = any(each.module.rpartition(".")[0] == folder for each in self.package.nodes)
             file = self.package.modules.at(setup.modules[module])
             if file is not None and (has_others or not known) and not self.is_used(module):
-                alone = folders.count(folder) == 1
-                yield UnregisteredNode(module, file.path, main, alone and has_others, starts_itself(file))
+                yield UnregisteredNode(module, file.path, main)
 
     def is_started(self, name: str) -> bool:
         """Return whether a launch file of the workspace starts an executable: LCH002 reports one that is not there."""

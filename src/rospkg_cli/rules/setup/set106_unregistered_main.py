@@ -56,5 +56,4 @@ def unregistered_main(nodes: UnregisteredNodes) -> Iterator[Hit]:
         edits = add_script(setup, nodes.scripts, entry) if nodes.scripts is not None and is_module else ()
         fix = Fix(f"add `{entry}`", edits, Safety.UNSAFE) if edits else None
         message = f"`{node.path}` has a node and a `main`, but no entry point: `ros2 run` can't start it; add `{entry}`"
-        if node.starts_itself or node.is_alone:
-            yield Hit(node.path, node.main, message, fix=fix)
+        yield Hit(node.path, node.main, message, fix=fix)
