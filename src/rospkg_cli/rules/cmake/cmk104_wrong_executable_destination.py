@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from ...checks.cmake.doubled_folders import astray
-from ...checks.cmake.misplaced_executables import MisplacedExecutable, MisplacedExecutables
+from ...checks.cmake.misplaced_executables import MisplacedExecutables
 from ...checks.cmake.misplaced_modules import MisplacedModules
-from ...edits.cmake_destination import to_libexec
+from ...edits.misplaced_together import OF_FILES, level, together
 from ...example import CMAKE, Example
-from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...package.cmake.cmake_project import CMake
+from ...finding import Fix, Hit, Related, Safety, Severity
 from ...package.cmake.empty_destinations import empty_destination
 from ...rule import rule
 
@@ -38,10 +37,6 @@ install(TARGETS talker
 
 def cmake(lines: str) -> str:
     return CMAKE.replace("ament_package", lines + "ament_package")
-
-
-OF_FILES = ("DIRECTORY", "FILES")
-"""Kinds of rules that install no programs."""
 
 
 @rule(
@@ -118,32 +113,5 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
     for word, sentence in astray(misplaced.package):
         yield Hit(word.path, word.span, sentence, Severity.INFO)
     for module in MisplacedModules(misplaced.package).all():
-        yield Hit(
-            module.word.path,
-            module.word.span,
-            module.sentence,
-            Severity.WARNING if module.is_imported else Severity.INFO,
-        )
-
-
-def together(
-    cmake: CMake, wrong: Iterable[MisplacedExecutable]
-) -> Iterator[tuple[tuple[Edit, ...], list[MisplacedExecutable]]]:
-    """Yield what one rule installs and the same edits send to its place: that is one cause."""
-    found: dict[object, tuple[tuple[Edit, ...], list[MisplacedExecutable]]] = {}
-    for each in wrong:
-        edits = to_libexec(cmake, each)
-        key = (id(each.rule), edits, level(each))
-        found.setdefault(key, (edits, []))[1].append(each)
-    yield from found.values()
-
-
-def level(misplaced: MisplacedExecutable) -> Severity | None:
-    if misplaced.rule.kind in OF_FILES:
-        return None if misplaced.is_started else Severity.INFO
-    if misplaced.is_started:
-        return None
-    if not misplaced.is_node or misplaced.is_tool:
-        return Severity.INFO
-    is_quiet = misplaced.destination == "bin" or misplaced.rule.kind == "PROGRAMS"
-    return Severity.WARNING if is_quiet else None
+        severity = Severity.WARNING if module.is_imported else Severity.INFO
+        yield Hit(module.word.path, module.word.span, module.sentence, severity)

@@ -87,8 +87,7 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
     brought: list[BroughtUse] = []
     for missing in dependencies.missing():
         found, name = missing.found, missing.names[0]
-        tests = found.call.testing
-        kind = "test_depend" if tests else "buildtool_depend" if is_buildtool(name) else "depend"
+        kind = "test_depend" if found.call.testing else "buildtool_depend" if is_buildtool(name) else "depend"
         if missing.bringer:
             brought.append(BroughtUse(name, missing.bringer, kind, found.word.path, found.word.span))
             continue

@@ -135,8 +135,6 @@ def not_found(libraries: Sequence[IncludedPackage]) -> Hit:
         f"CMake never looks for {in_ticks(names)}, but `{first.header}` is included here: it builds only while another "
         f"package brings the folder of headers; add {in_ticks(f'find_package({name} REQUIRED)' for name in names)}"
     )
-    related = tuple(
-        Related(each.uses[0].path, each.uses[0].span, f"`{each.uses[0].header}` is included here")
-        for each in libraries[1:]
-    )
+    uses = (each.uses[0] for each in libraries[1:])
+    related = tuple(Related(use.path, use.span, f"`{use.header}` is included here") for use in uses)
     return Hit(first.path, first.span, message, Severity.INFO, related)

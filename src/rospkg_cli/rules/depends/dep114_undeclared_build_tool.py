@@ -41,7 +41,7 @@ def example(lines: str, dependency: str) -> Example:
 def undeclared_build_tool(tools: BuildToolsOfCMake) -> Iterator[Hit]:
     """
     ## What it does
-    Finds build tools such as git, pkg-config, cmake and ros_environment that a build uses and package.xml lacks.
+    Finds build tools such as git, pkg-config and cmake that a build uses and package.xml lacks.
     A package of the build type `cmake` needs cmake, which nothing of ROS brings to it.
     `ExternalProject_Add()` and `FetchContent_Declare()` clone with git (`GIT_REPOSITORY`), `pkg_check_modules(…
     REQUIRED …)` runs pkg-config, `add_custom_command()` and `add_custom_target()` run what fetches or unpacks (`curl`,
