@@ -312,6 +312,13 @@ def test_tests_and_parts_may_be_called_otherwise() -> None:
     assert said({**files, "launch/all.launch.xml": whole}, "LCH010") == []
 
 
+@pytest.mark.parametrize("name", ["robot.py", "robot.launch.py.py", "robot.launch.launch.py.py"])
+def test_a_better_name_ends_once(name: str) -> None:
+    text = python("return LaunchDescription([Node(package='a', executable='b')])")
+    (found,) = lint_files({**BASE, f"launch/{name}": text}, ["LCH010"]).findings
+    assert found.message.endswith("rename it to `robot.launch.py`")
+
+
 def include(*arguments: str) -> str:
     given = "".join(f'<arg name="{name}" value="1"/>' for name in arguments)
     return f'<launch><include file="$(find-pkg-share my_pkg)/launch/arm.launch.xml">{given}</include></launch>'

@@ -6,6 +6,7 @@ import posixpath
 from collections.abc import Iterator
 from functools import cached_property
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.install_table import InstalledFile, InstallTable
@@ -13,6 +14,9 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.package_facts import PackageFacts
 from ...ros.launch_entities import LAUNCH_SUFFIXES
 from ...ros.share_layout import LAUNCH
+
+ENDING = regex(r"(?:\.launch|\.py|\.xml|\.ya?ml)+$")
+"""What a name ends with, however often it was written."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +52,7 @@ class InstalledLaunchFiles:
             is_usual = file.path.endswith(LAUNCH_SUFFIXES) or file.path in self.parts or role_of(file.path) == "test"
             if file.path in sources and not is_usual and starts_something(file):
                 suffix = "py" if file.frontend == "python" else file.frontend
-                stem = name.rpartition(".")[0].removesuffix(".launch")
+                stem = ENDING.sub("", name)
                 yield file, f"{stem}.launch.{suffix}"
 
 
