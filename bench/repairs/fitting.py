@@ -79,7 +79,7 @@ FITTING: dict[str, tuple[str, ...]] = {
     "cmake-bad-boolean": ("CMK",),
     "script-not-installed": ("CMK112", "CMK105", "CMK109", "LCH002", "SET107"),
     "glob-matches-nothing": ("SET204", "CMK102", "CMK124"),
-    "package-xml-not-installed": ("SET203",),
+    "package-xml-not-installed": ("SET203", "CMK127"),
     "python-package-not-listed": ("SET301", "SET302", "SET105"),
     "missing-init": ("SET301", "SET302"),
     "entry-point-missing-module": ("SET101", "SET103"),

@@ -52,7 +52,8 @@ class StrangePackages:
         with, and libraries whose name is nearly that of a key; any other may come with a declared package."""
         for found in self.strange():
             name = found.name
-            is_handed = name in self.needs.handed_to_ament | self.linked and self.may_be_of_ros(name)
+            is_linked = name in self.needs.handed_to_ament | self.linked and self.may_be_of_ros(name)
+            is_handed = is_linked or (name in self.needs.handed_to_ament and self.has_headers(name))
             if is_handed or OF_INTERFACES.fullmatch(name):
                 meant = self.meant(name)
                 yield StrangePackage(found, unknown_package(name, meant), is_slip=meant is not None)
@@ -80,6 +81,11 @@ class StrangePackages:
             is_known = declared.workspace.kind_of(name) in (NameKind.PACKAGE, NameKind.KEY)
             if not is_known and not self.needs.is_declared_alike(name) and not self.is_at_hand(name):
                 yield found
+
+    def has_headers(self, name: str) -> bool:
+        """Return whether a name of one word is that of a package whose headers are included, as `keisan/angle.hpp`."""
+        folders = {each.path.partition("/")[0] for file in self.includes.sources for each in file.includes}
+        return name in folders and ROS_NAME.fullmatch(name) is not None and "_vendor" not in name
 
     def may_be_of_ros(self, name: str) -> bool:
         """Return whether a name is no module that a vendor's package brings, as `sdl2_vendor` does `sdl2_custom`."""

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.component_registration import MACRO, ComponentRegistration, misread_keyword
+from ...checks.cmake.component_registration import ComponentRegistration, misread_keyword
+from ...checks.cmake.component_sentences import unknown_class, unknown_target
 from ...checks.cmake.unloadable_components import unloadable_components
+from ...checks.cpp.components_elsewhere import components_elsewhere
 from ...edits.same_infos import same_infos_once
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.cmake.components import Component
 from ...rule import rule
-from ...suggest import did_you_mean, nearest
+from ...suggest import nearest
 
 BODY = "  <depend>rclcpp</depend>\n  <depend>rclcpp_components</depend>\n"
 SOURCE = """\
@@ -54,7 +56,8 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a source registers a class, no call of CMake does, and no launch file here loads it; or "
-        "the keywords of one node are taken for classes; or it is registered of a program that nothing here loads",
+        "the keywords of one node are taken for classes; or it is registered of a program that nothing here loads, or "
+        "of a library without it and of another one",
         Severity.INFO: "a source registers a class, and the package links its library itself",
     },
     examples=(
@@ -96,7 +99,7 @@ def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
     ## What it does
     Finds components that CMake and the C++ sources register differently.
     It compares `rclcpp_components_register_node(s)` with the classes in `RCLCPP_COMPONENTS_REGISTER_NODE`, and with the
-    targets that exist: a component has to be in a shared library.
+    targets that exist: a component has to be in a shared library, and in the one that it is registered of.
 
     ## Why is this bad?
     Both have to say the same, to the letter. The build is green, and loading the component ends with "Failed to find
@@ -107,30 +110,26 @@ def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
     Where a macro of the package registers classes, where sources are generated, absent or can't be evaluated, where a
     file that can't be read is included, and under a condition that can't be evaluated.
     """
-    cmake = components.package.cmake
     if not components.package.is_ament:
         return
     for each in components.without_target():
-        word, made = each.target, [target.name for target in cmake.targets]
-        message = f"nothing makes the target {cmake.quoted(word)}{did_you_mean(word.text, made)}: CMake stops"
-        yield Hit(word.path, word.span, f"{message}; name the library that holds `{each.plugin.text}`")
+        yield Hit(each.target.path, each.target.span, unknown_target(components, each))
+    yield from of_libraries(components)
     for word in components.misread_keywords():
         yield Hit(word.path, word.span, misread_keyword(word), Severity.WARNING)
+    for each in components.without_source():
+        yield Hit(each.plugin.path, each.plugin.span, unknown_class(components, each), related=meant(components, each))
+    left = components.without_cmake()
+    hits = (Hit(each.path, each.span, each.unregistered, Severity(components.harm(each))) for each in left)
+    yield from same_infos_once(hits, "")
+
+
+def of_libraries(components: ComponentRegistration) -> Iterator[Hit]:
     for found in unloadable_components(components):
         yield Hit(found.word.path, found.word.span, found.sentence, Severity(found.level))
-    for each in components.without_source():
-        yield Hit(each.plugin.path, each.plugin.span, unknown(components, each), related=meant(components, each))
-    left = ((each, Severity(components.harm(each))) for each in components.without_cmake())
-    yield from same_infos_once((Hit(each.path, each.span, each.unregistered, level) for each, level in left), "")
-
-
-def unknown(components: ComponentRegistration, component: Component) -> str:
-    names = [each.name for each in components.in_sources]
-    name = component.plugin.text
-    there = f"it is `{names[0]}` that is registered" if len(set(names)) == 1 else "they register others"
-    near = did_you_mean(name, names) or f" ({there})" if names else ""
-    fails = f'no source registers `{name}`{near}: loading it ends with "Failed to find class with the requested plugin'
-    return f'{fails} name"; write `{MACRO}({name})`, or the right name'
+    for other in components_elsewhere(components):
+        level = Severity.WARNING if other.is_loaded_by_another else None
+        yield Hit(other.component.plugin.path, other.component.plugin.span, other.sentence, level)
 
 
 def meant(components: ComponentRegistration, component: Component) -> tuple[Related, ...]:

@@ -1,0 +1,74 @@
+"""References to variables that CMake takes for plain text: their dollar sign or a brace is lost."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.file import assigned_names
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
+from ...source import Span
+from .unset_variables import SET_BY_CMAKE
+
+LOST = regex(
+    r"(?<![\w$@{\\])\{\$?([A-Za-z_]\w*)\}(?!\})"  # {NAME} and {$NAME}
+    r"|(?<![\\$])\$\(([A-Za-z_]\w*)\)"  # $(NAME)
+    r"|(?<![\\$\w{])\$([A-Za-z_]\w*)(?![\w{])"  # $NAME
+)
+OTHER_LANGUAGES = frozenset(
+    """
+    message string file add_custom_command add_custom_target execute_process if elseif while cmake_language
+    function macro configure_file exec_program
+    """.split()
+)
+"""Commands whose arguments are texts, patterns, or what a shell or Make gets."""
+OF_INSTALL = frozenset({"CODE", "SCRIPT"})
+SHORTEST = 3
+"""Letters of a variable of the package's own that is told."""
+
+
+@dataclass(frozen=True)
+class LostDollar:
+    call: EvaluatedCommand
+    span: Span
+    text: str
+    name: str
+
+    @property
+    def sentence(self) -> str:
+        return f"`{self.text}` is no variable but plain text, which CMake leaves as it is; write `${{{self.name}}}`"
+
+
+@dataclass(frozen=True)
+class LostDollars:
+    cmake: CMake
+
+    def all(self) -> Iterator[LostDollar]:
+        """Yield each place once."""
+        seen: set[tuple[str, int]] = set()
+        for call in self.cmake.calls:
+            place = (call.path, call.command.span.start)
+            if place not in seen and not self.is_of_others(call):
+                seen.add(place)
+                yield from self.within(call)
+
+    def is_of_others(self, call: EvaluatedCommand) -> bool:
+        """Return whether what a command is given is for another language."""
+        return call.name in OTHER_LANGUAGES or (call.name == "install" and not OF_INSTALL.isdisjoint(call.texts))
+
+    def within(self, call: EvaluatedCommand) -> Iterator[LostDollar]:
+        for argument in call.command.arguments:
+            for found in LOST.finditer(argument.text) if argument.kind != "bracket" else ():
+                name = found[1] or found[2] or found[3]
+                if name in self.names:
+                    start = argument.inner.start
+                    yield LostDollar(call, Span(start + found.start(), start + found.end()), found[0], name)
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """The variables of CMake that packages use, and those that the package sets."""
+        own = (name for file in self.cmake.files for name in assigned_names(file))
+        return SET_BY_CMAKE | {name for name in own if len(name) >= SHORTEST}
