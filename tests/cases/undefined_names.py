@@ -62,6 +62,10 @@ CASES = {
             "import os.path\nimport sys as system\n\n\ndef main():\n    os.path.exist('a')\n    if system.args:\n"
             "        os.join('a', os.linesep, os.startfile, os.environment)\n"
         ),
+        talker("from xml.etree.ElementTree import ET\nfrom collections import Mapping\n\n\ndef main(): ...\n"),
+        talker("import datetime\nimport string\n\n\ndef main():\n    string.letters[datetime.now():]\n"),
+        talker("import sys\nimport logging\n\n\ndef main():\n    print(sys.frozen, logging.TRACE)\n"),
+        talker("import types\n\n\ndef main(): ...\n", my_pkg__queue="A = 1\n", my_pkg__b="from queue import A\n"),
         talker("import time\nfrom time import slep\n\n\ndef main(): ...\n"),
         talker(
             "import os, time, sys\n\n\ndef main():\n    time = 1\n    time.clock()\n    try:\n        sys.maxint\n"

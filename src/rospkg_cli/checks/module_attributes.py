@@ -1,9 +1,9 @@
-"""Names that modules of Python's standard library do not have: `os.path.joint`, `from time import slep`."""
+"""Names that modules of Python's standard library do not have: `os.path.joint`, `from xml.etree import ET`."""
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from ..languages.python.called_modules import is_bound
 from ..languages.python.file import PythonFile
@@ -11,7 +11,7 @@ from ..languages.python.guarded_nodes import guarded_nodes
 from ..languages.python.nodes import nodes_of_kind
 from ..languages.python.undefined_names import is_in_branch
 from ..light_dataclasses import dataclass
-from ..ros.module_attributes import ATTRIBUTES, MEANT
+from ..ros.module_attributes import ATTRIBUTES, BY_PLATFORM, MEANT, OPEN
 from ..source import Span
 from ..suggest import near_names
 
@@ -22,7 +22,7 @@ CATCHING = frozenset({"AttributeError", "ImportError", "Exception", "BaseExcepti
 
 @dataclass(frozen=True, slots=True)
 class AbsentAttribute:
-    """A name that a module does not have, and the one that is meant."""
+    """A name that a module does not have, and the one that is meant; "" where that is not known."""
 
     module: str
     name: str
@@ -32,16 +32,25 @@ class AbsentAttribute:
     root: Span
     """The name that the module has in the file, or the imported one."""
 
+    @property
+    def advice(self) -> str:
+        return f"; did you mean `{self.meant}`?" if self.meant else "; no version of Python has it there"
 
-def absent_attributes(file: PythonFile) -> Iterator[AbsentAttribute]:
-    """Yield each misspelt name of a module once; none in code that asks for names or catches that they are missing."""
+
+def absent_attributes(file: PythonFile, local: Collection[str] = ()) -> Iterator[AbsentAttribute]:
+    """Yield each absent name of a module once; none in code that asks for names or catches that they are missing.
+
+    Modules that are called like a local one are left alone: of a script, its own folder comes first.
+    """
     modules = imported_modules(file)
-    found = [*absent_imports(file), *(read_from(file, modules) if modules else ())]
+    both = [*absent_imports(file), *(read_from(file, modules) if modules else ())]
+    found = [(node, each) for node, each in both if each.module.partition(".")[0] not in local]
     asks = found and any(each.id in ("hasattr", "setattr") for each in nodes_of_kind(file.tree, ast.Name))
     guarded = frozenset(guarded_nodes(file.tree.body, CATCHING)) if found else frozenset()
     told: set[tuple[str, str]] = set()
     for node, each in found:
-        is_old = is_in_branch(file, each.span) and (f"{each.module}.{each.name}" in PYTHON_2 or each.span == each.root)
+        in_vain = not each.meant or f"{each.module}.{each.name}" in PYTHON_2 or each.span == each.root
+        is_old = in_vain and is_in_branch(file, each.span)
         if not (asks or is_old) and id(node) not in guarded and (each.module, each.name) not in told:
             told.add((each.module, each.name))
             yield each
@@ -65,21 +74,20 @@ def read_from(file: PythonFile, modules: dict[str, str]) -> Iterator[tuple[ast.A
     stored = {each.attr for each in nodes_of_kind(file.tree, ast.Attribute) if not isinstance(each.ctx, ast.Load)}
     for node in nodes_of_kind(file.tree, ast.Attribute):
         module = module_of(node.value, modules)
-        meant = meant_by(module, node.attr) if module and node.attr not in stored else ""
-        if meant:
+        if module and node.attr not in stored and is_absent(module, node.attr):
             end = file.span(node).end
             span, root = Span(end - len(node.attr), end), file.span(root_of(node))
-            yield node, AbsentAttribute(module, node.attr, span, meant, "AttributeError", root)
+            yield node, AbsentAttribute(module, node.attr, span, meant_by(module, node.attr), "AttributeError", root)
 
 
 def absent_imports(file: PythonFile) -> Iterator[tuple[ast.AST, AbsentAttribute]]:
     for node in nodes_of_kind(file.tree, ast.ImportFrom):
         for alias in node.names if not node.level and node.module else ():
-            meant = meant_by(node.module or "", alias.name)
-            if meant:
+            module = node.module or ""
+            if is_absent(module, alias.name):
                 start = file.span(alias).start
                 span = Span(start, start + len(alias.name))
-                yield node, AbsentAttribute(node.module or "", alias.name, span, meant, "ImportError", span)
+                yield node, AbsentAttribute(module, alias.name, span, meant_by(module, alias.name), "ImportError", span)
 
 
 def module_of(node: ast.expr, modules: dict[str, str]) -> str:
@@ -94,12 +102,17 @@ def root_of(node: ast.expr) -> ast.expr:
     return root_of(node.value) if isinstance(node, ast.Attribute) else node
 
 
+def is_absent(module: str, name: str) -> bool:
+    """Return whether no version of a module has a name, on any platform."""
+    if module not in ATTRIBUTES or name in ATTRIBUTES[module] or name.startswith("_") or name == "*":
+        return False
+    return bool(meant_by(module, name)) or not (module in OPEN or (module in BY_PLATFORM and name.isupper()))
+
+
 def meant_by(module: str, name: str) -> str:
-    """Return what a name that a module does not have is a slip of; "" where that is not certain."""
-    known = ATTRIBUTES.get(module, frozenset())
-    if not known or name in known or not name.islower() or name.startswith("_"):
-        return ""
+    """Return what an absent name is a slip of, or where it is; "" where that is not certain."""
     if f"{module}.{name}" in MEANT:
         return MEANT[f"{module}.{name}"]
-    near = near_names(name, (each for each in known if each.islower()), 1) if len(name) > 3 else []
+    alike = (each for each in ATTRIBUTES[module] if each.islower() == name.islower() and not each.isupper())
+    near = near_names(name, alike, 1) if len(name) > 3 and not name.isupper() else []
     return f"{module}.{near[0]}" if len(near) == 1 else ""

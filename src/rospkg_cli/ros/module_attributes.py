@@ -8,6 +8,12 @@ from .read_table import sets
 
 ATTRIBUTES: Mapping[str, frozenset[str]] = sets("module_attributes.txt")
 MEANT: Mapping[str, str] = {
+    **{f"collections.{name}": f"collections.abc.{name}" for name in ATTRIBUTES["collections.abc"]},
+    **{f"datetime.{name}": f"datetime.datetime.{name}" for name in ("now", "strptime", "utcnow", "fromtimestamp")},
+    "datetime.today": "datetime.date.today",
+    "fractions.gcd": "math.gcd",
+    "itertools.ifilter": "filter",
+    "itertools.imap": "map",
     "itertools.izip": "zip",
     "math.abs": "abs",
     "math.max": "max",
@@ -23,6 +29,14 @@ MEANT: Mapping[str, str] = {
     "sys.maxint": "sys.maxsize",
     "time.clock": "time.perf_counter",
     "time.now": "time.time",
+    "xml.etree.ET": "import xml.etree.ElementTree as ET",
+    "xml.etree.ElementTree.ET": "import xml.etree.ElementTree as ET",
     **{f"os.{name}": f"os.path.{name}" for name in ATTRIBUTES["os.path"] - ATTRIBUTES["os"] if name.islower()},
 }
 """Names that no version of Python 3 that ROS 2 runs on has, and what is meant."""
+
+OPEN = frozenset({"sys"})
+"""Modules to which programs add names; only misspelt ones are wrong there."""
+
+BY_PLATFORM = frozenset({"fcntl", "logging", "os", "select", "signal", "socket", "termios", "time"})
+"""Modules whose constants depend on the platform, or are added by libraries."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Collection, Iterator
+from functools import cached_property
 from typing import Literal
 
 from ...languages.python.certain_nodes import certain_nodes
@@ -72,10 +73,15 @@ class UndefinedUses:
         for role, file in self.files:
             yield from self.of(file, role)
 
+    @cached_property
+    def local(self) -> frozenset[str]:
+        """The names of the modules and folders of the package."""
+        return frozenset(part.removesuffix(".py") for path in self.installed.files.paths for part in path.split("/"))
+
     def absent(self) -> Iterator[tuple[PythonFile, AbsentAttribute, When]]:
         """Yield the names that modules of the standard library do not have, and when they are read."""
         for role, file in self.files:
-            for each in absent_attributes(file):
+            for each in absent_attributes(file, self.local):
                 found = UndefinedName(each.name, each.root, frozenset())
                 yield file, each, self.when_in(role, file, found, self.certain_spans(file))
 

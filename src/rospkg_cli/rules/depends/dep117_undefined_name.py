@@ -73,8 +73,8 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
     """
     ## What it does
     Finds names that installed Python code and tests use, and that nothing defines or imports.
-    Each name is one finding of its file. Misspelt names of common modules of Python are told, too (`os.path.joint`,
-    `sys.args`).
+    Each name is one finding of its file. Names that common modules of Python do not have are told, too
+    (`os.path.joint`, `from xml.etree import ET`).
 
     ## Why is this bad?
     Nothing looks before the line runs: the build is green, and the node ends with NameError, often only in a callback
@@ -102,7 +102,7 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
         yield Hit(file.path, use.found.span, message, LEVELS[use.when], places, fix)
     for file, each, when in uses.absent():
         ends = ENDS[when].replace("NameError", each.raised)
-        message = f"`{each.module}` has no `{each.name}`: {ends}; did you mean `{each.meant}`?"
+        message = f"`{each.module}` has no `{each.name}`: {ends}{each.advice}"
         yield Hit(file.path, each.span, message, LEVELS[when])
 
 

@@ -78,8 +78,8 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     ## What it does
     Finds undefined names and wrong launch imports in Python launch files.
     A name is neither defined nor imported, a name of launch or launch_ros is imported from a module that does not have
-    it or read from one (`launch.substitution.x`), one of Python is misspelt (`os.path.joint`), or a local name is used
-    above the one line of its function that assigns it. Files that import `*`, or run strings as code, are left alone.
+    it or read from one (`launch.substitution.x`), one that a module of Python does not have (`os.path.joint`), or a
+    local name is used above the one line of its function that assigns it.
 
     ## Why is this bad?
     The launch stops with a NameError as soon as the name is used (often only for one value of an argument), or with an
@@ -116,7 +116,7 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     for absent in absent_attributes(file.python):
         use = weighed(file.python, UndefinedName(absent.name, absent.span, frozenset()))
         ends = use.ends.replace("NameError", absent.raised)
-        message = f"`{absent.module}` has no `{absent.name}`: {ends}; did you mean `{absent.meant}`?"
+        message = f"`{absent.module}` has no `{absent.name}`: {ends}{absent.advice}"
         yield Hit(file.path, absent.span, message, use.level)
 
 
