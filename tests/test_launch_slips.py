@@ -101,6 +101,45 @@ def test_a_service_of_a_bridge_is_of_a_package(word: str, found: int) -> None:
     assert len(in_python(node, code="LCH019")) == found
 
 
+@pytest.mark.parametrize(
+    "word, found",
+    [
+        ("/odom@gz.msgs.Odometry[nav_msgs/msg/Odometry", "write `nav_msgs/msg/Odometry[gz.msgs.Odometry`"),
+        ("/odom@nav_msgs/msg/Odometry[gz.msgs.Odometry", ""),
+        ("/odom@nav_msgs/msg/Odometry@ignition.msgs.OdometryWithCovariance", ""),
+        ("/imu@sensor_msgs/msg/Imu[gz.msgs.Imu", "goes with `gz.msgs.IMU`, not with `gz.msgs.Imu`"),
+        ("/tf@tf2_msgs/msg/TFMessage[gz.msgs.Odometry", "goes with `gz.msgs.Pose_V`"),
+        ("/tf@tf2_msgs/msg/TFMessage[gz.msgs.SomethingNew", ""),
+        ("/r@sensor_msgs/msg/Range[gz.msgs.LaserScan", ""),
+        ("/x@std_msgs/msg/Bool", "write `std_msgs/msg/Bool[gz.msgs.Boolean`"),
+        ("/x@std_msgs/msg/Bool>gz.msgs.Boolean", "`>` is no direction"),
+        ("/clock@gz.msgs.Clock", "without the type of ROS"),
+        ("/x@ros_gz_interfaces/srv/ControlWorld@gz.msgs.WorldControl@gz.msgs.Boolean", ""),
+        ("/x@ros_gz_interfaces/srv/ControlWorld", ""),
+        ("user@example", ""),
+    ],
+)
+def test_pairs_of_types_of_a_bridge(word: str, found: str) -> None:
+    node = f"Node(package='ros_gz_bridge', executable='parameter_bridge', arguments=['{word}'])"
+    texts = in_python(node, code="LCH019")
+    assert len(texts) == bool(found)
+    assert all(found in text for text in texts)
+
+
+@pytest.mark.parametrize(
+    "ros, gazebo, found",
+    [
+        ("sensor_msgs/msg/Imu", "gz.msgs.Imu", "goes with `gz.msgs.IMU`"),
+        ("gz.msgs.Clock", "rosgraph_msgs/msg/Clock", "exchange it with `rosgraph_msgs/msg/Clock`"),
+        ("rosgraph_msgs/msg/Clock", "gz.msgs.Clock", ""),
+    ],
+)
+def test_pairs_of_types_in_a_config_of_a_bridge(ros: str, gazebo: str, found: str) -> None:
+    texts = said("config/b.yaml", f"- topic_name: a\n  ros_type_name: {ros}\n  gz_type_name: {gazebo}\n", "LCH019")
+    assert len(texts) == bool(found)
+    assert all(found in text for text in texts)
+
+
 def test_what_is_read_twice_is_told_once_and_mended_once() -> None:
     """Substitutions in the condition of a group are found with the group, and with what is inside of it."""
     text = '<launch>\n  <group if="$(arg on)">\n    <node pkg="p" exec="e"/>\n  </group>\n</launch>\n'

@@ -191,6 +191,30 @@ def test_a_parameter_of_a_macro_without_its_sign(name: str, found: str) -> None:
     assert all(found.partition(": ")[2] in text for text in texts)
 
 
+@pytest.mark.parametrize(
+    "value, found",
+    [
+        ("{pi}", "write `${pi}`"),
+        ("-{pi}", "write `${pi}`"),
+        ("{wide}", "write `${wide}`"),
+        ("$(find my_pkg)/{model}.stl", "write `$(arg model)`"),
+        ("${pi}", ""),
+        ("${ {pi}}", ""),
+        ("{other}", ""),
+        ("{wide: {pi}}", ""),
+    ],
+)
+@pytest.mark.parametrize("place", ["<a b='{}'/>", "<gazebo><max>{}</max></gazebo>"])
+def test_a_name_of_xacro_without_its_sign(value: str, found: str, place: str) -> None:
+    robot = (
+        '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">\n  <xacro:arg name="model" default="a"/>\n'
+        f'  <xacro:property name="wide" value="1"/>\n  {place.format(value)}\n</robot>\n'
+    )
+    texts = [text for text in said("URD001", {"CMakeLists.txt": CMAKE, "urdf/a.urdf.xacro": robot}) if "stands" in text]
+    assert len(texts) == bool(found)
+    assert all(found in text for text in texts)
+
+
 @pytest.mark.parametrize("end, count", [("", 1), ("</Sequence>", 0)])
 def test_a_behavior_tree_with_a_tag_that_is_not_closed(end: str, count: int) -> None:
     tree = f'<root BTCPP_format="4">\n  <BehaviorTree ID="A">\n    <Sequence>{end}\n  </BehaviorTree>\n</root>\n'

@@ -175,6 +175,15 @@ BLOCKS = (
     block(ONE, node(NAMED), '<include file="$(find-pkg-share other)/launch/b.launch.xml"/>'),
     block(ONE, node(NAMED), **{"launch/b.launch.xml": '<launch>\n  <let name="f" value="robot.yaml"/>\n</launch>\n'}),
 )
+DROPPED = Example(
+    bad={
+        "package.xml": NEEDED,
+        "launch/a.launch.py": "import os\n\nfrom launch import LaunchDescription\nfrom launch.actions import LogInfo\n"
+        "\n\ndef generate_launch_description():\n    return LaunchDescription([LogInfo(msg=os.path.join(os.getcwd(), "
+        "'/tmp/a.txt'))])\n",
+    },
+    good={},
+)
 CASES = {
     "LCH002": (EMPTY,),
     "LCH007": (BARE,),
@@ -183,6 +192,7 @@ CASES = {
     "LCH014": (DEFAULTS,),
     "LCH017": (UNREAD,),
     "LCH019": (BRIDGE,),
+    "LCH021": (DROPPED,),
     "PRM003": BLOCKS,
     "PRM009": tuple(
         map(

@@ -13,6 +13,7 @@ from ...ros.names import NameKind
 from ...source import Span
 from ...suggest import near_names
 from ..fault import Fault
+from .bridge_pairs import pair_problems
 from .missing_references import LaunchContext
 
 BRIDGES = frozenset({"ros_gz_bridge", "ros_ign_bridge"})
@@ -28,7 +29,8 @@ def bridge_faults(scope: LaunchContext) -> Iterator[Fault]:
             for argument in node.arguments:
                 for part in argument.parts:
                     if isinstance(part, Literal):
-                        yield from type_faults(scope, argument, part)
+                        wrong = list(type_faults(scope, argument, part))
+                        yield from wrong or pair_faults(scope, argument, part)
 
 
 def type_faults(scope: LaunchContext, argument: LaunchText, part: Literal) -> Iterator[Fault]:
@@ -38,6 +40,16 @@ def type_faults(scope: LaunchContext, argument: LaunchText, part: Literal) -> It
             start, end = match.span(group)
             span = Span(part.span.start + start, part.span.start + end) if as_written else argument.span
             yield Fault(span, f"there is no `{match.group()[1:]}`: {HARM}; did you mean `{better}`?")
+
+
+def pair_faults(scope: LaunchContext, argument: LaunchText, part: Literal) -> Iterator[Fault]:
+    """Yield the pairs of types that no bridge knows; one that is built here may know others."""
+    if any(scope.workspace.named(name) for name in BRIDGES):
+        return
+    as_written = scope.file.source.slice(part.span) == part.text
+    for start, end, problem in pair_problems(part.text, is_whole=len(argument.parts) == 1):
+        span = Span(part.span.start + start, part.span.start + end) if as_written else argument.span
+        yield Fault(span, f"no pair of types in `{part.text[start:end]}`: {HARM}; {problem}")
 
 
 def wrong_groups(workspace: Workspace, package: str, kind: str | None, name: str) -> Iterator[tuple[int, str]]:

@@ -13,7 +13,8 @@ from ...package.workspace import Workspace
 from ...suggest import nearest
 from ...unreadable import UnreadableError
 from ..fault import Fault, TextRepair
-from .bridge_arguments import HARM, wrong_groups
+from .bridge_arguments import BRIDGES, HARM, wrong_groups
+from .bridge_pairs import GAZEBO_TYPE, unknown_pair
 from .missing_references import LaunchContext
 
 ROS, GAZEBO, DIRECTION = "ros_type_name", "gz_type_name", "direction"
@@ -53,7 +54,8 @@ class Bridges:
                     yield found
 
     def faults_of(self, entry: dict[str, ScalarNode]) -> Iterator[Fault]:
-        yield from self.type_faults(entry[ROS])
+        wrong = list(self.type_faults(entry[ROS]))
+        yield from wrong or self.pair_faults(entry[ROS], entry[GAZEBO])
         direction = entry.get(DIRECTION)
         if direction is not None and direction.text not in DIRECTIONS and direction.text.isidentifier():
             upper = direction.text.upper()
@@ -65,6 +67,15 @@ class Bridges:
         twice = [name for name in OWN_TOPICS if name in entry and entry[name].text]
         if TOPIC in entry and entry[TOPIC].text and twice:
             yield Fault(entry[TOPIC].span, f"`{TOPIC}` and `{twice[0]}` exclude each other: {HARM}; name one of them")
+
+    def pair_faults(self, ros: ScalarNode, gazebo: ScalarNode) -> Iterator[Fault]:
+        if any(self.workspace.named(name) for name in BRIDGES):
+            return
+        if GAZEBO_TYPE.fullmatch(ros.text) and TYPE.fullmatch(gazebo.text):
+            message = f"`{ros.text}` is a type of Gazebo: {HARM}; exchange it with `{gazebo.text}`"
+            yield Fault(ros.span, message)
+        elif problem := unknown_pair(ros.text, gazebo.text):
+            yield Fault(gazebo.span, f"no bridge knows this pair of types: {HARM}; {problem}")
 
     def type_faults(self, node: ScalarNode) -> Iterator[Fault]:
         found, loose = TYPE.fullmatch(node.text), PIECES.fullmatch(node.text)

@@ -145,12 +145,12 @@ class NodeExecutables:
                 yield WellKnownUse(each.package, each.executable, name, wrong, *level_at(file, each.span))
 
     def blank(self) -> Iterator[tuple[LaunchText, str]]:
-        """Yield the executables and packages of nodes that hold nothing, and packages with a blank at an end."""
+        """Yield the executables and packages of nodes that hold nothing, and packages with a blank."""
         for node in self.scope.file.nodes if not self.scope.file.is_ros1 else ():
             for text, what in ((node.executable, "executable"), (node.package, "package")):
                 if text is not None and text.literal is not None:
                     bare = text.literal.strip()
-                    if not bare or (bare != text.literal and what == "package"):
+                    if not bare or (what == "package" and bare.split() != [text.literal]):
                         yield text, what
 
     def entry(self, node: ExecutableUse) -> str:

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 
 from ...languages.xml.parser import Element
 from ...lazy_regex import regex
-from ...package.urdf.expansion.macros import parameters_of
+from ...package.urdf.expansion.macros import MacroParameter, parameters_of
+from ...source import Span
 from ..fault import Fault
 
 SURPLUS = regex(r"\$\{[^{}]*\}\}")
@@ -15,6 +16,8 @@ SURPLUS = regex(r"\$\{[^{}]*\}\}")
 OWN = regex(r"\$\(\s*arg\s+([^\s)]+)\s*\)")
 EXPRESSION = regex(r"\$\{[^{}]*\}")
 IN_BRACES = regex(r"\{\$?(\w+)\}")
+NOT_READ = frozenset({"xacro:macro"})
+"""Whose attributes are no values."""
 
 
 def xacro_slips(root: Element) -> Iterator[Fault]:
@@ -25,6 +28,7 @@ def xacro_slips(root: Element) -> Iterator[Fault]:
         yield from surplus_braces(element)
         if element.tag == "xacro:arg":
             yield from own_default(element)
+    yield from unread_names(root)
 
 
 def surplus_braces(element: Element) -> Iterator[Fault]:
@@ -50,6 +54,37 @@ def lost_signs(macro: Element) -> Iterator[Fault]:
                 shown, right = attribute.value[: found.end()].split()[-1], f"${{{found[1]}}}"
                 message = f"`{shown}` is read as it stands, for no `$` is right before the brace: write `{right}`"
                 yield Fault(attribute.value_span, message, "warning")
+
+
+def unread_names(root: Element) -> Iterator[Fault]:
+    """Yield each value in which a property, an argument or pi stands in braces, and no `$` right before them.
+
+    Parameters of macros are told by `lost_signs`. What has other braces as well may be a text of another language.
+    """
+    arguments = {each.get("name") or "" for each in root.walk() if each.tag == "xacro:arg"}
+    properties = {each.get("name") or "" for each in root.walk() if each.tag == "xacro:property"}
+    parameters = {each.name.lstrip("*") for each in root.walk() for each in macro_parameters(each)}
+    names = ({"pi"} | arguments | properties) - parameters
+    for element in root.walk():
+        if not NOT_READ & {element.tag, *element.attributes}:
+            values = [(each.value, each.value_span) for each in element.attributes.values()]
+            for value, span in (*values, (element.text, element.inner)):
+                yield from unread_name(value, span, names, arguments - properties)
+
+
+def macro_parameters(element: Element) -> Iterator[MacroParameter]:
+    if element.tag == "xacro:macro":
+        yield from parameters_of(element.get("params") or "")
+
+
+def unread_name(value: str, span: Span, names: set[str], arguments: set[str]) -> Iterator[Fault]:
+    text = EXPRESSION.sub(lambda found: " " * len(found[0]), value) if "{" in value else ""
+    found = IN_BRACES.search(text)
+    if found is None or found[1] not in names or any(mark in IN_BRACES.sub("", text) for mark in "{}\n"):
+        return
+    right = f"$(arg {found[1]})" if found[1] in arguments else f"${{{found[1]}}}"
+    message = f"`{found[0]}` is read as it stands, for no `$` is right before the brace: write `{right}`"
+    yield Fault(span, message, "warning")
 
 
 def own_default(argument: Element) -> Iterator[Fault]:

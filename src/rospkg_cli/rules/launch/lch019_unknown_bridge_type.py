@@ -46,16 +46,18 @@ NEEDED = "  <exec_depend>ros2launch</exec_depend>\n  <exec_depend>ros_gz_bridge<
 def unknown_bridge_type(bridges: Bridges) -> Iterator[Hit]:
     """
     ## What it does
-    Finds misspelt types in arguments of `parameter_bridge` of ros_gz_bridge, and in its config files.
+    Finds misspelt and mismatched types in arguments of `parameter_bridge` of ros_gz_bridge, and in its config files.
     An argument is `topic@package/msg/Type`, and what stands for Gazebo behind `@`, `[` or `]`. In a config file a type
     has to be written so as well; a direction that the bridge does not know is told, too, and `topic_name` beside
-    `ros_topic_name` or `gz_topic_name`.
+    `ros_topic_name` or `gz_topic_name`. Two types in the wrong order, one alone, and two that are not made for each
+    other (`sensor_msgs/msg/Imu[gz.msgs.Imu`, which is `gz.msgs.IMU`) are no pair.
 
     ## Why is this bad?
     The bridge says that it knows no such pair of types, and goes on without the topic.
 
     ## When it is quiet
-    A package that may exist is believed, and so is a type of it that is near none of its known ones.
+    A package that may exist is believed, and so is a type of it that is near none of its known ones. A later bridge may
+    know other types of Gazebo, and one of the workspace other pairs.
 
     ## Fix safety
     `std_msgs::msg::String` becomes `std_msgs/msg/String`, which names the same.

@@ -1,0 +1,104 @@
+"""Paths that Python joins to one that begins at the root: what stands before it is dropped."""
+
+from __future__ import annotations
+
+import ast
+import posixpath
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+
+from ..languages.python.file import PythonFile
+from ..languages.python.nodes import nodes_of_kind
+from ..lazy_regex import regex
+from ..light_dataclasses import dataclass
+from ..package.file_role import Role
+from ..source import Span
+from .run_imports import RunImports
+
+JOINS = frozenset({"os.path.join", "path.join", "osp.join", "posixpath.join"})
+CLASSES = frozenset({"Path", "PurePath", "PosixPath"})
+OF_SYSTEM = regex(r"/(bin|dev|etc|home|lib|media|mnt|opt|proc|root|run|srv|sys|tmp|usr|var|Users|Volumes)(/.*|$)")
+"""Paths that many machines have, and that are meant as they stand."""
+
+
+PATTERN = regex(r"[*?\[]")
+
+
+@dataclass(frozen=True, slots=True)
+class DroppedPath:
+    file: PythonFile
+    role: Role
+    span: Span
+    """Of the part that begins at the root."""
+    by: str
+    """What joins: `os.path.join`, `/` of pathlib."""
+    text: str
+    """The beginning of that part, as far as it is known."""
+    dropped: str
+    """What stands before it, in the source."""
+
+    @property
+    def is_of_system(self) -> bool:
+        return OF_SYSTEM.fullmatch(self.text) is not None
+
+
+@dataclass(frozen=True)
+class DroppedPaths:
+    run: RunImports
+
+    @cached_property
+    def all(self) -> tuple[DroppedPath, ...]:
+        return tuple(each for role, file in self.run.files for each in dropped_in(file, role))
+
+
+def dropped_in(file: PythonFile, role: Role) -> Iterator[DroppedPath]:
+    for by, parts in joins(file):
+        absolute = [at for at, part in enumerate(parts) if leading(part).startswith("/")]
+        last = absolute[-1] if absolute else 0
+        before = parts[:last]
+        if last and not is_kept(before, leading(parts[last])) and is_read(file, leading(parts[last])):
+            dropped = file.source.slice(Span(file.span(before[0]).start, file.span(before[-1]).end))
+            yield DroppedPath(file, role, file.span(parts[last]), by, leading(parts[last]), dropped)
+
+
+def is_kept(before: Sequence[ast.expr], text: str) -> bool:
+    """Return whether nothing may be dropped: the path begins with what stands before it, or that is unpacked."""
+    if any(isinstance(part, ast.Starred) for part in before):
+        return True
+    words = [part.value for part in before if isinstance(part, ast.Constant) and isinstance(part.value, str)]
+    return len(words) == len(before) and text.startswith(posixpath.join(*words).rstrip("/"))
+
+
+def is_read(file: PythonFile, text: str) -> bool:
+    """Return whether a path is one that code opens: of setup.py only patterns are, all else is where files go."""
+    return file.path != "setup.py" or PATTERN.search(text) is not None
+
+
+def joins(file: PythonFile) -> Iterator[tuple[str, Sequence[ast.expr]]]:
+    """Yield what is joined in a file as os.path.join does it, with what joins."""
+    for call in nodes_of_kind(file.tree, ast.Call):
+        name = ast.unparse(call.func) if isinstance(call.func, ast.Name | ast.Attribute) else ""
+        last = name.rpartition(".")[2]
+        if name in JOINS or (name in CLASSES and call.args):
+            yield name, call.args
+        elif last == "PathJoinSubstitution" and call.args and isinstance(call.args[0], ast.List | ast.Tuple):
+            yield last, call.args[0].elts
+        elif last == "joinpath" and isinstance(call.func, ast.Attribute):
+            yield last, [call.func.value, *call.args]
+    for node in nodes_of_kind(file.tree, ast.BinOp):
+        if isinstance(node.op, ast.Div):
+            yield "/", [node.left, node.right]
+
+
+def leading(node: ast.expr) -> str:
+    """Return the text that a part certainly begins with; "" for none."""
+    match node:
+        case ast.Constant(value=str() as text):
+            return text
+        case ast.JoinedStr(values=[first, *_]) | ast.List(elts=[first, *_]):
+            return leading(first)
+        case ast.BinOp(left=left, op=ast.Add()):
+            return leading(left)
+        case ast.Call(func=ast.Name(id="TextSubstitution"), keywords=[keyword]):
+            return leading(keyword.value)
+    return ""

@@ -1,0 +1,68 @@
+"""LCH021 dropped-path."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.dropped_paths import DroppedPaths
+from ...example import Example, manifest
+from ...finding import Hit, Severity
+from ...rule import rule
+
+NEEDED = """\
+  <exec_depend>ament_index_python</exec_depend>
+  <exec_depend>launch_ros</exec_depend>
+  <exec_depend>ros2launch</exec_depend>
+  <exec_depend>rviz2</exec_depend>
+"""
+BAD = """\
+import os
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    config = os.path.join(get_package_share_directory('my_pkg'), 'config', «'/robot.rviz'»)
+    return LaunchDescription([Node(package='rviz2', executable='rviz2', arguments=['-d', config])])
+"""
+
+
+@rule(
+    "LCH021",
+    "dropped-path",
+    over=DroppedPaths,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "it is a path that many machines have (`/tmp/…`), or nothing installs the file"},
+    examples=(
+        Example(
+            bad={"package.xml": manifest(NEEDED), "launch/a.launch.py": BAD, "config/robot.rviz": ""},
+            good={"launch/a.launch.py": BAD.replace("«'/", "'").replace("»", "")},
+        ),
+    ),
+)
+def dropped_path(paths: DroppedPaths) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds paths that are joined to a part with a slash at its beginning.
+    It looks at `os.path.join`, `PathJoinSubstitution`, and `/`, `joinpath` and `Path(…)` of pathlib, in launch files
+    and in other Python code.
+
+    ## Why is this bad?
+    Such a part is a path from the root: what stands before it is dropped without a word, and
+    `os.path.join(share, '/config/robot.yaml')` is `/config/robot.yaml`, which nobody has.
+
+    ## When it is quiet
+    Where the path begins with what stands before it, or that is unpacked with `*`. Where setup.py installs something
+    is SET208's.
+    """
+    for each in paths.all:
+        how = "`/`" if each.by == "/" else f"`{each.by}`"
+        dropped = each.dropped if len(each.dropped) <= 60 and "\n" not in each.dropped else "what stands before it"
+        shown = dropped if dropped.startswith("what") else f"`{dropped}`"
+        text = f"`{each.text}` begins with a slash: {how} drops {shown}, and the path begins at the root"
+        mild = each.is_of_system or (each.role in ("aside", "test") and each.file.path != "setup.py")
+        better = each.text.lstrip("/")
+        hint = f"write `{better}`" if better and not each.is_of_system else "remove what stands before it, or the slash"
+        yield Hit(each.file.path, each.span, f"{text}; {hint}", Severity.INFO if mild else None)
