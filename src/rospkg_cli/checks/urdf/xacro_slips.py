@@ -63,7 +63,7 @@ def unread_names(root: Element) -> Iterator[Fault]:
     """
     arguments = {each.get("name") or "" for each in root.walk() if each.tag == "xacro:arg"}
     properties = {each.get("name") or "" for each in root.walk() if each.tag == "xacro:property"}
-    parameters = {each.name.lstrip("*") for each in root.walk() for each in macro_parameters(each)}
+    parameters = {each.name.lstrip("*") for macro in root.walk() for each in macro_parameters(macro)}
     names = ({"pi"} | arguments | properties) - parameters
     for element in root.walk():
         if not NOT_READ & {element.tag, *element.attributes}:
