@@ -99,3 +99,28 @@ def test_manifests_of_plain_cmake(lines: str, count: int) -> None:
     package = manifest("  <buildtool_depend>cmake</buildtool_depend>\n", "cmake")
     files = {"CMakeLists.txt": PLAIN + lines, "package.xml": package, "src/core.cpp": CPP}
     assert len(lint_files(files, ["CMK127"]).findings) == count
+
+
+TWIN = {
+    "include/my_pkg/joint.hpp": "class Joint\n{\npublic:\n  static const int count;\n  void move();\n};\n",
+    "src/joint.cpp": '#include "my_pkg/joint.hpp"\nconst int Joint::count = 3;\nvoid Joint::move() {}\n',
+    "src/core.cpp": f'#include "my_pkg/joint.hpp"\n{CPP}',
+}
+
+
+@pytest.mark.parametrize(
+    "lines, files, levels",
+    [
+        ("", {}, ["info"]),
+        ("", {"src/core.cpp": '#include "my_pkg/joint.hpp"\nint core() {return Joint::count;}\n'}, ["warning"]),
+        ("", {"src/core.cpp": CPP}, []),
+        ("# src/joint.cpp is built elsewhere", {}, []),
+        ("target_sources(core PRIVATE src/joint.cpp)", {}, []),
+        ("", {"include/my_pkg/joint.hpp": "class Joint\n{\n  static const int count = 3;\n  void move() {}\n};\n"}, []),
+        ("", {"src/core.cpp": '#include "my_pkg/joint.hpp"\n#include "joint.cpp"\n'}, []),
+    ],
+)
+def test_sources_that_belong_to_a_header(lines: str, files: dict[str, str], levels: list[str]) -> None:
+    found = told("CMK202", f"target_include_directories(core PRIVATE include)\n{lines}", {**TWIN, **files})
+    assert [level for level, _ in found] == levels
+    assert all("`src/joint.cpp`, which has `Joint::" in message for _, message in found)

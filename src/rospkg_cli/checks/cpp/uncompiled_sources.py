@@ -56,18 +56,22 @@ class UncompiledSources:
 
     def all(self) -> Iterator[UncompiledSource]:
         """Yield the files that no target has and no CMake file mentions; nothing where sources can't be known."""
+        compiled = own_compiled(self.package.cmake, self.sources) or set()
+        for source in self.sources if self.are_known else ():
+            if source.path not in compiled and self.is_candidate(source.path) and not self.is_mentioned(source.path):
+                yield from self.judged(source)
+
+    @cached_property
+    def are_known(self) -> bool:
+        """Whether the sources of all targets are known, and no other rule tells of a target or a source."""
         cmake = self.package.cmake
         is_known = are_sources_known(cmake) and cmake.ends_a_package and not cmake.reads_unknown_files
         if not self.package.is_ament or not is_known or next(foreign_commands(cmake), None) is not None:
-            return
+            return False
         if any(each.kind == "target" for each in TargetReferences(cmake).broken()):
-            return  # CMK110 tells of the target, which would compile the file
-        if any(each.use == "source" for each in ReferencedPaths(cmake).missing()):
-            return  # CMK102 tells of the name, which may be meant for the file
-        compiled = own_compiled(cmake, self.sources) or set()
-        for source in self.sources:
-            if source.path not in compiled and self.is_candidate(source.path) and not self.is_mentioned(source.path):
-                yield from self.judged(source)
+            return False  # CMK110 tells of the target, which would compile the file
+        # CMK102 tells of the name, which may be meant for the file
+        return not any(each.use == "source" for each in ReferencedPaths(cmake).missing())
 
     def is_wanted(self, source: UncompiledSource) -> bool:
         """Return whether a launch file starts or loads what a file holds, a page does so, or a text names the class."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cpp.uncompiled_sources import UncompiledSources
+from ...checks.cpp.uncompiled_twins import uncompiled_twins
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -32,7 +33,9 @@ MORE = LINES.replace("talker", "listener").partition("\n")[2]
     "uncompiled-source",
     over=UncompiledSources,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "no launch file, page or description names what is in it"},
+    levels={
+        Severity.INFO: "no launch file, page or description names what is in it, or no file of the package uses it"
+    },
     examples=(
         Example(
             bad={
@@ -51,10 +54,13 @@ def uncompiled_source(sources: UncompiledSources) -> Iterator[Hit]:
     """
     ## What it does
     Finds C++ files with a node, a component or a plugin that no target of CMake compiles.
-    A node is a `main()` that calls `rclcpp::init()`; components and plugins are registered by their macros.
+    A node is a `main()` that calls `rclcpp::init()`; components and plugins are registered by their macros. It
+    also finds those with a member of a class that the header of their name declares and that is defined nowhere else,
+    where that header is compiled.
 
     ## Why is this bad?
     The build is green and passes over the file: `ros2 run` finds no such executable, and nothing can be loaded.
+    Where a member is used, the linker stops, or the loader, with an undefined symbol.
 
     ## When it is quiet
     Where a CMake file has the name of the file anywhere, in a comment too, or another file includes it. In folders of
@@ -72,3 +78,5 @@ def uncompiled_source(sources: UncompiledSources) -> Iterator[Hit]:
             f"no target in CMakeLists.txt compiles `{each.path}`: the build passes over it, and {fails}, or remove it"
         )
         yield Hit(each.path, each.span, message, None if sources.is_wanted(each) else Severity.INFO)
+    for twin in uncompiled_twins(sources):
+        yield Hit(twin.path, twin.span, twin.sentence, None if twin.user else Severity.INFO)
