@@ -95,6 +95,16 @@ def test_what_is_compared_is_named() -> None:
     assert "it compares `LaunchConfiguration('mode')` itself" in text
 
 
+@pytest.mark.parametrize("operator, better", [("&", "AndSubstitution"), ("|", "OrSubstitution")])
+def test_conditions_have_no_operators(operator: str, better: str) -> None:
+    one = "launch.conditions.IfCondition(LaunchConfiguration('a', default='true'))"
+    node = f"Node(package='p', executable='e', condition={one} {operator} {one})"
+    (text,) = in_python(node, code="LCH014")
+    assert text.startswith(f"error: `{operator}` raises TypeError for `IfCondition`")
+    assert text.endswith(f"write `IfCondition({better}(a, b))`")
+    assert in_python(f"Node(package='p', executable='e', condition=x {operator} y)", code="LCH014") == []
+
+
 @pytest.mark.parametrize("word, found", [("roz_gz_interfaces", 1), ("ros_gz_interfaces", 0), ("my_gz_types", 0)])
 def test_a_service_of_a_bridge_is_of_a_package(word: str, found: int) -> None:
     node = f"Node(package='ros_gz_bridge', executable='parameter_bridge', arguments=['/x@{word}/srv/SpawnEntity'])"

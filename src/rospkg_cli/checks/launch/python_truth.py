@@ -17,6 +17,9 @@ from ..fault import Fault
 
 AT_RUN_TIME = "its text is known only when the launch runs"
 
+JOINING = {"&": "AndSubstitution", "|": "OrSubstitution"}
+"""Operators that neither substitutions nor conditions have, and what launch has for them."""
+
 
 @dataclass(frozen=True, slots=True)
 class Truth:
@@ -57,6 +60,9 @@ def use_faults(use: SubstitutionUse, *, is_tested: bool) -> Iterator[Fault]:
         yield Fault(use.span, f"{message}; look it up in an OpaqueFunction", "warning")
     elif use.name == "+" and any(map(is_plain, use.operands)):
         yield Fault(use.span, f"`+` raises TypeError for {shown} and a string: put both into a list, `[a, b]`")
+    elif use.name in JOINING and all(map(is_resolved_at_run_time, use.operands)):
+        better = f"write `IfCondition({JOINING[use.name]}(a, b))`"
+        yield Fault(use.span, f"`{use.name}` raises TypeError for {shown}: neither has such an operator; {better}")
     elif use.name in ('f""', "str()"):
         text = "the f-string" if use.name == 'f""' else "`str()`"
         message = f"{text} holds the name of an object, `<launch… object at 0x…>`"

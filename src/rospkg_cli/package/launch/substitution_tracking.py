@@ -69,6 +69,10 @@ def operator_of(node: ast.expr) -> str:
     match node:
         case ast.BinOp(op=ast.Add()):
             return "+"
+        case ast.BinOp(op=ast.BitAnd()):
+            return "&"
+        case ast.BinOp(op=ast.BitOr()):
+            return "|"
         case ast.JoinedStr() | ast.FormattedValue():
             return 'f""'
         case ast.Compare(ops=[ast.Eq()]):
