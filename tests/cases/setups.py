@@ -162,6 +162,8 @@ CASES = {
         python({**CONFIG, "my_pkg/a.py": "get_package_share_directory('my_pkg') + '/config/nav.yaml'\n"}),
     ),
     "SET207": (
+        python({**{f"my_pkg/{each}.py": "def generate_launch_description(): ...\n" for each in "abc"},
+                "my_pkg/d.py": "A = 1\n", "setup.py": set207.launch("['my_pkg/a.py', 'my_pkg/c.py']")}),
         python({**set207.FILES, "launch/b_launch.xml": set207.LAUNCH, "setup.py": NARROW}),
         python({**set207.FILES, ".gitignore": "arm_launch.xml\n", "setup.py": NARROW}),
         python({**ROBOTS, "setup.py": GLOBS}),

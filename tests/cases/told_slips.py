@@ -210,8 +210,32 @@ BRIDGE = Example(
     },
     good={},
 )
+SOURCES = """\
+from launch import LaunchDescription
+from launch.actions import IncludeLaunchDescription
+from launch.conditions import IfCondition
+from launch.launch_description_sources import {sources}PythonLaunchDescriptionSource
+from launch_xml.launch_description_sources import XMLLaunchDescriptionSource
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+
+
+def generate_launch_description():
+    folder, name = LaunchConfiguration('folder'), LaunchConfiguration('name')
+    return LaunchDescription([
+        IncludeLaunchDescription(XMLLaunchDescriptionSource(PathJoinSubstitution([folder, 'a.launch.py']))),
+        IncludeLaunchDescription(PythonLaunchDescriptionSource([folder, '/a.xml']), condition=IfCondition(name)),
+        IncludeLaunchDescription(FrontendLaunchDescriptionSource([folder, '/a.launch.py'])),
+        IncludeLaunchDescription(FrontendLaunchDescriptionSource([folder, '/a.yaml'])),
+        IncludeLaunchDescription(PythonLaunchDescriptionSource([folder, '/a.launch'])),
+        IncludeLaunchDescription(PythonLaunchDescriptionSource([folder, '/a.py'])),
+        IncludeLaunchDescription(XMLLaunchDescriptionSource([folder, name])),
+    ])
+""".format(sources="FrontendLaunchDescriptionSource, ")
+READ = Example(
+    bad={"package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"), "launch/a.launch.py": SOURCES}, good={}
+)
 CASES = {
-    "LCH014": (*COMMAS, ADDED, JOINED, OBJECTS),
+    "LCH014": (READ, *COMMAS, ADDED, JOINED, OBJECTS),
     "LCH018": TWICE,
     "URD002": MODELLED,
     "DEP106": RENAMED,

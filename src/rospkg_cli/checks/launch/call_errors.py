@@ -16,6 +16,7 @@ from ..fault import Fault, softer
 from ..older_distribution import OlderDistribution
 from .argument_types import TYPE_CHECKS, action_list_faults
 from .idle_actions import UNUSED, never_added
+from .include_sources import source_faults
 from .joined_commands import joined_command, joined_words
 from .lone_commas import added_faults, at_the_comma, lone_commas
 from .performed_texts import performed_faults
@@ -81,6 +82,9 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
     yield from test_faults(launch)
     yield from performed_faults(launch)
     yield from description_faults(launch)
+    for fault in source_faults(launch):
+        is_idle = any(each.contains(fault.span) for each in idle)
+        yield softer(fault, "info", UNUSED) if is_idle else fault
     for call in launch.calls:
         if class_of(call) == "OpaqueFunction":
             yield from function_faults(call, launch)

@@ -41,7 +41,7 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     ## What it does
     Finds launch and parameter files that the globs for their folder do not match.
     Other files of the folder are installed: `x_launch.py` is left out by `*.launch.py`, `.yml` by `*.yaml`, and files
-    in subfolders by both. Where all launch files but one are listed by their names, it finds that one.
+    in subfolders by both. Where all launch files of a folder but one are listed by their names, it finds that one.
 
     ## Why is this bad?
     The build is green, the other files are found, and this one "was not found in the share directory".
