@@ -7,7 +7,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
 
 MANIFEST = "package.xml"
-OTHERS = ("ament_", "catkin_", "cmake_package_", "externalproject_")
+OTHERS = ("ament_package", "ament_auto", "ament_generate", "catkin_", "cmake_package_", "externalproject_")
 """How commands begin that install package.xml by themselves, or may do so."""
 CODE = ("CODE", "SCRIPT", "EXPORT_ANDROID_MK")
 
