@@ -96,10 +96,12 @@ def test_what_is_used_is_declared_found_and_passed_on() -> None:
         assert files["CMakeLists.txt"].count(f"  {name}\n") == 1
 
 
-def test_humble_wants_action_msgs_named() -> None:
-    for distro, named in (("humble", True), ("jazzy", False)):
-        files = texts(plan("my_interfaces", template="interfaces", actions=("Fly",), distro=distro))
-        assert ("<depend>action_msgs</depend>" in files["package.xml"]) is named
+@pytest.mark.parametrize("distro", ["humble", "jazzy"])
+def test_actions_want_action_msgs_declared(distro: str) -> None:
+    files = texts(plan("my_interfaces", template="interfaces", actions=("Fly",), distro=distro))
+    assert files["package.xml"].count("<depend>action_msgs</depend>") == 1
+    files = texts(plan("my_interfaces", template="interfaces", msgs=("Height:float32 x",), distro=distro))
+    assert "action_msgs" not in files["package.xml"]
 
 
 @pytest.mark.parametrize("form", ["msg", "srv", "action"])
