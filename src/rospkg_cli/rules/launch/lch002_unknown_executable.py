@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from ...checks.launch.node_executables import ExecutableUse, NodeExecutables, WellKnownUse, by_name
 from ...checks.launch.without_package import NodesWithoutPackage, PathUse
+from ...edits.blank_names import blank_name
 from ...edits.offers import node_command
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts
 from ...rule import rule
 
@@ -89,18 +89,6 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     for use in NodesWithoutPackage(started.scope).uses():
         level = Severity(use.level) if use.level else None
         yield Hit(started.scope.file.path, use.executable.span, without_package(use), level)
-
-
-COMMANDS = frozenset({"ros2", "run", "launch"})
-"""Words of a command line, which a package may be copied from."""
-
-
-def blank_name(path: str, text: LaunchText, what: str) -> Hit:
-    name = (text.literal or "").strip()
-    if not name:
-        return Hit(path, text.span, f"the {what} of this node is empty: the launch stops; name it")
-    hint = f"write `{name.split()[-1] if name.split()[0] in COMMANDS else name.replace(' ', '_')}`"
-    return Hit(path, text.span, f"no package is called `{text.literal}`, with a blank: it is not found; {hint}")
 
 
 def not_offered(use: WellKnownUse) -> str:

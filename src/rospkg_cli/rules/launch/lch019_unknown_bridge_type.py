@@ -46,7 +46,7 @@ NEEDED = "  <exec_depend>ros2launch</exec_depend>\n  <exec_depend>ros_gz_bridge<
 def unknown_bridge_type(bridges: Bridges) -> Iterator[Hit]:
     """
     ## What it does
-    Finds misspelt and mismatched types in arguments of `parameter_bridge` of ros_gz_bridge, and in its config files.
+    Finds types that ros_gz_bridge can't take, in arguments of `parameter_bridge` and config files.
     An argument is `topic@package/msg/Type`, and what stands for Gazebo behind `@`, `[` or `]`. In a config file a type
     has to be written so as well; a direction that the bridge does not know is told, too, and `topic_name` beside
     `ros_topic_name` or `gz_topic_name`. Two types in the wrong order, one alone, and two that are not made for each
