@@ -210,7 +210,7 @@ CASES = {
         package(GENERATES + PROGRAM.replace("talker core", "talker m"), SWITCHED, INTERFACES),
     ),
     "CMK123": (
-        package("add_compile_options(-Wall WITH_ARM=1 -include MY_FILE -D WITH_LEG)\n"),
+        package("add_compile_options(-Wall WITH_ARM=1 -include MY_FILE -D WITH_LEG /D WITH_TAIL)\n"),
         package("add_definitions(-DWITH_ARM WITH_LEG)\n"),
         package('set(libs "")\nset(libs "${libs} m")\n' + LINKED.format("std_msgs", '"${libs}"'), MAIN),
         package('set(libs "${UNKNOWN} m")\n' + LINKED.format("std_msgs", '${libs} " "'), MAIN),

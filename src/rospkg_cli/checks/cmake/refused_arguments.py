@@ -26,6 +26,8 @@ NOT_LINKED = frozenset({"SHARED", "STATIC", "MODULE", "REQUIRED", "COMPONENTS"})
 """Keywords of add_library() and find_package(), which target_link_libraries() links."""
 OPTIONS = ("add_compile_options", "target_compile_options", "add_definitions")
 """Commands whose arguments the compiler gets as they are."""
+OF_MSVC = "/D"
+"""How Microsoft's compiler writes `-D`, perhaps with a blank behind it."""
 WHOLE = ("-W", "-O", "-f", "-std", "-g", "-m", "-D", "-p")
 """How options begin that have their value in them."""
 DEFINITION = regex(r"[A-Z_][A-Z0-9]*_[A-Z0-9_]*(=\w*)?|[A-Z_][A-Z0-9_]+=\w*")
@@ -133,7 +135,7 @@ def without_sign(call: EvaluatedCommand) -> Iterator[RefusedArgument]:
     """Yield definitions among options that lack their `-D`, but for values of the flag before them."""
     before = ""
     for word in call.words[call.name.startswith("target_") :] if call.name in OPTIONS else ():
-        is_value = (before.startswith("-") and not before.startswith(WHOLE)) or before in ("-D", "-mllvm")
+        is_value = (before.startswith("-") and not before.startswith(WHOLE)) or before in ("-D", "-mllvm", OF_MSVC)
         before = word.text
         if word.is_known and not is_value and word.text not in SCOPES and DEFINITION.fullmatch(word.text):
             start = f"`{word.text}` is a definition without its `-D`"
