@@ -59,3 +59,12 @@ QUIET = "find_package(Boost QUIET COMPONENTS program_options)\n"
 )
 def test_what_is_built_only_where_it_is_found_or_asked_for(lines: str, expected: list[str]) -> None:
     assert levels("<boost/program_options.hpp>", lines) == expected
+
+
+def test_what_a_dependency_brings_serves_without_headers_of_its_own() -> None:
+    """`pcl_conversions` brings libboost-system, and with it all that libpcl-dev is built with."""
+    files = {
+        "CMakeLists.txt": CMAKE.replace("ament_package()", "find_package(Boost REQUIRED system)\nament_package()"),
+        "package.xml": manifest("  <depend>pcl_conversions</depend>\n", "ament_cmake"),
+    }
+    assert [each.severity.value for each in lint_files(files, ["DEP104"]).findings] == ["info"]
