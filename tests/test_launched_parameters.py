@@ -254,3 +254,13 @@ def test_a_file_that_cannot_be_read_silences_only_what_it_may_explain(broken: di
     block = package(xml(FILE), "talke:\n  ros__parameters:\n    rate: 1.0\n")
     assert len(messages(block, "PRM003")) == 1
     assert messages({**block, **broken}, "PRM003") == []
+
+
+@pytest.mark.parametrize(
+    "program, count",
+    [("talker", 1), ("talker.py", 0), ("joy_talker", 0)],
+)
+def test_types_count_for_the_program_that_declares_them(program: str, count: int) -> None:
+    inside = '<param name="rate" value="10"/><param name="frame" value="odom"/>'
+    files = package(f'<launch><node pkg="my_pkg" exec="{program}">{inside}</node></launch>')
+    assert len(lint_files(files, ["PRM006"]).findings) == count

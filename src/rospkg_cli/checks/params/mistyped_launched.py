@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator
 
 from ...lazy_regex import regex
@@ -50,7 +51,16 @@ def declared(each: NodeArguments, facts: PackageFacts, name: str) -> list[Declar
     fitting = [one for one in facts.parameters if one.name == name and not one.tail]
     codes = [code.paths for code in facts.node_code if started is not None and code.starts == started.literal]
     near = [one for one in fitting if any(one.path in paths for paths in codes)]
-    return near or fitting
+    return near if codes else [one for one in fitting if started is not None and is_of(one.path, started.literal)]
+
+
+def is_of(path: str, program: str | None) -> bool:
+    """Return whether a source is called like the program, whose sources are not known."""
+    if not program or (program.endswith(".py") and not path.endswith(".py")):
+        return False
+    stem, name = posixpath.splitext(posixpath.basename(path))[0], program.rpartition("::")[2].removesuffix(".py")
+    plain, own = (each.replace("_", "").lower().removesuffix("node") for each in (stem, name))
+    return plain == own
 
 
 def given_values(each: NodeArguments) -> Iterator[tuple[GivenValue, str]]:
