@@ -44,7 +44,8 @@ def is_bound(file: PythonFile, name: str) -> bool:
     stores = (node for node in nodes_of_kind(file.tree, ast.Name) if not isinstance(node.ctx, ast.Load))
     if any(node.id == name for node in stores) or any(node.arg == name for node in nodes_of_kind(file.tree, ast.arg)):
         return True
-    return name in file.definitions and any(
-        isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef) and node.name == name
-        for node in ast.walk(file.tree)
-    )
+    if name not in file.definitions:
+        return False
+    functions = {each.name for each in nodes_of_kind(file.tree, ast.FunctionDef)}
+    functions |= {each.name for each in nodes_of_kind(file.tree, ast.AsyncFunctionDef)}
+    return name in functions or any(each.name == name for each in nodes_of_kind(file.tree, ast.ClassDef))
