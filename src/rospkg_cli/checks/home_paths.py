@@ -26,6 +26,7 @@ PLAIN = regex(rf"(?m)(?<=[:-])[ \t]+(?:file://)?(?P<path>{PATH})(?=[ \t]*(?:#.*)
 
 IN_CMAKE = regex(rf"(?<![\w./-])(?<!DESTINATION )(?P<path>{PATH})(?![\w*$])")
 COMMENTS = {CPP: regex(r"(?s)/\*.*?\*/|//[^\n]*"), MARKUP: regex(r"(?s)<!--.*?-->")}
+FOR_CODE = ("launch", "src", "scripts", "script", "nodes", "node", "bin")
 OF_MANY = frozenset(
     "admin app dev developer docker jetson nvidia pi robot root ros ros2 runner ubuntu user username vscode you".split()
 )
@@ -47,6 +48,8 @@ class HomePath:
     """Whether it is the image of a map."""
     may_be_there: bool
     """Whether many have an account of that name, or the code asks first whether it exists."""
+    is_seldom_read: bool
+    """Whether RViz or a script in a folder of its own names it, which few start."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +84,12 @@ class HomePaths:
         for named, match in sorted(places.items(), key=lambda each: each[1].start()):
             is_image = bare[: match.start("path")].rstrip(" \t\"'").endswith("image:")
             may_be_there = is_asked or is_of_many(match["user"] or match["mac"])
-            yield HomePath(path, Span(*match.span("path")), named, *self.home_of(named), is_image, may_be_there)
+            place, home = Span(*match.span("path")), self.home_of(named)
+            yield HomePath(path, place, named, *home, is_image, may_be_there, self.is_seldom_read(path))
+
+    def is_seldom_read(self, path: str) -> bool:
+        folder = path.partition("/")[0]
+        return path.endswith(".rviz") or (path.endswith(".py") and folder not in (self.facts.name, *FOR_CODE))
 
     def home_of(self, named: str) -> tuple[str | None, str]:
         """Return the package of the workspace that a path leads into, and the rest; None where none is known."""

@@ -75,16 +75,21 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     ## When it is quiet
     Tests, comments, what a substitution fills in, and paths below the home of an account that robots, containers and
     examples have (`/home/ubuntu`) or in code that asks whether something exists, unless they lead into the workspace:
-    then they are an info. Robots and worlds are URD002's, what setup.py installs is SET205's.
+    then they are an info. So is what an RViz config names, or a script in a folder that is none for code. Robots and
+    worlds are URD002's, what setup.py installs is SET205's.
     """
-    into = sorted((each for each in paths.found if each.of_package is not None), key=lambda each: each.may_be_there)
+    into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
     others = [each for each in paths.found if each.of_package is None and not each.may_be_there]
     if into:
-        yield one(into, Severity.INFO if into[0].may_be_there else Severity.WARNING, advice(into[0]))
+        yield one(into, Severity.INFO if is_mild(into[0]) else Severity.WARNING, advice(into[0]))
     if others:
         in_build = others[0].path.endswith("CMakeLists.txt")
         how = "find it with find_package() or find_path()" if in_build else "let a parameter or an argument give it"
         yield one(others, Severity.INFO, how)
+
+
+def is_mild(found: HomePath) -> bool:
+    return found.may_be_there or found.is_seldom_read
 
 
 def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
