@@ -65,6 +65,9 @@ def valid_interface_name(name: str) -> bool:
     return INTERFACE_NAME.fullmatch(name) is not None
 
 
+OF_INTERFACES = regex(r"[a-z]\w*_(?:msgs|srvs|actions|interfaces)")
+"""What packages of interfaces are called, and nothing else."""
+
 GROUP = "rosidl_interface_packages"
 """The group that every package with interfaces is a member of."""
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.workspace import Workspace
 from ...ros.aliases import keys_for_cmake
+from ...ros.interfaces import OF_INTERFACES
 from ...ros.manifest import EXPORTED
 from ...ros.names import NameKind
 from ...ros.private_links import FROM_JAZZY
@@ -15,8 +15,6 @@ from ...ros.read_table import rows
 from ..cmake.missing_export_dependencies import TABLES
 
 PASSED_ON = EXPORTED | {"build_depend"}
-OF_INTERFACES = regex(r"[a-z]\w*_(?:msgs|srvs|actions|interfaces)")
-"""What packages of interfaces are called: they hand on nothing but other interfaces, and what generated code needs."""
 EVERYWHERE, SOMEWHERE, BEFORE_JAZZY = range(3)
 """On which distributions a package hands another one on: all, some that nobody knows here, or all up to Humble."""
 Needs = tuple[tuple[str, int], ...]

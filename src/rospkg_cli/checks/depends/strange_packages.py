@@ -11,14 +11,12 @@ from ...package.cmake.cmake_project import CMake
 from ...package.cmake.find_package import FoundPackage
 from ...package.cmake.target_links import TargetLinks
 from ...ros.aliases import keys_for_cmake
+from ...ros.interfaces import OF_INTERFACES
 from ...ros.link_targets import ROS_NAME
 from ...ros.names import NameKind
 from ...suggest import near_names
 from .undeclared_find_package import FindPackageDependencies
 from .undeclared_includes import IncludeDependencies
-
-OF_INTERFACES = regex(r"[a-z]\w*_(?:msgs|srvs|actions|interfaces)")
-"""What packages of interfaces are called, and nothing else."""
 
 BRINGS = regex(r"(?i)_(?:SOURCE|LIST|BINARY)_DIR\b|externalproject|fetchcontent|\badd_library\s*\([^)]*\bALIAS\b")
 """What a module has that does more than to look for a library of the system."""
