@@ -57,7 +57,7 @@ def absent_attributes(file: PythonFile, local: Collection[str] = ()) -> Iterator
 
 
 def imported_modules(file: PythonFile) -> dict[str, str]:
-    """Return the modules that names of a file stand for, where nothing else binds these."""
+    """Return the modules that names of a file stand for, where no other import binds these."""
     found: dict[str, str] = {}
     for node in nodes_of_kind(file.tree, ast.Import):
         for alias in node.names:
@@ -67,17 +67,20 @@ def imported_modules(file: PythonFile) -> dict[str, str]:
                 found[alias.asname or name] = ""
     taken = {alias.asname or alias.name for node in nodes_of_kind(file.tree, ast.ImportFrom) for alias in node.names}
     usable = {name: module for name, module in found.items() if module in ATTRIBUTES and name not in taken}
-    return {} if "*" in taken else {name: module for name, module in usable.items() if not is_bound(file, name)}
+    return {} if "*" in taken else usable
 
 
 def read_from(file: PythonFile, modules: dict[str, str]) -> Iterator[tuple[ast.AST, AbsentAttribute]]:
     stored = {each.attr for each in nodes_of_kind(file.tree, ast.Attribute) if not isinstance(each.ctx, ast.Load)}
     for node in nodes_of_kind(file.tree, ast.Attribute):
         module = module_of(node.value, modules)
-        if module and node.attr not in stored and is_absent(module, node.attr):
+        if not module or node.attr in stored or not is_absent(module, node.attr):
+            continue
+        root = root_of(node)
+        if not is_bound(file, root.id):
             end = file.span(node).end
-            span, root = Span(end - len(node.attr), end), file.span(root_of(node))
-            yield node, AbsentAttribute(module, node.attr, span, meant_by(module, node.attr), "AttributeError", root)
+            span, near = Span(end - len(node.attr), end), meant_by(module, node.attr)
+            yield node, AbsentAttribute(module, node.attr, span, near, "AttributeError", file.span(root))
 
 
 def absent_imports(file: PythonFile) -> Iterator[tuple[ast.AST, AbsentAttribute]]:
@@ -98,8 +101,12 @@ def module_of(node: ast.expr, modules: dict[str, str]) -> str:
     return modules.get(node.id, "") if isinstance(node, ast.Name) else ""
 
 
-def root_of(node: ast.expr) -> ast.expr:
-    return root_of(node.value) if isinstance(node, ast.Attribute) else node
+def root_of(node: ast.expr) -> ast.Name:
+    """Return the name that an attribute of a module begins with."""
+    while isinstance(node, ast.Attribute):
+        node = node.value
+    assert isinstance(node, ast.Name)
+    return node
 
 
 def is_absent(module: str, name: str) -> bool:
