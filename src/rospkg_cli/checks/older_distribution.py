@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from ..files import PackageFiles
 from ..lazy_regex import regex
@@ -27,7 +27,7 @@ class OlderDistribution:
     def named(self) -> frozenset[str]:
         """The distributions that pages, scripts and workflows name."""
         texts = (whole.readable_text(path) for whole, path in build_files(self.files) if whole.exists(path))
-        return frozenset(name for text in texts for name in NAMES.findall(text.lower()))
+        return frozenset(name for text in texts for name in names_in(text))
 
     @property
     def is_named_alone(self) -> bool:
@@ -45,6 +45,12 @@ class OlderDistribution:
     def is_for_unsupported(self, path: str) -> bool:
         """Return whether none that is supported is named, or a file is called as being for an older one."""
         return (bool(self.named) and self.named.issubset(UNSUPPORTED)) or is_called_older(path)
+
+
+@lru_cache(maxsize=1000)
+def names_in(text: str) -> frozenset[str]:
+    """Return the distributions that a text names; it is the same page for all packages of a repository."""
+    return frozenset(NAMES.findall(text.lower()))
 
 
 def names_older(path: str) -> bool:

@@ -56,8 +56,16 @@ class FindPackageDependencies:
     cmake: CMake
     interfaces: tuple[InterfaceFile, ...] = ()
 
-    def missing(self) -> Iterator[UndeclaredFindPackage]:
-        """Yield what CMake can't do without and package.xml does not declare, each once; tests come last."""
+    def missing(self) -> tuple[UndeclaredFindPackage, ...]:
+        """Return what CMake can't do without and package.xml does not declare, each once; tests come last."""
+        return self._missing
+
+    @cached_property
+    def _missing(self) -> tuple[UndeclaredFindPackage, ...]:
+        return tuple(self.undeclared())
+
+    def undeclared(self) -> Iterator[UndeclaredFindPackage]:
+        """Yield what `missing` returns, found out anew."""
         if not self.declared.is_checked:
             return
         there = implied_by(self.declared.names, IN_CMAKE)

@@ -234,8 +234,16 @@ class IncludeDependencies:
         paths = [path.split("/") for path in (*self.files.paths, *self.files.folders)]
         return frozenset("/".join(parts[-n:]) for parts in paths for n in (1, 2, 3, 4))
 
-    def undeclared(self) -> Iterator[IncludedPackage]:
-        """Yield what is included and not declared, but for what find_package names as well."""
+    def undeclared(self) -> tuple[IncludedPackage, ...]:
+        """Return what is included and not declared, but for what find_package names as well."""
+        return self._undeclared
+
+    @cached_property
+    def _undeclared(self) -> tuple[IncludedPackage, ...]:
+        return tuple(self.lacking())
+
+    def lacking(self) -> Iterator[IncludedPackage]:
+        """Yield what `undeclared` returns, found out anew."""
         there = implied_by(self.declared.names, IN_SOURCES)
         reported = {missing.found.name for missing in self.find_packages.missing()}
         named = {name for missing in self.find_packages.missing() for name in missing.names}

@@ -182,18 +182,30 @@ class LaunchDependencies:
             found = {name: uses for name, uses in found.items() if name not in there}
         return found
 
-    def uses(self, *, tests: bool) -> Iterator[PackageReference]:
-        """Yield what launch files need: those of tests, or the others."""
-        for file in self.launch_files:
-            if self.role(file.path) == ("test" if tests else "launch"):
-                yield from with_conditions(file)
-                yield from () if tests else self.import_uses(file)
-                yield from reader_uses(file) if self.names_parts_of_launch and not tests else ()
+    def uses(self, *, tests: bool) -> tuple[PackageReference, ...]:
+        """Return what launch files need: those of tests, or the others."""
+        return self._uses_in_tests if tests else self._uses
 
     @cached_property
-    def names_parts_of_launch(self) -> bool:
-        """Whether package.xml declares what launch files are made of part by part, so that what reads them counts."""
-        return not self.declared.names.isdisjoint(LAUNCH)
+    def _uses_in_tests(self) -> tuple[PackageReference, ...]:
+        return tuple(
+            use for file in self.launch_files if self.role(file.path) == "test" for use in with_conditions(file)
+        )
+
+    @cached_property
+    def _uses(self) -> tuple[PackageReference, ...]:
+        return tuple(
+            use
+            for file in self.launch_files
+            if self.role(file.path) == "launch"
+            for use in (*with_conditions(file), *self.import_uses(file), *self.reader_uses(file))
+        )
+
+    def reader_uses(self, file: LaunchFile) -> Iterator[PackageReference]:
+        """Yield the package that reads a launch file in XML or YAML, where package.xml declares launch part by part."""
+        if file.root is not None and not file.is_ros1 and file.nodes and not self.declared.names.isdisjoint(LAUNCH):
+            at = file.root.name_span
+            yield PackageReference(f"launch_{file.frontend}", file.path, at, "is read by")
 
     def is_imported(self, file: LaunchFile) -> bool:
         """Return whether another launch file imports a helper that is no launch file itself."""
@@ -247,10 +259,3 @@ class ThereToLaunch:
 
 def there_to_launch(declared: DeclaredDependencies) -> frozenset[str]:
     return declared.workspace.index_of(ThereToLaunch).of(declared.workspace)
-
-
-def reader_uses(file: LaunchFile) -> Iterator[PackageReference]:
-    """Yield the package that reads a launch file in XML or YAML."""
-    if file.root is not None and not file.is_ros1 and file.nodes:
-        at = file.root.name_span
-        yield PackageReference(f"launch_{file.frontend}", file.path, at, "is read by")
