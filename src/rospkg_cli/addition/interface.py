@@ -15,7 +15,7 @@ from ..scaffold.interface import RequestedInterface, interface_of, interfaces_of
 from .cmake_find import FoundInCMake, cmake_of
 from .dependency import AddedDependency, manifest_of
 from .group import GroupMember
-from .interface_list import InterfaceNeed, ListedFile
+from .interface_list import ListedPackage, ListedFile
 from .new_file import NewFile
 from .part import Part
 from .rendered import identifier
@@ -53,7 +53,7 @@ def parts_of(manifest: Manifest, wanted: Sequence[RequestedInterface], force: bo
         yield NewFile(each.path, each.text, force=force)
         yield ListedFile(each.path)
     paths = tuple(each.path for each in wanted)
-    yield from (InterfaceNeed(name, paths) for name in needs)
+    yield from (ListedPackage(name, paths) for name in needs)
 
 
 def check_package(package: Package, manifest: Manifest, form: str, asked: Sequence[str], here: bool) -> None:

@@ -76,7 +76,7 @@ class ListedFile:
 
 
 @dataclass(frozen=True)
-class InterfaceNeed:
+class ListedPackage:
     """A package among the DEPENDENCIES of the call."""
 
     name: str

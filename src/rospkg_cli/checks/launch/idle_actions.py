@@ -110,7 +110,7 @@ def is_stored(name: ast.Name) -> bool:
 
 
 @dataclass(frozen=True, slots=True)
-class Condition:
+class GuardedAction:
     """An action, its condition, and what that is with the defaults of the arguments; None where it is unknown."""
 
     around: Span
@@ -122,20 +122,20 @@ class Condition:
         return self.around.contains(span) and not self.written.contains(span)
 
 
-def conditional(file: LaunchFile) -> Iterator[Condition]:
+def conditional(file: LaunchFile) -> Iterator[GuardedAction]:
     """Yield the conditions of actions that are not true by default, for each action that they are about."""
     defaults = literal_defaults(file.arguments, file.assigned)
     for call in file.evaluated.calls if file.evaluated else ():
         condition = call.get("condition")
         holds = True if condition is None else holds_in_python(condition, defaults)
         if condition is not None and holds is not True:
-            yield from (Condition(span, condition.span, holds) for span in spans_of(call))
+            yield from (GuardedAction(span, condition.span, holds) for span in spans_of(call))
     for entity in file.root.walk() if file.root else ():
         for name in ("if", "unless"):
             written = entity.attributes.get(name)
             holds = True if written is None else holds_in_entity(name, written.text.strip(), defaults)
             if written is not None and holds is not True:
-                yield Condition(entity.span, written.span, holds)
+                yield GuardedAction(entity.span, written.span, holds)
 
 
 def holds_in_python(condition: Value, defaults: Mapping[str, str]) -> bool | None:

@@ -73,11 +73,11 @@ def not_(a: Truth) -> Truth:
 
 def evaluate(words: Sequence[Word], world: ConditionContext) -> Truth:
     """Return whether a condition holds; unknown too where CMake would refuse it."""
-    return Condition(words, world).whole()
+    return ConditionReader(words, world).whole()
 
 
 @dataclass
-class Condition:
+class ConditionReader:
     words: Sequence[Word]
     world: ConditionContext
     at: int = 0

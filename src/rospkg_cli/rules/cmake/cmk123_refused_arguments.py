@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.empty_operands import EmptyOperand, EmptyOperands
-from ...checks.cmake.mistyped_values import MistypedValues
 from ...checks.cmake.refused_arguments import refused_calls
 from ...checks.cmake.source_includes import source_includes
+from ...checks.cmake.written_slips import WrittenSlips
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
 from ...package.cmake.cmake_package import CMakePackage
@@ -95,7 +95,7 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
         place = each.word.span if each.word else each.call.command.name_span
         level = Severity.WARNING if each.call.maybe or (each.word and each.word.maybe) else None
         yield Hit(each.call.path, place, each.message, level)
-    for value in MistypedValues(package.cmake).all():
+    for value in WrittenSlips(package.cmake).all():
         yield Hit(value.call.path, value.span, value.message, Severity.WARNING)
     for operand in EmptyOperands(package).all():
         level = Severity.INFO if operand.is_mostly_set else Severity.WARNING

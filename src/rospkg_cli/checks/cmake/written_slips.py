@@ -21,17 +21,17 @@ VALUE_AT = {"set": 1, "option": 2}
 
 
 @dataclass(frozen=True)
-class MistypedValue:
+class WrittenSlip:
     call: EvaluatedCommand
     span: Span
     message: str
 
 
 @dataclass(frozen=True)
-class MistypedValues:
+class WrittenSlips:
     cmake: CMake
 
-    def all(self) -> Iterator[MistypedValue]:
+    def all(self) -> Iterator[WrittenSlip]:
         """Yield each place once."""
         judged = {each.word.span.start for each in ReferencedPaths(self.cmake).missing()}
         seen: set[tuple[str, int]] = set()
@@ -45,7 +45,7 @@ class MistypedValues:
                 if argument.kind != "bracket" and argument.span.start not in judged:
                     yield from self.joined(call, argument)
 
-    def booleans(self, call: EvaluatedCommand) -> Iterator[MistypedValue]:
+    def booleans(self, call: EvaluatedCommand) -> Iterator[WrittenSlip]:
         """Yield the value of a variable that a condition asks for by its name alone: any word but the false ones is
         true."""
         at, given = VALUE_AT.get(call.name, 0), call.command.arguments
@@ -54,13 +54,13 @@ class MistypedValues:
         name, value = given[0].text, given[at]
         if is_slip(value.text.lower(), "false") and self.is_asked_for(name):
             message = f"`{value.text}` is none of the words that CMake takes for false: `if({name})` is true"
-            yield MistypedValue(call, value.span, f"{message}; write `FALSE`")
+            yield WrittenSlip(call, value.span, f"{message}; write `FALSE`")
 
     def is_asked_for(self, name: str) -> bool:
         condition = re.compile(rf"\b(?:if|elseif|while)\s*\([^)]*(?<![{{\w]){re.escape(name)}(?![\w}}])", re.IGNORECASE)
         return any(condition.search(file.source.text) for file in self.cmake.files)
 
-    def joined(self, call: EvaluatedCommand, argument: CommandArgument) -> Iterator[MistypedValue]:
+    def joined(self, call: EvaluatedCommand, argument: CommandArgument) -> Iterator[WrittenSlip]:
         """Yield a folder and a path that make one name, where the path is in the folder."""
         files = self.cmake.package_files
         match = JOINED.match(argument.text)
@@ -72,4 +72,4 @@ class MistypedValues:
         is_meant = files.is_there(posixpath.normpath(posixpath.join(folder, rest)))
         if is_meant and not (folder and files.is_there(folder + rest)):
             lost = f"`${{{variable}}}` ends without a slash: `{argument.text}` is no path"
-            yield MistypedValue(call, argument.span, f"{lost}; write `${{{variable}}}/{rest}`")
+            yield WrittenSlip(call, argument.span, f"{lost}; write `${{{variable}}}/{rest}`")
