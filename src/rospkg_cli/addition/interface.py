@@ -15,7 +15,7 @@ from ..scaffold.interface import RequestedInterface, interface_of, interfaces_of
 from .cmake_find import FoundInCMake, cmake_of
 from .dependency import AddedDependency, manifest_of
 from .group import GroupMember
-from .interface_list import ListedPackage, ListedFile
+from .interface_list import ListedFile, ListedPackage
 from .new_file import NewFile
 from .part import Part
 from .rendered import identifier
