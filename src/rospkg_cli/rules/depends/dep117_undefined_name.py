@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.own_members import is_own_member
+from ...checks.depends.undefined_sentences import CAUGHT, ENDS, OF_TYPE, of_member
 from ...checks.depends.undefined_uses import UndefinedUse, UndefinedUses
+from ...checks.depends.unset_members import UnsetMembers
 from ...edits.python_imports import import_module
 from ...example import Example, manifest, scripts, setup_py
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -74,7 +76,8 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
     ## What it does
     Finds names that installed Python code and tests use, and that nothing defines or imports.
     Each name is one finding of its file. Names that common modules of Python do not have are told, too
-    (`os.path.joint`, `from xml.etree import ET`).
+    (`os.path.joint`, `from xml.etree import ET`), and those that a class reads of `self` while neither it, its bases
+    nor any other code of the package sets them.
 
     ## Why is this bad?
     Nothing looks before the line runs: the build is green, and the node ends with NameError, often only in a callback
@@ -85,6 +88,8 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
     package of others, that set names by `exec`, `globals()` or `setattr`, and where a NameError is caught; for names
     that some branch or handler binds, for builtins of Python 2 in a branch, and for what newer Pythons, notebooks,
     profilers and build tools have among the builtins.
+    For `self`, also in classes that have a base of other packages but rclpy's nodes, or that nothing makes an object
+    of; where code sets attributes by `setattr`, or asks for the name by `hasattr`; for names a newer rclpy may have.
     Launch files have a rule of their own, and setup.py, too.
 
     ## Fix safety
@@ -104,17 +109,12 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
         ends = ENDS[when].replace("NameError", each.raised)
         message = f"`{each.module}` has no `{each.name}`: {ends}{each.advice}"
         yield Hit(file.path, each.span, message, LEVELS[when])
+    for member in UnsetMembers(uses).all():
+        places = tuple(Related(member.file.path, span, "here too") for span in member.others)
+        yield Hit(member.file.path, member.span, of_member(member), LEVELS[member.when], places)
 
 
 LEVELS = {"certainly": None, "maybe": Severity.WARNING, "never": Severity.INFO, "aside": Severity.INFO}
-ENDS = {
-    "certainly": "the start ends here with NameError",
-    "maybe": "the line raises NameError when it runs",
-    "aside": "the line raises NameError when somebody runs this file, which nothing installs",
-    "never": "the line raises NameError once something calls it, which nothing here does",
-}
-OF_TYPE = "before Python 3.14, which Lyrical has, importing the module raises NameError"
-CAUGHT = "NameError is raised each time, which the `except` around it takes for another failure"
 
 
 def advice(use: UndefinedUse, line: str) -> str:

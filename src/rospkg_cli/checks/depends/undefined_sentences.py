@@ -1,0 +1,23 @@
+"""What is said of names that nothing binds (DEP117)."""
+
+from __future__ import annotations
+
+from .unset_members import UnsetMember
+
+ENDS = {
+    "certainly": "the start ends here with NameError",
+    "maybe": "the line raises NameError when it runs",
+    "aside": "the line raises NameError when somebody runs this file, which nothing installs",
+    "never": "the line raises NameError once something calls it, which nothing here does",
+}
+OF_TYPE = "before Python 3.14, which Lyrical has, importing the module raises NameError"
+CAUGHT = "NameError is raised each time, which the `except` around it takes for another failure"
+
+
+def of_member(member: UnsetMember) -> str:
+    owner, better = member.owner, member.better
+    ends = ENDS[member.when].replace("NameError", "AttributeError")
+    if better == "Node":
+        return f"`{owner}` is no node and has no `{member.name}`: {ends}; write `class {owner}(Node)`"
+    near = f"; did you mean `self.{better}`?" if better else ""
+    return f"`{owner}` has no `{member.name}`, and nothing gives it one: {ends}{near}"
