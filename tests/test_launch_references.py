@@ -587,3 +587,41 @@ def test_the_default_of_an_argument_that_the_file_itself_sets(before: str, actio
 """
     for line, wanted in (("", "warning"), ('<let name="params" value="b.yaml"/>', "info")):
         assert said({**BASE, "launch/a.launch.xml": xml.format(line)}, "LCH003") == [f"LCH003 {wanted}"]
+
+
+@pytest.mark.parametrize(
+    ("path", "level", "hint"),
+    [
+        ("ur_bringup)/launch/ur_moveit.launch.py", "warning", "`launch/ur_moveit.launch.py` of `ur_moveit_config`?"),
+        ("nav2_bringup)/launch/bringup.launch.py", "warning", "did you mean `launch/bringup_launch.py`?"),
+        ("nav2_bringup)/launch/something_else.launch.py", "info", "no supported release of it has one"),
+        ("nav2_bringup)/launch/bringup_launch.py", "", ""),
+        ("nav2_bringup)/launch/something_else.py", "", ""),
+        ("somebodys_package)/launch/ur_moveit.launch.py", "", ""),
+    ],
+)
+def test_a_launch_file_that_a_well_known_package_does_not_have(path: str, level: str, hint: str) -> None:
+    text = f'<launch><include file="$(find-pkg-share {path}"/></launch>\n'
+    said = lint_files({**BASE, "launch/robot.launch.xml": text}, ["LCH003"]).findings
+    assert [each.severity.value for each in said] == ([level] if level else [])
+    assert all(hint in each.message for each in said)
+
+
+def test_a_part_of_a_name_that_stands_twice_where_a_macro_may_install_more() -> None:
+    text = "<launch><node pkg='my_pkg' exec='n'><param from='$(find-pkg-share my_pkg)/config/{}'/></node></launch>\n"
+    files = {
+        "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n", "ament_cmake"),
+        "CMakeLists.txt": "project(my_pkg)\nfind_package(ament_cmake REQUIRED)\nfind_package(others REQUIRED)\n"
+        "others_set_options()\n"
+        "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package()\n",
+        "config/a.param.yaml": "/**:\n  ros__parameters:\n    a: 1\n",
+    }
+
+    def told(name: str) -> list[str]:
+        return [
+            each.message
+            for each in lint_files({**files, "launch/a.launch.xml": text.format(name)}, ["LCH003"]).findings
+        ]
+
+    assert "did you mean `config/a.param.yaml`?" in told("a.param.param.yaml")[0]
+    assert told("a.param.yaml") == []

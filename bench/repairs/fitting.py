@@ -46,7 +46,7 @@ FITTING: dict[str, tuple[str, ...]] = {
     "launch-missing-parametervalue": ("LCH009",),
     "launch-undeclared-argument": ("LCH008", "LCH016"),
     "launch-undefined-name": ("LCH013",),
-    "launch-invalid-arguments": ("LCH014", "LCH007", "LCH019"),
+    "launch-invalid-arguments": ("LCH014", "LCH007", "LCH019", "LCH022"),
     "launch-invalid-attribute": ("LCH007", "LCH006"),
     "launch-condition-misuse": ("LCH014",),
     "launch-include-unknown-argument": ("LCH015",),

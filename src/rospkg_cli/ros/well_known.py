@@ -13,6 +13,7 @@ from .read_table import rows, sets
 TABLE = "well_known.txt"
 LAUNCH_FILES = "well_known_launch.txt"
 LAUNCH_NAME = regex(r"[._-]launch|\.(?:py|xml|ya?ml)$|[_-]")
+LAUNCH_FILE = regex(r"[._]launch(?:\.(?:py|xml|ya?ml))?$")
 Kind = Literal["programs", "components", "plugins"]
 ENDINGS = ("_node", ".py", "_exe", "_server")
 """Of names of programs; some packages have them, and some do not."""
@@ -102,15 +103,20 @@ def packages_with_plugin(name: str) -> tuple[str, ...]:
     return tuple(package for package, names in rows(TABLE, "plugins").items() if found in names)
 
 
-def other_launch_file(package: str, path: str) -> str | None:
-    """Return the launch file of a package that a path is meant for; None where it has the path, or none is near."""
+def other_launch_file(package: str, path: str) -> tuple[str, str] | None:
+    """Return package and path of the launch file that a path is meant for, "" where none is near; None if it is there.
+
+    That is one of nearly this name in the package, else the only one of the very name in another one.
+    """
     known = sets(LAUNCH_FILES).get(package, frozenset())
-    if path in known:
+    if not known or path in known or not LAUNCH_FILE.search(path):
         return None
     same = [each for each in known if plain_launch_name(each) == plain_launch_name(path)]
     names = {each.rpartition("/")[2]: each for each in known}
     near = same or [names[each] for each in closest(path.rpartition("/")[2], set(names))]
-    return near[0] if len(near) == 1 else None
+    elsewhere = [(home, path) for home, files in sets(LAUNCH_FILES).items() if path in files and not near]
+    found = [(package, each) for each in near] or elsewhere
+    return found[0] if len(found) == 1 else ("", "")
 
 
 def plain_launch_name(path: str) -> str:

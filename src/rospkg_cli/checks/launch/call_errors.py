@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from ...languages.python.evaluate.values import Argument, Call, Constant, Function, Sequence, Value
-from ...light_dataclasses import dataclass
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass, replace
 from ...package.launch.evaluated_launch import EvaluatedLaunch
 from ...package.launch.launch_classes import class_of, named_arguments, type_name
 from ...package.launch.launch_file import LaunchFile
@@ -27,6 +28,7 @@ from .removed_arguments import renamed
 
 LATER = "`LifecycleNode` is called without its required `namespace`"
 """What Foxy lets pass."""
+VARIABLE = regex(r"[A-Za-z_][\w.]{0,60}")
 DESCRIBES = "generate_launch_description"
 ANY_ARGUMENT = frozenset(name for signature in SIGNATURES.values() for name in signature.kinds)
 """Arguments that some class of launch has."""
@@ -72,12 +74,12 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
             for keyword, argument in named_arguments(call, signature):
                 late = is_idle and signature.kinds.get(keyword) in VISITED
                 for found in argument_faults(class_of(call), keyword, argument, truths):
-                    fault = at_the_comma(found, argument, commas)
+                    fault = at_the_comma(with_its_name(found, argument, launch), argument, commas)
                     yield softer(fault, "warning", "as soon as the action is added") if late else fault
     tested = {argument.value.span for call in launch.calls for argument in tests_of(call)}
     for use in launch.uses:
         is_idle = any(each.contains(use.span) for each in idle)
-        for fault in use_faults(use, is_tested=use.span in tested):
+        for fault in use_faults(use, launch.file.source.slice(use.span), is_tested=use.span in tested):
             yield softer(fault, "info", UNUSED) if is_idle and fault.level else fault
     yield from test_faults(launch)
     yield from performed_faults(launch)
@@ -129,6 +131,14 @@ def argument_faults(name: str, keyword: str, argument: Argument, truths: Mapping
             yield Fault(value.span, f"{why}: {better}", "warning" if truths[value.span].makes == wanted else None)
     elif kind in TYPE_CHECKS and not (keyword in signature.optional and is_none(value)):
         yield from TYPE_CHECKS[kind](argument, f"`{keyword}` of `{name}`")
+
+
+def with_its_name(fault: Fault, argument: Argument, launch: EvaluatedLaunch) -> Fault:
+    """Return a fault with the name of the variable that `str()` is missing around."""
+    name = launch.file.source.slice(argument.span).rpartition("=")[2].strip()
+    said = fault.message.removesuffix("use str()")
+    is_one = said != fault.message and fault.span == argument.span and VARIABLE.fullmatch(name)
+    return replace(fault, message=f"{said}use `str({name})`") if is_one else fault
 
 
 def is_test(kind: str, keyword: str) -> bool:

@@ -26,8 +26,8 @@ from ..closest_path import closest_path
 from .open_paths import fits_nothing, meant
 from .unset_configurations import LaunchConfigurations
 
-DOUBLED = regex(r"((?:\.[a-z][a-z0-9]*)+)\1$")
-"""An extension that stands twice, which no file is given on purpose."""
+DOUBLED = regex(r"((?:\.[a-z][a-z0-9]*)+)\1(?=(?:\.[a-z]+)?$)")
+"""An extension, or a part before one, that stands twice, which no file is given on purpose."""
 USES: tuple[ReferenceKind, ...] = ("include", "open", "file", "default", "caught")
 """How a file is used, by how certain it is that the launch stops where it is missing."""
 State = Literal["absent", "not installed", "elsewhere", "no slash"]
@@ -49,6 +49,8 @@ class MissingReference:
     """Other places that name it."""
     is_well_known: bool = False
     """Whether it is in a well-known package, whose sources are not here."""
+    better_package: str = ""
+    """The package of the better path, where it is well-known."""
 
     @property
     def is_for_rviz(self) -> bool:
@@ -151,7 +153,8 @@ class LaunchContext:
         if facts is None and (better := DOUBLED.sub(r"\1", named.path)) != named.path:
             return MissingReference(named.span, named.package, named.path, "absent", named.use, better)
         if facts is None and named.use == "include" and (other := other_launch_file(named.package, named.path)):
-            return MissingReference(named.span, named.package, named.path, "absent", named.use, other, (), True)
+            home, better = other
+            return MissingReference(named.span, named.package, named.path, "absent", named.use, better, (), True, home)
         if facts is None or facts.may_write(named.path):
             return None
         if not facts.knows("share_files"):
@@ -177,7 +180,9 @@ class LaunchContext:
         """Return a file whose name is a slip of one that is installed beside it, where others may be installed too."""
         folder, name = posixpath.split(named.path)
         beside = [posixpath.basename(path) for path in facts.share_files if posixpath.dirname(path) == folder]
-        near = slips(name, beside) if named.has_slash and name not in beside else []
+        single = DOUBLED.sub(r"\1", name)
+        near = [single] if single in beside else slips(name, beside)
+        near = near if named.has_slash and name not in beside else []
         if len(near) != 1 or self.is_brought(facts, named.path) or self.state(facts, named.path)[0] != "absent":
             return None
         meant = posixpath.join(folder, near[0])

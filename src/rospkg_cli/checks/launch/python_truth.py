@@ -9,6 +9,7 @@ from typing import Literal
 from ...languages.python.evaluate.values import Call, Constant, PartialText, Text, Value
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of, nodes_of_kind
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.evaluated_launch import EvaluatedLaunch, SubstitutionUse
 from ...package.launch.launch_classes import class_of, is_condition, is_resolved_at_run_time, type_name
@@ -17,6 +18,7 @@ from ..fault import Fault
 
 AT_RUN_TIME = "its text is known only when the launch runs"
 
+NAMED = regex(r"str\([\w.]{1,60}\)")
 JOINING = {"&": "AndSubstitution", "|": "OrSubstitution"}
 """Operators that neither substitutions nor conditions have, and what launch has for them."""
 
@@ -47,8 +49,11 @@ def truth_values(launch: EvaluatedLaunch) -> dict[Span, Truth]:
     return found
 
 
-def use_faults(use: SubstitutionUse, *, is_tested: bool) -> Iterator[Fault]:
-    """Yield what happens where Python works on a substitution as on a string; launch refuses a bool as a condition."""
+def use_faults(use: SubstitutionUse, written: str, *, is_tested: bool) -> Iterator[Fault]:
+    """Yield what happens where Python works on a substitution as on a string; launch refuses a bool as a condition.
+
+    `written` is the whole expression.
+    """
     shown = next(shown_value(each) for each in use.operands if is_resolved_at_run_time(each))
     if use.kind == "function":
         better = "use PathJoinSubstitution" if use.name == "os.path.join" else "do it in an OpaqueFunction"
@@ -64,7 +69,7 @@ def use_faults(use: SubstitutionUse, *, is_tested: bool) -> Iterator[Fault]:
         better = f"write `IfCondition({JOINING[use.name]}(a, b))`"
         yield Fault(use.span, f"`{use.name}` raises TypeError for {shown}: neither has such an operator; {better}")
     elif use.name in ('f""', "str()"):
-        text = "the f-string" if use.name == 'f""' else "`str()`"
+        text = "the f-string" if use.name == 'f""' else f"`{written if NAMED.fullmatch(written) else use.name}`"
         message = f"{text} holds the name of an object, `<launch… object at 0x…>`"
         yield Fault(use.span, f"{message}, not the value of {shown}; make it a list of its parts", "warning")
     elif is_comparison(use):

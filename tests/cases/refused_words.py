@@ -1,0 +1,23 @@
+"""Arguments that a program refuses: levels that no example shows."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import Example, manifest
+
+from .shown_launch_calls import python
+
+NODE = "Node(package='tf2_ros', executable='static_transform_publisher', arguments=['--frame-id', 'map']{})"
+CASES = {
+    "LCH022": (
+        python(NODE.format(", condition=IfCondition('false')")),
+        Example(
+            bad={
+                "package.xml": manifest("  <exec_depend>tf2_ros</exec_depend>\n", "ament_cmake"),
+                "launch/a.launch.py": "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
+                "def generate_launch_description():\n"
+                f"    unused = {NODE.format('')}\n    return LaunchDescription([])\n",
+            },
+            good={},
+        ),
+    )
+}
