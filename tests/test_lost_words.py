@@ -124,3 +124,41 @@ def test_sources_that_belong_to_a_header(lines: str, files: dict[str, str], leve
     found = told("CMK202", f"target_include_directories(core PRIVATE include)\n{lines}", {**TWIN, **files})
     assert [level for level, _ in found] == levels
     assert all("`src/joint.cpp`, which has `Joint::" in message for _, message in found)
+
+
+SIGNS_HEADER = '#include "my_pkg/signs.hpp"\n'
+SIGNS = {
+    "include/my_pkg/signs.hpp": "namespace signs\n{\nint sign_of(double value);\nint size();\n}\n",
+    "src/signs.cpp": '#include "my_pkg/signs.hpp"\nnamespace signs\n{\n'
+    "int sign_of(double value) {return value < 0 ? -1 : 1;}\nint size() {return 2;}\n}\n",
+    "src/core.cpp": '#include "my_pkg/signs.hpp"\nint core() {if (signs::sign_of(2)) {return 1;} return 0;}\n',
+}
+
+
+@pytest.mark.parametrize(
+    "lines, files, count",
+    [
+        ("", {}, 1),
+        (
+            "",
+            {"src/core.cpp": SIGNS_HEADER + "using namespace signs;\nint core() {return sign_of(2);}\n"},
+            1,
+        ),
+        ("", {"src/core.cpp": SIGNS_HEADER + "int core() {return 0;}\n"}, 0),  # no one calls it
+        ("", {"src/core.cpp": SIGNS_HEADER + "int core() {return std::sign_of(a) + b.size();}\n"}, 0),
+        ("", {"src/core.cpp": "int sign_of(double a);\nint core() {return sign_of(2);}\n"}, 0),  # without its header
+        (
+            "",
+            {"src/core.cpp": SIGNS_HEADER + "#if 0\nint core() {return signs::sign_of(2);}\n#endif\n"},
+            0,
+        ),
+        ("", {"include/my_pkg/signs.hpp": "inline int sign_of(double value) {return value < 0 ? -1 : 1;}\n"}, 0),
+        ("", {"include/my_pkg/signs.hpp": "class Signs\n{\n  int sign_of(double value);\n};\n"}, 0),
+        ("target_sources(core PRIVATE src/more.cpp)", {"src/more.cpp": "int sign_of(double a) {return 0;}\n"}, 0),
+        ("target_sources(core PRIVATE src/signs.cpp)", {}, 0),
+    ],
+)
+def test_functions_of_sources_that_no_target_has(lines: str, files: dict[str, str], count: int) -> None:
+    found = told("CMK202", f"target_include_directories(core PRIVATE include)\n{lines}", {**SIGNS, **files})
+    assert [level for level, _ in found] == ["warning"] * count
+    assert all("which has `sign_of`; `src/core.cpp` uses it" in message for _, message in found)

@@ -12,6 +12,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Span
 from ..depends.compiled_sources import included_paths, own_compiled, paths_by_name
+from .uncompiled_functions import called_functions
 from .uncompiled_sources import SOURCES, UncompiledSources
 
 HEADERS = (".hpp", ".h", ".hh", ".hxx")
@@ -50,7 +51,7 @@ def uncompiled_twins(sources: UncompiledSources) -> Iterator[UncompiledTwin]:
         if path.endswith(SOURCES) and sources.is_candidate(path) and source not in compiled:
             header = own_header(source, files, by_name)
             if header is not None and header in compiled and not sources.is_mentioned(path):
-                yield from first_member(source, header, compiled)
+                yield from first_member(source, header, compiled) or first_function(source, header, compiled)
 
 
 def own_header(source: CppFile, files: Mapping[str, CppFile], by_name: Mapping[str, list[str]]) -> CppFile | None:
@@ -61,8 +62,8 @@ def own_header(source: CppFile, files: Mapping[str, CppFile], by_name: Mapping[s
     return files[paths.pop()] if len(paths) == 1 else None
 
 
-def first_member(source: CppFile, header: CppFile, compiled: list[CppFile]) -> Iterator[UncompiledTwin]:
-    """Yield the first member that a compiled source uses, or else the first one."""
+def first_member(source: CppFile, header: CppFile, compiled: list[CppFile]) -> list[UncompiledTwin]:
+    """Return the first member that a compiled source uses, or else the first one."""
     texts = {each.path: code_text(each.source.text) for each in compiled}
     declared, whole = texts[header.path], " ".join(texts.values())
     twins: list[UncompiledTwin] = []
@@ -78,7 +79,15 @@ def first_member(source: CppFile, header: CppFile, compiled: list[CppFile]) -> I
         users = (each for each, text in texts.items() if each.endswith(SOURCES) and words.search(text))
         span = Span(found.start(), found.end())
         twins.append(UncompiledTwin(source.path, span, found[0], header.path, next(users, "")))
-    yield from sorted(twins, key=lambda each: not each.user)[:1]
+    return sorted(twins, key=lambda each: not each.user)[:1]
+
+
+def first_function(source: CppFile, header: CppFile, compiled: list[CppFile]) -> list[UncompiledTwin]:
+    """Return the first function outside of classes that a compiled source calls."""
+    texts = {each.path: code_text(each.source.text) for each in compiled}
+    files = {each.path: each for each in compiled}
+    found = called_functions(source, header, texts, files, code_text(source.source.text))
+    return [UncompiledTwin(source.path, span, name, header.path, user) for span, name, user in found][:1]
 
 
 def defined_in(text: str) -> str:

@@ -56,7 +56,7 @@ def uncompiled_source(sources: UncompiledSources) -> Iterator[Hit]:
     Finds C++ files with a node, a component or a plugin that no target of CMake compiles.
     A node is a `main()` that calls `rclcpp::init()`; components and plugins are registered by their macros. It
     also finds those with a member of a class that the header of their name declares and that is defined nowhere else,
-    where that header is compiled.
+    where that header is compiled, or with a function that it declares and that a compiled file calls.
 
     ## Why is this bad?
     The build is green and passes over the file: `ros2 run` finds no such executable, and nothing can be loaded.
