@@ -83,3 +83,27 @@ def test_a_build_tool_is_handed_on_as_one() -> None:
     files = {**CPP, "CMakeLists.txt": cmake, "package.xml": manifest("", "ament_cmake"), **extras}
     (finding,) = lint_files(files, ["DEP111"]).findings
     assert finding.message.endswith("; add <buildtool_export_depend>ament_cmake_core</buildtool_export_depend>")
+
+
+@pytest.mark.parametrize(
+    "name, depends, before, says",
+    [
+        ("nav_msgs", "", "", [("nav_msgs", "info")]),
+        ("class_loader", need("acme_parts", "depend"), "", [("class_loader", "info")]),  # which may bring it
+        ("class_loader", need("pluginlib", "depend"), "", []),
+        ("class_loader", need("pluginlib", "test_depend"), "", [("class_loader", "info")]),  # no user gets it
+        ("nav_msgs", "", "find_package(nav_msgs REQUIRED)\n", []),  # DEP104 tells of it
+        ("no_such_thing", "", "", []),  # CMK117 tells of it
+        ("rosidl_default_runtime", "", "", []),
+        ("ament_cmake", "", "", []),
+        ("my_pkg", "", "", []),
+        ("Threads", "", "", []),
+        ("nav_msgs", "", "if(NAV)\n", []),
+    ],
+)
+def test_what_is_exported_and_nowhere_declared(name: str, depends: str, before: str, says: list) -> None:
+    lines = f"{before}ament_export_dependencies({name})\n{'endif()' if before.startswith('if') else ''}\n"
+    cmake = CMAKE.replace("ament_package()", f"{lines}ament_package()")
+    files = {**CPP, "CMakeLists.txt": cmake, "package.xml": manifest(depends, "ament_cmake")}
+    found = lint_files(files, ["DEP111"]).findings
+    assert [(f.message.split("`")[1], f.severity.value) for f in found] == says

@@ -17,6 +17,9 @@ from ...unreadable import UnreadableError
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_find_package import FindPackageDependencies
 
+RUNTIME = "rosidl_default_runtime"
+"""What every package of interfaces exports, and each machine of ROS has."""
+
 
 @dataclass(frozen=True, slots=True)
 class HandedOnPackage:
@@ -52,17 +55,20 @@ class HandedOnPackages:
         yield from self.exported(seen, FindPackageDependencies(self.declared, self.cmake))
 
     def exported(self, seen: set[str], needs: FindPackageDependencies) -> Iterator[HandedOnPackage]:
-        """Yield what `ament_export_dependencies()` names and package.xml has for its own build alone.
+        """Yield what `ament_export_dependencies()` names and package.xml has for its own build alone, or not at all.
 
         What comes with something that users get is there.
         """
         tags, declared = RUNS | EXPORTED, self.declared.manifest.dependencies
+        known = {each.name for each in self.cmake.packages} | {RUNTIME}
         there = self.declared.brought_with(tags)
         got = {need.name for need in declared if need.tag in tags}
         for call in self.cmake.named("ament_export_dependencies") if self.declared.is_checked else ():
             for word in call.words if not (call.maybe or call.folder) else ():
                 names = needs.providers(word.text) if word.is_known and not word.maybe else ()
                 own = tuple(dict.fromkeys(need.name for need in declared if need.name in names))
+                is_absent = not own and word.text not in known and not self.declared.has(names)
+                own = names if is_absent else own
                 if not own or word.text in seen or not got.isdisjoint(names) or any(map(is_buildtool, own)):
                     continue
                 seen.add(word.text)

@@ -48,7 +48,8 @@ def unexported_find_package(packages: HandedOnPackages) -> Iterator[Hit]:
     Finds packages that CMake files for others require and package.xml does not hand on.
     The files that `ament_package(CONFIG_EXTRAS …)` names run in every package that finds this one. What they require
     must be a `<build_export_depend>`, a `<buildtool_export_depend>`, or a `<depend>`. What
-    `ament_export_dependencies()` names must be one of these or an `<exec_depend>`, where package.xml has it at all.
+    `ament_export_dependencies()` names must be one of these or an `<exec_depend>`; what is found and not declared at
+    all is another matter (DEP104).
 
     ## Why is this bad?
     On a clean machine, and on the build farm, the CMake of each package that uses this one stops with "Could not find a
