@@ -8,9 +8,11 @@ import re
 from ...light_dataclasses import dataclass
 from ...package.cmake.foreign_commands import foreign_commands
 from .installed_scripts import FOR_ROS1, InstalledScripts, is_readme
-from .left_out_nodes import MAIN, is_node
+from .left_out_nodes import MAIN, is_node, is_python
 
 FOLDERS = ("scripts", "script", "nodes")
+AUTO = ("ament_auto_add_executable", "ament_auto_add_library")
+"""Commands whose targets `ament_auto_package()` installs."""
 SHORTEST = 8
 """Letters of a name that a page means by it."""
 
@@ -25,7 +27,8 @@ class IdleScripts:
         rules = (rule for rule in cmake.installs if rule.kind != "TARGETS")
         is_open = any(rule.kind == "CODE" or rule.destination is None or rule.call.maybe for rule in rules)
         is_known = cmake.is_complete and cmake.ends_a_package and not cmake.reads_unknown_files and not is_open
-        if not is_known or not cmake.installs or next(foreign_commands(cmake), None) is not None:
+        is_installed = bool(cmake.installs) or any(call.name.startswith(AUTO) for call in cmake.calls)
+        if not is_known or not is_installed or next(foreign_commands(cmake), None) is not None:
             return ()
         for folder in FOLDERS:
             found = () if self.is_named(folder) else self.programs(folder)
@@ -46,8 +49,9 @@ class IdleScripts:
 
     def is_program(self, path: str) -> bool:
         text = self.scripts.package.cmake.package_files.readable_text(path)
-        is_python = path.endswith(".py") and MAIN.search(text) is not None and FOR_ROS1.search(text) is None
-        return is_python and self.scripts.has_shebang(path) and self.scripts.has_bit(path)
+        is_main = MAIN.search(text) is not None and FOR_ROS1.search(text) is None
+        is_program = is_python(path, self.scripts.package.cmake.package_files) and is_main
+        return is_program and self.scripts.has_shebang(path) and self.scripts.has_bit(path)
 
     def is_told(self, path: str) -> bool:
         """Return whether a README has the name of a program, with its suffix or without, and not its folder."""

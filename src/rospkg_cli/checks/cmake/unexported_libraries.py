@@ -60,7 +60,9 @@ class UnexportedLibraries:
         if not target.is_built or "MODULE" in target.options or target.call.name in PYTHON_MODULES:
             return False
         offered = self.headers.installed.intersection(self.headers.offered)
-        ends = {path.partition("/")[2] for path in offered}
+        private = {file.path for file in self.headers.sources} - offered
+        ends = {end for path in offered for end in ends_of(path)}
+        ends -= {end for path in private for end in ends_of(f"/{path}")}
         paths = {path_in_package(word.text, target.call.folder) for word in target.sources}
         files = [file for file in self.headers.sources if file.path in paths]
         if any(LOADED.search(file.source.text) for file in files):
@@ -71,3 +73,9 @@ class UnexportedLibraries:
     def is_needed(self) -> bool:
         """Whether a package of the workspace is built with this one, which brings it nothing else."""
         return self.exported.is_built_against and not self.headers.package.cmake.interface_targets
+
+
+def ends_of(path: str) -> list[str]:
+    """Return how a header of include/ may be included: below it, or below a folder of it that is searched as well."""
+    parts = path.split("/")
+    return ["/".join(parts[n:]) for n in range(1, len(parts))]

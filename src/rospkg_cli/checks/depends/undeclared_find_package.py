@@ -22,6 +22,9 @@ from .declared_dependencies import DeclaredDependencies
 REPORTED_ELSEWHERE = frozenset({"ament_cmake"})
 """Packages whose absence from package.xml other rules report."""
 
+BARE = frozenset({"protobuf"})
+"""Keys of libraries without headers that are not called `lib…`."""
+
 OF_COMMANDS = {
     "ament_add_gtest": "ament_cmake_gtest",
     "ament_add_gtest_executable": "ament_cmake_gtest",
@@ -158,14 +161,15 @@ class FindPackageDependencies:
         patterns = [each for each in keys_for_cmake(name) if "*" in each]
         lower = name.lower()
         debian, own = lower.replace("_", "-"), lower.replace("-", "_")
-        alike = {f"{own}_vendor", f"lib{debian}-dev", f"{debian}-dev", f"lib{debian}"}
+        alike = {f"{own}_vendor", f"lib{debian}-dev", f"{debian}-dev", f"lib{debian}", *BARE.intersection((lower,))}
         is_alike = [n for n in names if n.lower() in alike or any(fnmatchcase(n, p) for p in patterns)]
         return tuple(n for n in is_alike if self.is_for_run_time(n) is of_run_time)
 
     def is_for_run_time(self, key: str) -> bool:
         """Return whether a key is that of a library without its headers, which another one has: `libboost-thread`."""
         index = self.declared.workspace.index
-        return key.startswith("lib") and index.is_key(f"{key}-dev") and not index.is_package(key)
+        is_bare = key in BARE or key.startswith("lib")
+        return is_bare and index.is_key(f"{key}-dev") and not index.is_package(key)
 
     def for_run_time(self, found: FoundPackage) -> str:
         """Return what package.xml declares of a library without its headers; "" for nothing."""

@@ -44,7 +44,7 @@ def script_not_installed(scripts: InstalledScripts) -> Iterator[Hit]:
     ## What it does
     Finds executable scripts that are not installed although scripts in the same folder are.
     The others are installed with `install(PROGRAMS)`. It finds `scripts/` and the like, too, of which nothing is
-    installed though a program in it is a node, or one that the README names.
+    installed though a program in it is a node, or one that the README names; it may lack a suffix.
 
     ## Why is this bad?
     The build is green, and `ros2 run` finds the one and not the other.
