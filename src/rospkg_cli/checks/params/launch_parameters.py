@@ -38,7 +38,9 @@ class NodeArguments:
     node: LaunchedNode
     files: tuple[ParameterFile, ...]
     is_complete: bool
-    """Whether these are certainly all."""
+    """Whether these are certainly all, and the node is certainly started."""
+    has_all: bool = False
+    """Whether these are certainly all, if the node is started."""
     in_code: str | None = None
     """The name that its code gives it, where the launch file gives none."""
     by_default: str | None = None
@@ -101,16 +103,17 @@ class LaunchParameters:
 
     def arguments_of(self, launch: LaunchFile, node: LaunchedNode) -> NodeArguments:
         found: list[ParameterFile] = []
-        is_complete = node.is_complete and node.is_certain
+        has_all = node.is_complete
         for entry in node.parameters:
             has_names = all(name.literal is not None for name, _ in entry.values)
-            is_complete = is_complete and entry.is_complete and has_names
+            has_all = has_all and entry.is_complete and has_names
             if entry.file is not None:
                 files = list(self.files_at(entry.file, launch))
-                is_complete = is_complete and len(files) == 1
+                has_all = has_all and len(files) == 1
                 found += files
         in_code = self.name_in_code(node) if self.files else None
-        return NodeArguments(launch, node, tuple(found), is_complete, in_code, default_name(launch, node))
+        is_complete, default = has_all and node.is_certain, default_name(launch, node)
+        return NodeArguments(launch, node, tuple(found), is_complete, has_all, in_code, default)
 
     def name_in_code(self, node: LaunchedNode) -> str | None:
         """Return the name that the code of a node gives it, where nothing else does."""

@@ -6,7 +6,9 @@ from collections.abc import Iterator, Sequence
 
 from ...checks.older_distribution import is_called_older
 from ...checks.params.launch_parameters import MissingParameters
+from ...checks.params.needed_parameters import needed_faults
 from ...checks.params.plugin_lists import doubled_plugins, lost_plugins, unfound_plugins
+from ...edits.fault_hits import hits
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -86,7 +88,7 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
     A node's code declares them (`declare_parameter<double>("rate")`), and a launch file starts the node. It also finds
     copies of a package's own parameter file that lack such a parameter, and names in a list of plugins that have no
     group of their own, or stand there twice, while another group has no name in the list, or the node is a server of
-    nav2.
+    nav2. Of robot_state_publisher, map_server and lifecycle_manager it knows what they need.
 
     ## Why is this bad?
     The node stops when it starts: "Statically typed parameter 'rate' must be initialized".
@@ -104,6 +106,8 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
             names, code = listed([one.name for one in missing]), missing[0].path
             message = f"this node is not given {names}, and `{code}` declares no default: it stops when it starts"
             yield Hit(given.launch.path, started.span, f"{message}; give a value here")
+    for path, fault in needed_faults(scope.launched):
+        yield from hits(path, [fault])
     for left in scope.code.left_out():
         message = f"{listed(left.names)} is missing here, and `{left.path}` of `{left.facts.name}` declares no default"
         yield Hit(left.file.path, left.block.key.span, f"{message}: the node stops when it starts; give a value here")
