@@ -34,7 +34,7 @@ def lint(
 
 def test_the_files_of_a_missing_folder_are_one_finding() -> None:
     (finding,) = lint(mesh("meshes/pi/a.stl") + mesh("meshes/pi/b.stl") + mesh("meshes/pi/b.stl"))
-    assert "`robot` has no folder `meshes/pi` for `meshes/pi/a.stl` and 1 more" in finding.message
+    assert "`robot` has no folder `meshes/pi` for `meshes/pi/a.stl` and `meshes/pi/b.stl`" in finding.message
     assert [text for _, text in finding.related] == ["`meshes/pi/b.stl` too", "`meshes/pi/b.stl` too"]
 
 
@@ -87,7 +87,7 @@ def test_what_git_ignores_of_another_package_is_not_missing() -> None:
 
 def test_what_another_package_does_not_install() -> None:
     (finding,) = lint('<m f="package://parts/models/a.stl"/><m f="package://parts/models/b.stl"/>')
-    assert finding.message.startswith("`parts` installs no folder `models` for `models/a.stl` and 1 more")
+    assert finding.message.startswith("`parts` installs no folder `models` for `models/a.stl` and `models/b.stl`")
 
 
 @pytest.mark.parametrize(
@@ -117,7 +117,7 @@ def test_files_that_are_not_installed_are_one_finding_a_folder() -> None:
     text = CMAKE.replace("my_pkg", "robot").replace("ament_package", cmake.replace("NAME}", "NAME}/meshes", 1))
     there: dict[str, str | None] = {f"meshes__{name}_DOT_obj": "o\n" for name in ("a", "b", "v1__c")}
     (finding,) = lint(mesh("meshes/a.obj") + mesh("meshes/b.obj"), CMakeLists_DOT_txt=text, **there)
-    assert finding.message.startswith("`meshes/a.obj` and 1 more are there, but `robot` does not install them: it is")
+    assert finding.message.startswith("`meshes/a.obj` and `meshes/b.obj` are there, but `robot` does not install them")
     assert finding.message.endswith("; install `meshes` (`data_files` in setup.py, `install(…)` in CMakeLists.txt)")
 
 

@@ -7,6 +7,8 @@ from typing import Literal
 from ...light_dataclasses import dataclass
 from ...source import Span
 
+SHOWN = 4
+"""How many other files a message names."""
 State = Literal["absent", "not installed"]
 
 
@@ -38,7 +40,7 @@ class MissingResource:
 
 
 def wrong(missing: MissingResource, own: str) -> str:
-    several = f" and {len(missing.other_paths)} more" if missing.other_paths else ""
+    several = listed(sorted(missing.other_paths))
     if missing.state == "not installed":
         verb, them = ("are", "them") if several else ("is", "it")
         return f"`{missing.path}`{several} {verb} there, but `{missing.package}` does not install {them}"
@@ -48,6 +50,15 @@ def wrong(missing: MissingResource, own: str) -> str:
     if missing.folder:
         return f"`{missing.package}` {verb} no folder `{missing.folder}` for `{missing.path}`{several}"
     return f"`{missing.package}` {verb} no file `{missing.path}`{several}"
+
+
+def listed(others: list[str]) -> str:
+    """Return the names of a few others, and how many there are more."""
+    if not others:
+        return ""
+    shown, more = others[:SHOWN], len(others) - SHOWN
+    last = f" and {more} more" if more > 0 else f" and `{shown.pop()}`"
+    return "".join(f", `{each}`" for each in shown) + last
 
 
 def advice(missing: MissingResource) -> str:
