@@ -203,7 +203,7 @@ def test_names_stand_where_they_say(path: str) -> None:
         ("import random\nreturn Node(package=random.choice(['a']), executable='x')", set()),
         ("if os.environ.get('X'):\n    return Node(package='a', executable='x')\nreturn []", {"a"}),
         ("try:\n    get_package_share_directory('a')\nexcept Exception:\n    pass", set()),
-        ("return os.path.join(FindPackageShare('a').find('b'), 'c')", {"a"}),
+        ("return os.path.join(FindPackageShare('a').find('b'), 'c')", {"b"}),
         ("from other.launch import Node\nreturn Node(package='a')", set()),
         ("return ExecuteProcess(cmd=['ros2', 'run', 'a', 'x'])", {"a"}),
         ("from launch.substitutions import Command\nreturn Command(['xacro ', 'x'])", {"xacro"}),

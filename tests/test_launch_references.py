@@ -24,7 +24,8 @@ from launch.substitutions import Command, FindExecutable, LaunchConfiguration, P
 from launch.substitutions import ThisLaunchFileDir
 from launch_ros.actions import Node
 from launch_ros.parameter_descriptions import ParameterFile
-from launch_ros.substitutions import FindPackageShare
+from launch_ros.substitutions import FindPackagePrefix, FindPackageShare
+from moveit_configs_utils import MoveItConfigsBuilder
 
 
 def generate_launch_description():
@@ -51,6 +52,24 @@ def named(path: str, text: str) -> set[tuple[str, str, str]]:
     return {(each.package, each.path, each.use) for each in file.paths}
 
 
+@pytest.mark.parametrize(
+    "body",
+    [
+        "FindPackageShare('a').find(name) + '/y.yaml'",
+        "MoveItConfigsBuilder('r', package_name='a').sensors_3d('y.yaml')",
+        "MoveItConfigsBuilder('r', package_name=name).joint_limits('y.yaml')",
+        "OtherBuilder('r', package_name='a').joint_limits('y.yaml')",
+    ],
+)
+def test_what_is_looked_for_first_or_elsewhere_is_not_named(body: str) -> None:
+    assert not named("launch/robot.launch.py", python(f"Node(parameters=[{body}])"))
+
+
+def test_the_package_of_a_builder_may_be_called_like_the_robot() -> None:
+    found = named("launch/robot.launch.py", python("MoveItConfigsBuilder('arm').joint_limits('y.yaml')"))
+    assert found == {("arm_moveit_config", "y.yaml", "open")}
+
+
 def said(files: Mapping[str, str], *codes: str) -> list[str]:
     return [f"{f.code} {f.severity.value}" for f in lint_files(files, codes or CODES).findings]
 
@@ -64,6 +83,16 @@ def said(files: Mapping[str, str], *codes: str) -> list[str]:
         ("Node(parameters=[ParameterFile([FindPackageShare('a'), '/y.yaml'])])", "y.yaml", "file"),
         ("Node(parameters=[get_package_share_path('a') / 'x' / 'y.yaml'])", "x/y.yaml", "file"),
         ("Node(parameters=[get_package_prefix('a') + '/share/a/y.yaml'])", "y.yaml", "file"),
+        ("Node(parameters=[os.path.join(FindPackageShare(package='a').find('a'), 'y.yaml')])", "y.yaml", "file"),
+        ("Node(parameters=[FindPackageShare('b').find('a') + '/y.yaml'])", "y.yaml", "file"),
+        ("Node(parameters=[FindPackagePrefix('a').find('a') + '/share/a/y.yaml'])", "y.yaml", "file"),
+        ("MoveItConfigsBuilder('r', package_name='a').robot_description_semantic('y.srdf')", "y.srdf", "open"),
+        (
+            "MoveItConfigsBuilder('r', package_name='a').joint_limits(file_path='x/y.yaml').moveit_cpp()",
+            "x/y.yaml",
+            "open",
+        ),
+        ("MoveItConfigsBuilder('r', package_name='a').robot_description(file_path='y.xacro')", "y.xacro", "file"),
         ("Command(['xacro ', FindPackageShare('a'), '/y.xacro', ' b:=1'])", "y.xacro", "open"),
         ("Command(['xacro x.xacro b:=', FindPackageShare('a'), '/y.yaml'])", "y.yaml", "file"),
         ("Command(['xacro x.xacro b:=\\'', FindPackageShare('a'), '/y.yaml'])", "y.yaml", "file"),

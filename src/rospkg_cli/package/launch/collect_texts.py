@@ -9,6 +9,7 @@ from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, U
 from ...source import Span
 from .file_references import NO_DEFAULTS, FileReference, ReferenceKind, references_in
 from .launch_classes import class_of
+from .moveit_builder import files_read
 from .python_to_text import NAMED, text_of
 from .text import LaunchText, Substitution
 
@@ -79,6 +80,7 @@ def texts_of(call: Call) -> Iterator[tuple[ReferenceKind, LaunchText]]:
             kind = "file" if argument.name == PASSED_ON else kind_of(call)
             texts = texts_in(argument.value, apart=argument.name in LISTS)
             yield from ((kind, as_command(text) if name == "Command" else text) for text in texts)
+    yield from files_read(call)
 
 
 def as_command(text: LaunchText) -> LaunchText:

@@ -24,6 +24,7 @@ from ...languages.python.file import PythonFile
 from ...source import Span
 from .evaluated_launch import SubstitutionUse
 from .include_helpers import KNOWN as HELPERS
+from .include_helpers import made
 from .launch_classes import class_of, is_substitution
 from .substitution_tracking import SubstitutionTracker
 
@@ -68,6 +69,18 @@ def joined(receiver: PartialText, call: Call) -> Value | None:
     return receiver if call.callee in SAME_PATH else None
 
 
+def found_folder(machine: EvaluationState, finder: Call, call: Call) -> Value | None:
+    """FindPackageShare(x).find(y): the folder of y; x is never looked for."""
+    package = call.argument("package_name", 0)
+    if package is None or len(call.arguments) != 1:
+        return None
+    if machine.calls and machine.calls[-1] is finder:
+        machine.calls.pop()
+    found = made(call, FINDERS[class_of(finder)], package)
+    machine.calls.append(found)
+    return found
+
+
 def with_default(machine: EvaluationState, call: Call) -> Value | None:
     """os.environ.get and os.getenv: a default that is no text is a value that the launch may get."""
     found, name, default = LIBRARY[call.callee](machine, call), call.get("key", 0), call.get("default", 1)
@@ -87,6 +100,13 @@ def as_text(machine: EvaluationState, call: Call) -> Value | None:
     found = LIBRARY["str"](machine, call)
     return Unknown(call.span, found.why) if isinstance(found, Unknown) and found.options else found
 
+
+FINDERS = {
+    "FindPackageShare": "ament_index_python.packages.get_package_share_directory",
+    "FindPackagePrefix": "ament_index_python.packages.get_package_prefix",
+    "FindPackage": "ament_index_python.packages.get_package_prefix",
+}
+"""Substitutions that find a folder, and the functions that return what their method `find` does."""
 
 SAME_PATH = frozenset({"resolve", "absolute", "expanduser"})
 PATHS = {
@@ -121,6 +141,8 @@ class LaunchEvaluator(SubstitutionTracker):
     def known_call(self, function: Value, receiver: Value | None, call: Call) -> Value | None:
         if isinstance(receiver, PartialText) and receiver.is_path and (found := joined(receiver, call)) is not None:
             return found
+        if isinstance(receiver, Call) and call.callee == "find" and class_of(receiver) in FINDERS:
+            return found_folder(self, receiver, call)
         return super().known_call(function, receiver, call)
 
     def run(self, function: Function, call: Call) -> Value:

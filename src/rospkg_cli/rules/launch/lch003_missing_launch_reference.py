@@ -82,10 +82,10 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     ## What it does
     Finds files that a launch file names and that do not exist.
     It follows paths in the share directory of this package or of another one of the workspace (`$(find-pkg-share x)/…`,
-    `FindPackageShare`, `get_package_share_directory`), those included of which only the launch knows a part and that no
-    file there fits, and paths relative to the launch file. A parameter file that is given by a bare name, while the
-    package installs one of that name, is looked for in the current directory. Of packages that everybody uses it knows
-    the launch files, and tells of an include of nearly one of them.
+    `FindPackageShare`, `get_package_share_directory`, `MoveItConfigsBuilder`), those included of which only the launch
+    knows a part and that no file there fits, and paths relative to the launch file. A parameter file that is given by a
+    bare name, while the package installs one of that name, is looked for in the current directory. Of packages that
+    everybody uses it knows the launch files, and tells of an include of nearly one of them.
 
     ## Why is this bad?
     The build is green, and the launch stops at an included file that can't be opened, and at one that it opens itself
