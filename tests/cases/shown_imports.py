@@ -151,6 +151,12 @@ CASES = {
     ),
     "DEP110": (
         neighbour("import speech\n"),
+        neighbour("from tools.words import a\nfrom tools import words\n", {"my_pkg/tools/words.py": "a = 1\n"}),
+        neighbour("from tools.other import a\nfrom tools import say\n", {"my_pkg/tools/words.py": "a = 1\n"}),
+        neighbour("from json.words import a\n", {"my_pkg/json/words.py": "a = 1\n"}),
+        neighbour(
+            "import sys\n\nsys.path.append('a')\nfrom tools import words\n", {"my_pkg/tools/words.py": "a = 1\n"}
+        ),
         neighbour(
             "import speech\n",
             {

@@ -70,6 +70,11 @@ MAKING = (
     "configure_file(a.in a.py)",
     "add_custom_target(core ALL COMMAND a)",
     "include(${MODULES}/a.cmake)",
+    "execute_process(COMMAND chmod +x a.py)",
+    "execute_process(COMMAND /usr/bin/uname -m OUTPUT_VARIABLE a COMMAND a)",
+    "configure_file(a.hpp.in a.hpp)",
+    "add_library(core SHARED src/core.cpp)\nset_target_properties(core PROPERTIES CXX_STANDARD 17)",
+    'add_library(core SHARED src/core.cpp)\nset_target_properties(core PROPERTIES PREFIX "")',
 )
 
 COPIED: tuple[tuple[str, dict[str, str]], ...] = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator
 from functools import cached_property
@@ -22,14 +23,10 @@ from ...suggest import nearest, slips
 from ..installed_modules import InstalledModules
 from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
+from .module_makers import may_make_modules
 
 REQUIREMENTS = regex(r"requirements[^/]*\.txt")
 README = regex(r"README[^/]*")
-MAKES = regex(
-    r"add_custom_\w+|execute_process|configure_file|externalproject_\w+|fetchcontent_\w+|set_(?:target_)?propert\w+"
-    r"|.*(?:pybind|nanobind|python3?_add|generate_(?!interfaces)|protobuf|swig|cython|boost_python|_py_|qt).*"
-)
-"""Commands that may make a Python module, or a file that is one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +71,7 @@ class OwnImports:
             return False
         if self.cmake is None or not self.cmake.is_complete or self.cmake.reads_unknown_files:
             return True
-        return any(MAKES.fullmatch(call.name) for call in self.cmake.calls) or any(
+        return any(may_make_modules(call) for call in self.cmake.calls) or any(
             not source for source in self.installed.sources.values()
         )
 
@@ -153,8 +150,17 @@ class OwnImports:
             if each.level or not package or file.path in programs or self.is_found(top) or self.changes_path(file):
                 continue
             full = f"{package}.{each.module}"
-            if f"{package}.{top}" in self.installed.sources and self.has_all(each, full) and not self.is_from_pip(top):
+            is_own = f"{package}.{top}" in self.installed.sources and self.has_all(each, full)
+            if (is_own or self.is_beside(file, each)) and not self.is_from_pip(top):
                 yield file, each, full
+
+    def is_beside(self, file: PythonFile, each: Import) -> bool:
+        """Return whether a module lies in a folder next to a file, which nothing installs as a Python package."""
+        folder, below = posixpath.dirname(file.path), each.module.replace(".", "/")
+        start = f"{folder}/{below}"
+        inner = [f"{start}/{name}" for name in each.names]
+        modules = [start] if "/" in below else inner
+        return bool(folder and modules) and all(self.files.exists(f"{path}.py") for path in modules)
 
     def has_all(self, each: Import, module: str) -> bool:
         """Return whether the package's own module is there, with all that an import takes out of it."""

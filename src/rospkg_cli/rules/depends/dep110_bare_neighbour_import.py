@@ -30,7 +30,8 @@ MAIN = "\n\ndef main():\n    print(GREETING)\n"
 def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     """
     ## What it does
-    Finds modules that import another module of their own Python package by its bare name.
+    Finds modules that import another module of their own Python package by its bare name, or one of a folder beside
+    the file.
 
     ## Why is this bad?
     It works where the file is started by its path, for Python looks next to it. `ros2 run` starts the entry point, and
@@ -47,11 +48,12 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     """
     doing = "the import" if imports.reached.is_library else "`ros2 run`"
     for file, each, full in imports.neighbours():
+        is_installed = full in imports.installed.sources
         message = (
             f"`{each.module}` is a module of this package, and no top-level one: {doing} "
-            f"ends with ModuleNotFoundError; write `{full}`"
+            f"ends with ModuleNotFoundError; write `{full}`{'' if is_installed else ', which nothing installs yet'}"
         )
         fix = None
-        if each.names and file.source.slice(each.span) == each.module:
+        if is_installed and each.names and file.source.slice(each.span) == each.module:
             fix = Fix(f"write `{full}`", (Edit(file.path, each.span, full),), Safety.UNSAFE)
         yield Hit(file.path, each.span, message, Severity.WARNING if each.is_local else None, fix=fix)
