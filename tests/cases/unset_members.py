@@ -30,6 +30,7 @@ TOLD = (
     node(INIT, SUPER, "    self.say()", head="from .base import Base\n\n\n", base="(Base)",
          my_pkg__base="from rclpy.node import Node\n\n\nclass Base(Node):\n    def speak(self): ...\n"),
     node(INIT, SUPER, "    self.create_client_of_arm()", "    self.timer_callback()"),
+    node(INIT, SUPER, "    Buffer(self)", "    self.say()", head="from tf2_ros import Buffer\n\n\n"),
     node(INIT, SUPER, "def idle(self):", "    print(self.speed)"),
     node(INIT, SUPER, "    self.mode = self.Mode()", "class Mode:", "    def on(self):", "        return self.off"),
 )  # fmt: skip
@@ -41,6 +42,8 @@ QUIET = (
     node(INIT, SUPER, "    print(self.speed)", my_pkg__b="def fill(Talker, name):\n    setattr(Talker, name, 1)\n"),
     node(INIT, SUPER, "    if hasattr(self, 'speed'):", "        print(self.speed)"),
     node(INIT, SUPER, "    try:", "        print(self.speed)", "    except AttributeError:", "        pass"),
+    node(INIT, SUPER, "    self.m = t.Machine(model=self)", "    self.say()", head="import transitions as t\n\n\n"),
+    node(INIT, SUPER, "    ui.load.loadUi('a.ui', self)", "    self.say()", head="import ui.load\n\n\n"),
     node(INIT, SUPER, "    self.get_clients_info_by_service('a')", "    print(self._parameters)"),
     node(INIT, SUPER, "    for self.speed, self.rate in ((1, 2),):", "        print(self.speed, self.rate)"),
     node(

@@ -13,6 +13,8 @@ from ...languages.python.undefined_names import UndefinedName
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role
+from ...ros.imports import STANDARD
+from ...ros.names import BUILT_IN
 from ...ros.rclpy_names import members_of_nodes
 from ...source import Span
 from ...suggest import nearest
@@ -26,6 +28,7 @@ ASKING = frozenset({"hasattr", "getattr", "setattr", "delattr", "attrgetter", "m
 VERBS = frozenset(
     "add call count create declare describe destroy get has is list register remove resolve set undeclare wait".split()
 )
+FILLING = frozenset({"setupUi", "setup_ui", "loadUi", "load_ui"})
 FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef
 
 
@@ -106,7 +109,20 @@ class UnsetMembers:
     def is_dynamic(self, line: Line) -> bool:
         """Return whether code that has or names a class, or a base of it, sets attributes by made names."""
         names = {each.node.name for each in line.classes}
-        return any(name in file.source.text for file in self.dynamic for name in names)
+        is_set = any(name in file.source.text for file in self.dynamic for name in names)
+        return is_set or any(self.is_handed_out(each) for each in line.classes)
+
+    def is_handed_out(self, owner: OwnClass) -> bool:
+        """Return whether a class hands its object to a library that may fill it: `Machine(model=self)`, `setupUi`."""
+        imported = dict(imported_from(owner.file))
+        for call in nodes_of_kind(owner.node, ast.Call):
+            if any(is_self(each) for each in (*call.args, *(keyword.value for keyword in call.keywords))):
+                *_, root = chain(call.func)
+                top = imported.get(root, "").partition(".")[0]
+                is_known = top in STANDARD or top in self.uses.installed.tops or BUILT_IN.is_package(top)
+                if not (is_known or top == "") or chain(call.func)[0] in FILLING:
+                    return True
+        return False
 
     @cached_property
     def stored(self) -> frozenset[str]:
@@ -132,6 +148,27 @@ def may_be_of_node(name: str) -> bool:
     of_nodes = {word.removesuffix("s") for each in known for word in each.split("_")}
     is_like_one = len(words) > 1 and words[0] in VERBS and all(word.removesuffix("s") in of_nodes for word in words)
     return name in known or is_like_one
+
+
+def imported_from(file: PythonFile) -> Iterator[tuple[str, str]]:
+    """Yield the names that a file imports, with the modules that they are or come from."""
+    for each in nodes_of_kind(file.tree, ast.Import):
+        yield from ((alias.asname or alias.name.partition(".")[0], alias.name) for alias in each.names)
+    for one in nodes_of_kind(file.tree, ast.ImportFrom):
+        yield from ((alias.asname or alias.name, "" if one.level else one.module or "") for alias in one.names)
+
+
+def chain(node: ast.expr) -> list[str]:
+    """Return the names of an attribute, the last one first: `["spin", "rclpy"]`."""
+    names = []
+    while isinstance(node, ast.Attribute):
+        names.append(node.attr)
+        node = node.value
+    return [*names, node.id if isinstance(node, ast.Name) else ""]
+
+
+def is_self(node: ast.expr) -> bool:
+    return isinstance(node, ast.Name) and node.id == "self"
 
 
 def attributes_set(tree: ast.AST) -> Iterator[str]:
