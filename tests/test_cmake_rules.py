@@ -556,7 +556,7 @@ def test_what_one_install_breaks_is_one_finding() -> None:
     scripts = {f"scripts/{name}.py": TreeEntry("file", b"#!/bin/sh\necho\n", 0o644) for name in "abc"}
     findings = lint_files({**files, **scripts}, ["CMK105"]).findings
     assert [[place.path for place, _ in finding.related] for finding in findings] == [["scripts/b.py"], []]
-    assert findings[0].message.startswith("`scripts/a.py` and 1 more are not executable: ")
+    assert findings[0].message.startswith("`scripts/a.py` and `scripts/b.py` are not executable: ")
     assert findings[0].message.endswith("; `chmod +x` them")
     assert findings[0].fix is not None
     assert len(findings[0].fix.operations) == 2

@@ -54,7 +54,7 @@ class ExportedDependencies:
         another one: an installed header includes it, or the library is a target that hands on one of its."""
         cmake = self.headers.package.cmake
         automatic = cmake.named("ament_auto_package", "autoware_ament_auto_package")
-        unclear = not cmake.is_complete or cmake.reads_unknown_files or automatic or UNKNOWN in self.exported
+        unclear = not cmake.is_complete or cmake.includes_unknown_files or automatic or UNKNOWN in self.exported
         unclear = unclear or not self.there[1]
         plugins = bool(cmake.named(PLUGINS))
         unused = plugins and not cmake.named(*INCLUDES) and not self.is_built_against

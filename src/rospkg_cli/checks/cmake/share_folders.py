@@ -77,7 +77,7 @@ class RuntimeFolders:
     def is_read(self) -> bool:
         """Whether all install rules are there to be read."""
         cmake = self.package.cmake
-        return cmake.is_complete and cmake.ends_a_package and not cmake.reads_unknown_files
+        return cmake.is_complete and cmake.ends_a_package and not cmake.includes_unknown_files
 
     def misplaced_launch_file(self) -> InstalledFile | None:
         """Return the first launch file that is installed, where none is below share/ and the package's name.

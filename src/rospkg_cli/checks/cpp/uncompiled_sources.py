@@ -23,7 +23,7 @@ from ..depends.compiled_sources import are_sources_known, own_compiled
 
 SOURCES = (".cpp", ".cc", ".cxx", ".c++")
 MAIN = regex(r"\bint\s+main\s*\(")
-MADE_OF_NAMES = regex(r"\}(?:_\w+)?\.c|GLOB")
+MADE_OF_NAMES = regex(r"\}(?:_\w+)?\.c|\bGLOB(?:_RECURSE)?\b")
 """What makes the names of sources of those of targets, `${name}.cpp`, or takes all that are there."""
 STARTS_ROS = regex(r"\brclcpp::init\s*\(")
 MACROS = {"RCLCPP_COMPONENTS_REGISTER_NODE": "component", "PLUGINLIB_EXPORT_CLASS": "plugin"}
@@ -65,7 +65,7 @@ class UncompiledSources:
     def are_known(self) -> bool:
         """Whether the sources of all targets are known, and no other rule tells of a target or a source."""
         cmake = self.package.cmake
-        is_known = are_sources_known(cmake) and cmake.ends_a_package and not cmake.reads_unknown_files
+        is_known = are_sources_known(cmake) and cmake.ends_a_package and not cmake.includes_unknown_files
         if not self.package.is_ament or not is_known or next(foreign_commands(cmake), None) is not None:
             return False
         if any(each.kind == "target" for each in TargetReferences(cmake).broken()):

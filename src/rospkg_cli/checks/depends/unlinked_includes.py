@@ -13,6 +13,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.set_variables import WHOLE_REFERENCE, SetVariables
 from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...ros.aliases import keys_for_cmake
+from ...ros.libraries import keys_of_linked
 from ...ros.names import NameKind
 from ...ros.private_links import KEPT_FROM_JAZZY
 from ...source import Span
@@ -52,7 +53,7 @@ class UnlinkedIncludes:
     def all(self) -> Iterator[UnlinkedInclude]:
         """Yield each package once that a target includes, also by its own headers, and certainly does not get."""
         cmake = self.includes.cmake
-        if not self.includes.declared.is_checked or not cmake.is_complete or cmake.reads_unknown_files:
+        if not self.includes.declared.is_checked or not cmake.is_complete or cmake.includes_unknown_files:
             return
         links = cmake.named("target_link_libraries", "ament_target_dependencies")
         if self.folders.for_all is None or any(cmake.target(call.texts[0]) is None for call in links if call.texts):
@@ -76,7 +77,7 @@ class UnlinkedIncludes:
         )
         for name, (file, header, span) in included.items():
             if name not in there.everywhere:
-                bringer, keeper = there.stranger_for(name), ""
+                bringer, keeper = there.stranger_for(name) or self.made_elsewhere, ""
                 if not bringer and name in there.within(SOMEWHERE):
                     bringer = there.bringer_of(name, SOMEWHERE)
                 elif not bringer and name in there.within(BEFORE_JAZZY):
@@ -84,6 +85,13 @@ class UnlinkedIncludes:
                 if name in known or keeper:
                     has_own = self.has_own_folder(name)
                     yield UnlinkedInclude(target, name, header, file, span, has_own, bringer, keeper, name in known)
+
+    @cached_property
+    def made_elsewhere(self) -> str:
+        """What a target is linked with that a folder may make which is not here, as that of a submodule; else ""."""
+        links = self.links.all if self.includes.cmake.reads_unknown_files else ()
+        words = (link.word.text for link in links if not link.package and self.links.own(link.word.text) is None)
+        return next((word for word in words if "::" not in word and not keys_of_linked(word)), "")
 
     def included(self, target: Target) -> Iterator[tuple[str, tuple[str, str, Span]]]:
         """Yield the packages whose headers a target's sources include in any case, each with the places."""

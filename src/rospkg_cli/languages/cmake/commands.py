@@ -67,7 +67,7 @@ def run_include(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     if path is not None and interpreter.files.has_file(path):
         interpreter.file(path)
     elif not is_module or any(place.endswith(f"/{call.texts[0]}.cmake") for place in interpreter.places):
-        interpreter.reads_unknown_files = True
+        interpreter.reads_unknown_files = interpreter.includes_unknown_files = True
 
 
 def own_module(interpreter: Interpreter, name: str) -> str | None:
@@ -82,6 +82,7 @@ def run_add_subdirectory(interpreter: Interpreter, call: EvaluatedCommand) -> No
     folder = interpreter.path(call.texts[0]) if call.texts else None
     if folder is None or not interpreter.files.has_file(posixpath.join(folder, ROOT)):
         interpreter.reads_unknown_files = True
+        interpreter.includes_unknown_files |= folder is None
         return
     outer = interpreter.scope
     interpreter.scope = VariableScope(outer)
@@ -110,7 +111,7 @@ def leave_by(how: str) -> Callable[[Interpreter, EvaluatedCommand], None]:
 
 
 def has_unknown_effects(interpreter: Interpreter, call: EvaluatedCommand) -> None:
-    """FetchContent adds unknown CMake files to the run."""
+    """FetchContent adds unknown CMake files to the run, each in a scope of its own."""
     interpreter.reads_unknown_files = True
 
 

@@ -46,6 +46,8 @@ class InterpreterState:
     """What BUILD_TESTING is while a condition is tried."""
     reads_unknown_files: bool = False
     """Files outside of the package were read: they may set any variable and make any target."""
+    includes_unknown_files: bool = False
+    """Not all of these were folders that are not there, which have a scope of their own."""
     steps: int = 0
     spent: int = 0
     """The cost of all words that were looked at or built so far."""

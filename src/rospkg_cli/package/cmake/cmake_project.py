@@ -39,6 +39,8 @@ class CMake:
     """Why the evaluation stopped early: then nothing may be concluded from what is missing."""
     reads_unknown_files: bool = False
     """Whether it includes files that can't be read: they may add any target."""
+    includes_unknown_files: bool = False
+    """Whether not all of these are folders that are not there, as of submodules."""
     own_name: str = ""
     """The package's name, which a macro may read out of package.xml for project()."""
 

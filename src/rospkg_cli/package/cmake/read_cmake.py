@@ -48,6 +48,7 @@ def read_cmake(reading: ReaderInput) -> Iterator[CMake | Unreadable]:
             tuple(interpreter.unreachable),
             interpreter.stopped,
             interpreter.reads_unknown_files,
+            interpreter.includes_unknown_files,
             own_name(reading),
         )
 

@@ -6,12 +6,15 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 
 from ...checks.cmake.installed_scripts import BrokenScript, InstalledScripts
+from ...checks.enumeration import in_ticks
 from ...edits.cmake_scripts import make_executable
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
 from ...source import Span
 
+FEW = 3
+"""So many scripts are named one by one."""
 BARE = "print('hello')\n"
 SHEBANG = "#!/usr/bin/env python3\n"
 FILES = "install(FILES «scripts/hello.py» DESTINATION lib/${PROJECT_NAME})\n"
@@ -91,7 +94,7 @@ def together(broken: Iterable[BrokenScript]) -> Iterable[list[BrokenScript]]:
 
 
 def title(script: BrokenScript, others: Sequence[BrokenScript]) -> str:
-    these = f"`{script.copy.source}`{and_more(others)}"
+    these = named(script, others)
     match script.wrong:
         case "files":
             return "install with PROGRAMS"
@@ -103,14 +106,17 @@ def title(script: BrokenScript, others: Sequence[BrokenScript]) -> str:
             return f"make {these} executable"
 
 
-def and_more(others: Sequence[BrokenScript]) -> str:
-    return f" and {len(others)} more" if others else ""
+def named(script: BrokenScript, others: Sequence[BrokenScript]) -> str:
+    """Return the scripts by name, where they are few."""
+    if len(others) < FEW:
+        return in_ticks(each.copy.source for each in (script, *others))
+    return f"`{script.copy.source}` and {len(others)} more"
 
 
 def message(scripts: InstalledScripts, script: BrokenScript, others: Sequence[BrokenScript]) -> str:
     path, name = script.copy.source, script.copy.destination.rpartition("/")[2]
     run = f"`ros2 run {scripts.package.facts.name} {name}`"
-    these, are, them = f"`{path}`{and_more(others)}", "are" if others else "is", "them" if others else "it"
+    these, are, them = named(script, others), "are" if others else "is", "them" if others else "it"
     chmod = "`chmod +x` them" if others else f"`chmod +x {path}`"
     match script.wrong:
         case "files":
