@@ -131,3 +131,23 @@ def test_nodes_that_a_class_of_another_package_makes(maker: str, key: str, expec
     }
     found = [each.message.split("`")[1] for each in lint_files(files, ["DEP103"]).findings]
     assert [name for name in found if name.startswith("nav2")] == expected
+
+
+@pytest.mark.parametrize(
+    ("words", "finds", "expected"),
+    [
+        ("pcl", "PCL", ["warning pcl"]),
+        ("boost", "Boost", ["warning boost"]),
+        ("EIGEN3", "Eigen3", []),
+        ("pcl", "PCL pcl", []),
+        ("pcl", "pcl_ros", []),
+        ("rclcpp", "RCLCPP rclcpp", []),
+    ],
+)
+def test_a_library_in_other_letters_than_it_is_found_by(words: str, finds: str, expected: list[str]) -> None:
+    """It may be declared, as a key of rosdep has small letters."""
+    lines = "".join(f"find_package({name} REQUIRED)\n" for name in finds.split())
+    lines += f"{NODE}ament_target_dependencies(node {words})\n"
+    assert said("CMK117", lines, f"  <depend>{words}</depend>\n") == expected
+    assert said("CMK117", f"set({words}_FOUND ON)\n{lines}", f"  <depend>{words}</depend>\n") == []
+    assert said("CMK117", f"include(${{MORE}})\n{lines}", f"  <depend>{words}</depend>\n") == []

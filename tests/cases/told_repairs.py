@@ -200,6 +200,19 @@ CASES = {
         ),
         package("install(DIRECTORY tools DESTINATION lib)\n", {"tools/plot.py": "x = 1\n"}),
     ),
+    "CMK128": (
+        package(
+            "find_package(pcl_ros REQUIRED)\nfind_package(Boost REQUIRED)\nadd_executable(talker src/talker.cpp)\n"
+            "target_link_libraries(talker Boost::thread)\ninstall(TARGETS talker DESTINATION lib/my_pkg)\n"
+        ),
+    ),
+    "CMK129": (
+        package(
+            "install(DIRECTORY include/ DESTINATION include)\n"
+            'install(DIRECTORY include/ DESTINATION include FILES_MATCHING PATTERN "*.h")\n',
+            {"include/my_pkg/core.hpp": "int i();\n"},
+        ),
+    ),
     "CMK106": (headers(""), headers("add_library(core INTERFACE)\nament_export_libraries(core)\n")),
     "CMK123": (
         package(SWITCH.format("flase", "NOT with_camera")),

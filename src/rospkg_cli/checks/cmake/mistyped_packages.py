@@ -30,7 +30,7 @@ KEYWORDS = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"})
 class MistypedPackage:
     word: Word
     call: EvaluatedCommand
-    kind: Literal["misspelt", "target", "variable", "own", "nowhere", "keyword", "imported"]
+    kind: Literal["misspelt", "target", "variable", "own", "nowhere", "keyword", "imported", "case"]
     near: str = ""
     """The package that is certainly intended, of one that is misspelt."""
     variable: str = ""
@@ -99,7 +99,8 @@ class MistypedPackages:
         if call.name == HANDED and self.is_own_target(word.text):
             return MistypedPackage(word, call, "target")
         if self.is_known(word.text):
-            return None
+            written = self.in_other_case(word.text) if call.name == HANDED else None
+            return MistypedPackage(word, call, "case", written) if written is not None else None
         if call.name not in TAKING:
             return self.misspelt_search(word, call) if self.is_looked_for_in_vain(word.text) else None
         if word.text in self.found | self.found_in_capitals or keys_for_cmake(word.text):
@@ -120,6 +121,17 @@ class MistypedPackages:
         vendors = {each for each in self.found if each.endswith("_vendor") and is_end(each, name)}
         near = same or vendors
         return near.pop() if len(near) == 1 else None
+
+    def in_other_case(self, name: str) -> str | None:
+        """Return the library that CMake finds in other letters (`PCL` for `pcl`), where no package is called as it is
+        written: the variable `pcl_FOUND` is not that of PCL."""
+        cmake = self.package.cmake
+        is_whole = cmake.is_complete and not cmake.reads_unknown_files and self.workspace.named(name) is None
+        is_there = name in self.found | self.found_in_capitals or self.workspace.index.is_package(name)
+        if not is_whole or is_there or any(f"{name}_FOUND" in file.source.text for file in cmake.files):
+            return None
+        same = [each for each in self.found if each.lower() == name.lower()]
+        return same[0] if len(same) == 1 and name.upper() != name else None
 
     def is_nowhere(self, word: Word, call: EvaluatedCommand) -> bool:
         """Return whether a package is given that nobody knows, and that no other command and no file names."""

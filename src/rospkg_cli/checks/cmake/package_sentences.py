@@ -28,6 +28,9 @@ def message(each: MistypedPackage) -> str:
         return f"`{each.variable}` holds no packages: {stops}; write `{each.near}`"
     if each.kind == "nowhere":
         return f"nothing finds or declares `{name}`: {stops}; find and declare it, or remove it"
+    if each.kind == "case":
+        start = f"`{name}` is found as `{each.near}`, and names of packages differ by case"
+        return f"{start}: {stops}, unless another package finds it so; write `{each.near}`"
     near = f"(did you mean `{each.near}`?)"
     if stops is None:
         stops = 'CMake stops with "Could not find a package configuration file"'

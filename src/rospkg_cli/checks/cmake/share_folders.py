@@ -20,6 +20,7 @@ from ...ros.share_layout import FOLDERS
 from ...unreadable import READABLE
 from ..share_uses import ShareUses
 from ..started_files import is_started
+from .unmatched_patterns import unmatched_patterns
 
 LAUNCH = "launch"
 FEW = 2
@@ -45,7 +46,9 @@ class RuntimeFolders:
             is_known = self.table.knows_folder("share", f"share/{self.package.cmake.project_name}/{folder}")
             if not is_known or self.is_installed(folder) or self.is_named(folder) or not self.useful(folder):
                 continue
-            if folder not in meant_paths(self.package.cmake):  # which CMK102 tells
+            unmatched = (each.folder for each in unmatched_patterns(self.package.cmake))  # CMK129 tells of the pattern
+            is_told = any(f"{each}/".startswith(f"{folder}/") for each in unmatched)
+            if not is_told and folder not in meant_paths(self.package.cmake):  # which CMK102 tells
                 yield folder
 
     def left_out(self) -> Iterator[tuple[str, InstalledFile]]:

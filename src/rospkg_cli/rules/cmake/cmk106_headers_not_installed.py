@@ -8,6 +8,7 @@ from ...checks.cmake.exported_headers import ExportedHeaders
 from ...checks.cmake.header_sentences import lacking, not_told, private
 from ...checks.cmake.private_includes import PrivateIncludes
 from ...checks.cmake.told_folders import ToldFolders
+from ...checks.cmake.unmatched_patterns import unmatched_patterns
 from ...edits.cmake_commands import remove
 from ...edits.cmake_install import install_headers
 from ...example import CMAKE, Example
@@ -83,7 +84,8 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
         return
     yield from misplaced(exported)
     if exported.headers.are_uninstalled():
-        yield from none_installed(exported)
+        unmatched = {path for each in unmatched_patterns(cmake) for path in each.others}  # CMK129 tells of the pattern
+        yield from none_installed(exported) if unmatched.isdisjoint(exported.headers.offered) else ()
     elif wanted := exported.wanted():
         call = [each for each in cmake.calls if each.name.endswith(PACKAGE_ENDS)][-1]
         yield Hit(call.path, call.command.span, lacking(*wanted))

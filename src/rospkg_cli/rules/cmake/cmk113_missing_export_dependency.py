@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.exported_components import components_not_handed_on
 from ...checks.cmake.missing_export_dependencies import ExportedDependencies
 from ...edits.cmake_export import export_dependencies
 from ...edits.plain_names import only_plain_names
@@ -51,7 +52,7 @@ def cmake(lines: str) -> str:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "it is a plugin or a component, or no header includes it, and no package of the workspace "
-        "builds against it"
+        "builds against it; or of a component, the users may find it otherwise"
     },
     examples=(
         Example(
@@ -69,7 +70,8 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     A dependency is public if the library is linked with it (PUBLIC, INTERFACE, or without a keyword) and one of its
     installed headers includes it, or the library is exported as a target that names one of the dependency, also where
     that is of the system (`yaml-cpp::yaml-cpp`). What comes with a package that is named is left alone. A plugin or a
-    component that no package of the workspace builds against may only be loaded.
+    component that no package of the workspace builds against may only be loaded. Where Boost is exported, it also finds
+    components (`Boost::filesystem`): `ament_export_dependencies(Boost)` asks for none.
 
     ## Why is this bad?
     This package builds. Another one that links the library stops with "the target was not found", or at the first
@@ -85,6 +87,7 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     The packages are added. Where the library needs one only inside, linking it as PRIVATE is better.
     """
     package = exported.headers.package
+    yield from unasked(exported)
     found = list(exported.missing()) if package.is_ament else []
     if not found:
         return
@@ -101,3 +104,11 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     fix = Fix(f"export {', '.join(names)}", (edit,), Safety.UNSAFE)
     level = Severity.INFO if all(each.is_only_loaded for each in found) else None
     yield Hit(first.word.path, first.word.span, message, level, related, only_plain_names(fix, *names))
+
+
+def unasked(exported: ExportedDependencies) -> Iterator[Hit]:
+    """Yield the component that users of a target do not find."""
+    for each in components_not_handed_on(exported):
+        start = f"`{each.target}` is exported and passes `{each.name}` on, and exporting `{each.package}` asks for no"
+        end = "component: linking it stops because this target was not found; find it in a file of CONFIG_EXTRAS"
+        yield Hit(each.word.path, each.word.span, f"{start} {end}", None if each.is_certain else Severity.INFO)

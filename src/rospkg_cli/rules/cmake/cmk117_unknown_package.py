@@ -40,8 +40,8 @@ def cmake_handed(keyword: str) -> str:
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is exported, and no package of the workspace is built with this one, or only nobody "
-        "here knows it; or it is the package itself, which may be installed from an earlier build; or a target is "
-        "looked for and not required"
+        "here knows it; or it is the package itself, which may be installed from an earlier build; or it is found in "
+        "other letters; or a target is looked for and not required"
     },
     examples=(
         Example(
@@ -69,6 +69,7 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages that CMake looks for, links or exports and that are one or two letters off.
+    Where a target is given a library in other letters than CMake found it by (`pcl` for `PCL`), that is told, too.
     It reads `find_package(… REQUIRED)`, `ament_target_dependencies()` and `ament_export_dependencies()`. In the last
     two it also finds targets of the package itself, which are no packages, in the last one libraries
     (`${OpenCV_LIBRARIES}`), in both packages that nobody knows and that are neither found nor declared, and in the
@@ -95,7 +96,7 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
             fix = Fix(f"write `{each.near}`", (edit,), Safety.UNSAFE)
         is_unused = each.call.name == EXPORT and not packages.workspace.is_built_against(packages.package.facts.name)
         is_asked = each.kind == "imported" and "REQUIRED" not in each.call.texts
-        level = Severity.WARNING if is_unused or is_asked or each.kind in ("own", "nowhere") else None
+        level = Severity.WARNING if is_unused or is_asked or each.kind in ("own", "nowhere", "case") else None
         yield Hit(each.word.path, each.word.span, message(each), level, fix=fix)
     yield from (given_targets(packages, each) for each in packages.foreign())
 

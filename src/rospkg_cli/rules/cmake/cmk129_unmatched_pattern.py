@@ -1,0 +1,60 @@
+"""CMK129 unmatched-pattern."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.cmake.unmatched_patterns import unmatched_patterns
+from ...checks.enumeration import in_ticks
+from ...example import CMAKE, Example
+from ...finding import Hit, Severity
+from ...package.cmake.cmake_package import CMakePackage
+from ...rule import rule
+
+LINES = 'install(DIRECTORY «launch» DESTINATION share/${PROJECT_NAME} FILES_MATCHING PATTERN "*.launch")\n'
+LAUNCH = "<launch/>\n"
+
+
+@rule(
+    "CMK129",
+    "unmatched-pattern",
+    over=CMakePackage,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "another rule installs these files"},
+    examples=(
+        Example(
+            bad={
+                "CMakeLists.txt": CMAKE.replace("ament_package", f"{LINES}ament_package"),
+                "launch/robot.launch.xml": LAUNCH,
+            },
+            good={
+                "CMakeLists.txt": CMAKE.replace(
+                    "ament_package", f"{LINES}ament_package".replace("«launch»", "launch").replace("*.launch", "*.xml")
+                )
+            },
+            on="ament_cmake",
+        ),
+    ),
+)
+def unmatched_pattern(package: CMakePackage) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds folders that `install()` copies with FILES_MATCHING and a PATTERN that none of their files fits.
+    It tells where the folder has files of the same purpose with another ending: headers (`.h`, `.hpp`), launch files,
+    parameters, meshes, robots or pictures.
+
+    ## Why is this bad?
+    CMake makes an empty folder and says nothing: who includes the headers or starts the launch file does not find it.
+
+    ## When it is quiet
+    For other patterns than `*.ending` and for REGEX, where another rule with FILES_MATCHING takes the files, where git
+    ignores or the build makes such files, for folders that are not there (CMK102), and below a condition that can't be
+    evaluated.
+    """
+    for each in unmatched_patterns(package.cmake):
+        names = in_ticks(each.patterns)
+        start = f"no file of `{each.folder}` fits {names} (`{each.others[0]}` does not): nothing is installed here"
+        if each.is_installed:
+            yield Hit(each.item.path, each.item.span, f"{start}; another rule does so, remove this one", Severity.INFO)
+        else:
+            yield Hit(each.item.path, each.item.span, f"{start}; correct the pattern")
