@@ -38,6 +38,7 @@ def told(lines: str, source: str = "int main() {}\n", needs: str = NEEDS, code: 
         ("Qt6 REQUIRED COMPONENTS Widgets", "Qt6::Widgets Qt6::Network", ["error Qt6::Network"]),
         ("Qt${V} REQUIRED COMPONENTS Widgets)\nfind_package(Qt5 COMPONENTS Core", "Qt5::Widgets", []),
         ("Boost REQUIRED)\nfind_package(pcl_ros REQUIRED", "Boost::thread", ["info Boost::thread"]),
+        ("Boost REQUIRED)\nadd_library(Boost::thread SHARED IMPORTED", "Boost::thread", []),
         ("Boost REQUIRED)\nteam_finds(all", "Boost::thread", []),
         ("Boost REQUIRED)\ninclude(${MORE}", "Boost::thread", []),
         ("OpenCV REQUIRED", "opencv_core OpenCV::core", []),

@@ -73,7 +73,8 @@ class LostComponents:
             is_sure = link.word.is_known and not link.word.maybe and not link.call.maybe and not link.package
             if not is_sure or not is_component(library, name) or link.word.text in seen | ALWAYS:
                 continue
-            asked = self.asked(library) if library != "OpenCV" and self.is_found(library) else None
+            is_own = self.package.cmake.target(link.word.text) is not None
+            asked = self.asked(library) if library != "OpenCV" and self.is_found(library) and not is_own else None
             if asked is not None and name not in asked:
                 seen.add(link.word.text)
                 stranger = next((each for each in self.others if not each.startswith(library)), "")
