@@ -41,7 +41,7 @@ FITTING: dict[str, tuple[str, ...]] = {
     "interface-unknown-type": ("IDL001", "IDL004", "IDL005", "IDL011", "LCH019", "DEP108", "DEP"),
     "launch-bad-package": ("DEP", "LCH"),
     "launch-bad-executable": ("LCH002",),
-    "launch-missing-file": ("LCH003", "LCH004", "LCH021", "SET206", "SET207", "CMK101"),
+    "launch-missing-file": ("LCH003", "LCH004", "LCH021", "PRM010", "SET206", "SET207", "CMK101"),
     "launch-missing-description": ("LCH001", "LCH014"),
     "launch-missing-parametervalue": ("LCH009",),
     "launch-undeclared-argument": ("LCH008", "LCH016"),

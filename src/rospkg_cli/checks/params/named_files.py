@@ -1,0 +1,111 @@
+"""PRM010: files that parameter files and maps name, and that are not there."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.file_role import is_set_aside, role_of
+from ...package.package_facts import PackageFacts
+from ...package.params.named_yaml import ANY
+from ...package.workspace import Workspace
+from ...source import Span
+from ..closest_path import closest_path
+from ..fault import Fault
+from ..yaml_elsewhere import is_named_elsewhere
+
+MAP = regex(r"^resolution[ \t]*:[\s\S]*^origin[ \t]*:|^origin[ \t]*:[\s\S]*^resolution[ \t]*:", re.MULTILINE)
+IMAGE = regex(r"^image[ \t]*:[ \t]*[\"']?([\w][\w ./-]*\.\w+)[\"']?[ \t]*(?:#.*)?\r?$", re.MULTILINE)
+PARAMETERS = "ros__parameters"
+SHARED = regex(
+    r"^[ \t]*([\w.]+)[ \t]*:[ \t]*[\"']?(?:\$\(find-pkg-share[ \t]+(\w+)\)|package://(\w+))(/[\w./-]+\.\w+)[\"']?"
+    r"[ \t]*(?:#.*)?\r?$",
+    re.MULTILINE,
+)
+
+
+@dataclass(frozen=True)
+class NamedFiles:
+    files: PackageFiles
+    package: PackageFacts
+    workspace: Workspace
+
+    def faults(self) -> Iterator[tuple[str, Fault]]:
+        """Yield what is missing; nothing where a package of tests has a file that nothing names."""
+        for path in self.files.paths:
+            if path.endswith((".yaml", ".yml")) and role_of(path) not in ("test", "aside") and not is_set_aside(path):
+                text = self.files.readable_text(path)
+                found = self.of_map(path, text) if MAP.search(text) else self.of_parameters(text)
+                for fault in found:
+                    if fault.level == "info" or self.is_named(path):
+                        yield path, fault
+                    elif not self.package.name.endswith(("_test", "_tests")):
+                        yield path, unused(fault)
+
+    def of_map(self, path: str, text: str) -> Iterator[Fault]:
+        """Yield the image of a map, which map_server looks for beside the map."""
+        found = IMAGE.search(text)
+        image = posixpath.normpath(posixpath.join(posixpath.dirname(path), found[1].strip())) if found else ".."
+        if (
+            found is None
+            or image.startswith("..")
+            or self.files.is_there(image)
+            or self.files.absent.is_expected(image)
+        ):
+            return
+        if self.package.may_write(image):
+            return
+        near = closest_path(image, [each for each in self.files.paths if posixpath.splitext(each)[1] in IMAGES])
+        message = f"the map names its image `{found[1].strip()}`, and it is not there: map_server can't load the map"
+        hint = posixpath.relpath(near, posixpath.dirname(path) or ".") if near else ""
+        yield Fault(
+            Span(*found.span(1)), f"{message}; {f'did you mean `{hint}`?' if hint else 'add it, or correct it'}"
+        )
+
+    def of_parameters(self, text: str) -> Iterator[Fault]:
+        """Yield the files below a share directory; launch may set what it names, so that is an info."""
+        for found in SHARED.finditer(text) if PARAMETERS in text else ():
+            name, path = found[2] or found[3], posixpath.normpath(found[4].lstrip("/"))
+            facts = self.package if name == self.package.name else self.workspace.named(name)
+            if facts is None or not self.lacks(facts, path):
+                continue
+            near = closest_path(path, facts.share_files)
+            hint = f"did you mean `{near}`?" if near else "add it, or correct the path"
+            message = f"`{name}` has no file `{path}`: what opens it finds nothing there"
+            is_set = any(found[1].rpartition(".")[2] in each for each in self.starting)
+            why = ", where the launch file gives no other" if is_set else ""
+            yield Fault(Span(found.start(4) + 1, found.end(4)), f"{message}{why}; {hint}", "info" if is_set else None)
+
+    @cached_property
+    def starting(self) -> tuple[str, ...]:
+        """The texts of the launch files of the package."""
+        return tuple(self.files.readable_text(path) for path in self.files.paths if role_of(path) == "launch")
+
+    def lacks(self, facts: PackageFacts, path: str) -> bool:
+        """Return whether a package certainly has no such file once it is installed; another rule tells what is not."""
+        if not facts.knows("share_files") or facts.may_write(path) or path in facts.run_time_files:
+            return False
+        if path in facts.share_files or path in facts.uninstalled:
+            return False
+        if facts is self.package:
+            return not (self.files.is_there(path) or self.files.absent.is_expected(path))
+        return not self.files.absent_in(facts.folder).is_ignored(path)
+
+    def is_named(self, path: str) -> bool:
+        """Return whether anything in the workspace names the YAML file, or may."""
+        stem = posixpath.splitext(posixpath.basename(path))[0]
+        named = self.package.named_yaml
+        return stem in named or ANY in named or is_named_elsewhere(stem, self.package, self.workspace)
+
+
+IMAGES = frozenset({".pgm", ".png", ".bmp", ".jpg"})
+
+
+def unused(fault: Fault) -> Fault:
+    message, _, hint = fault.message.rpartition("; ")
+    return Fault(fault.span, f"{message}, as soon as something here opens this file; {hint}", "info")

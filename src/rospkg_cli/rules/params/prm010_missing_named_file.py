@@ -1,0 +1,68 @@
+"""PRM010 missing-named-file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...checks.params.named_files import NamedFiles
+from ...edits.fault_hits import hits
+from ...example import CMAKE, Example
+from ...finding import Hit, Severity
+from ...rule import rule
+
+MAP = """\
+image: office.pgm
+resolution: 0.05
+origin: [0.0, 0.0, 0.0]
+negate: 0
+occupied_thresh: 0.65
+free_thresh: 0.25
+"""
+LAUNCH = """\
+<launch>
+  <let name="map" value="$(find-pkg-share my_pkg)/maps/office.yaml"/>
+  <log message="$(var map)"/>
+</launch>
+"""
+INSTALLS = CMAKE.replace(
+    "ament_package", "install(DIRECTORY launch maps DESTINATION share/${PROJECT_NAME})\nament_package"
+)
+
+
+@rule(
+    "PRM010",
+    "missing-named-file",
+    over=NamedFiles,
+    severity=Severity.WARNING,
+    levels={Severity.INFO: "nothing here names the file, or a launch file may give another value"},
+    examples=(
+        Example(
+            on="ament_cmake",
+            bad={
+                "CMakeLists.txt": INSTALLS,
+                "maps/hall.pgm": "",
+                "launch/a.launch.xml": LAUNCH,
+                "maps/office.yaml": MAP.replace("office.pgm", "«office.pgm»"),
+            },
+            good={"maps/office.yaml": MAP.replace("office", "hall")},
+        ),
+    ),
+)
+def missing_named_file(scope: NamedFiles) -> Iterator[Hit]:
+    """
+    ## What it does
+    Finds files that maps and parameter files name, and that do not exist.
+    The `image` of a map stands beside it; a value such as `$(find-pkg-share my_pkg)/trees/a.xml` or
+    `package://my_pkg/trees/a.xml` is looked for in what this package, or another one of the workspace, installs.
+
+    ## Why is this bad?
+    map_server can't load the map, and a navigator without its tree does not start: what is renamed has to be renamed
+    here, too.
+
+    ## When it is quiet
+    Files that git ignores, that the build or the package's own code writes, or that lie in a submodule, are left alone,
+    and so are packages of which not all is known that they install. What is there and not installed is told by others.
+    In a package of tests, a file that nothing names is left alone, too.
+    """
+    for path, fault in scope.faults():
+        yield from hits(path, [fault])

@@ -1,0 +1,85 @@
+"""Files that maps and parameter files name (PRM010)."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import manifest
+from rospkg_cli.testing import lint_files
+
+MAP = "image: {}\nresolution: 0.05\norigin: [0.0, 0.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n"
+OPENS = "<launch><log message='$(find-pkg-share my_pkg)/{}'/></launch>\n"
+TREE = "bt_navigator:\n  ros__parameters:\n    tree_xml: {}\n"
+FILES: dict[str, str | None] = {
+    "package.xml": manifest("", "ament_cmake"),
+    "CMakeLists.txt": "project(my_pkg)\nfind_package(ament_cmake REQUIRED)\n"
+    "install(DIRECTORY config launch maps DESTINATION share/${PROJECT_NAME})\nament_package()\n",
+    "maps/hall.pgm": "",
+    "maps/old/hall.pgm": "",
+    "config/a.xml": "",
+}
+
+
+def told(**files: str) -> list[tuple[str, str]]:
+    found = lint_files({**FILES, **files}, ["PRM010"]).findings
+    return [(each.severity.value, each.message) for each in found]
+
+
+def test_the_image_of_a_map_has_another_name() -> None:
+    named = {"launch/a.launch.xml": OPENS.format("maps/office.yaml")}
+    ((level, message),) = told(**{"maps/office.yaml": MAP.format("hal.pgm"), **named})
+    assert level == "warning"
+    assert message.endswith("did you mean `hall.pgm`?")
+    assert told(**{"maps/office.yaml": MAP.format("nothing_alike.png")})[0][0] == "info"
+
+
+@pytest.mark.parametrize(
+    "image",
+    [
+        "hall.pgm",
+        "'hall.pgm'",
+        "old/hall.pgm  # the older one",
+        "/home/ada/hall.pgm",
+        "../../elsewhere/hall.pgm",
+        "$(x).pgm",
+        "",
+    ],
+)
+def test_an_image_that_is_there_or_elsewhere(image: str) -> None:
+    assert told(**{"maps/office.yaml": MAP.format(image)}) == []
+
+
+def test_an_image_that_git_ignores_or_a_test_needs() -> None:
+    assert told(**{"maps/office.yaml": MAP.format("made.pgm"), ".gitignore": "*.pgm\n"}) == []
+    assert told(**{"test/maps/office.yaml": MAP.format("made.pgm")}) == []
+    assert told(**{"config/camera.yaml": "image: made.pgm\nresolution: 5\n"}) == []
+
+
+@pytest.mark.parametrize("value", ['"$(find-pkg-share my_pkg)/config/b.xml"', "package://my_pkg/config/b.xml # why"])
+def test_a_parameter_names_a_file_that_is_missing(value: str) -> None:
+    files = {"config/nav.yaml": TREE.format(value), "launch/a.launch.xml": OPENS.format("config/nav.yaml")}
+    ((level, message),) = told(**files)
+    assert level == "warning"
+    assert message.startswith("`my_pkg` has no file `config/b.xml`")
+    given = "<launch><let name='tree_xml' value='a'/><log message='nav.yaml'/></launch>\n"
+    assert told(**{**files, "launch/a.launch.xml": given})[0][0] == "info"
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        "$(find-pkg-share my_pkg)/config/a.xml",
+        "$(find-pkg-share other)/config/b.xml",
+        "$(find-pkg-share my_pkg)/config/$(var b).xml",
+        "$(find-pkg-share my_pkg)/config",
+    ],
+)
+def test_a_parameter_names_a_file_that_may_be_there(value: str) -> None:
+    files = {"config/nav.yaml": TREE.format(f'"{value}"'), "launch/a.launch.xml": OPENS.format("config/nav.yaml")}
+    assert told(**files) == []
+
+
+def test_what_a_macro_may_install_is_not_told() -> None:
+    files = {"config/nav.yaml": TREE.format("package://my_pkg/config/b.xml")}
+    unknown = f"{FILES['CMakeLists.txt']}".replace("config launch maps", "${SOME_FOLDERS}")
+    assert told(**files, **{"CMakeLists.txt": unknown}) == []
