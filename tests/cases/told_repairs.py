@@ -147,6 +147,17 @@ CASES = {
         targets("rclcpp", "if(WITH)\n" + HANDS.format("rclcpp::rclcpp") + "\nendif()", "rclcpp"),
     ),
     "DEP104": (
+        *(
+            Example(
+                bad={
+                    **finds("rclcpp_action").bad,
+                    "package.xml": manifest(f"  <depend{when}>actionlib</depend>\n", "ament_cmake"),
+                },
+                good={},
+                on="ament_cmake",
+            )
+            for when in (' condition="$ROS_VERSION == 1"', "")
+        ),
         finds("acme_tools", HANDED.format("acme_tools"), CORE),
         finds("acme", HANDED.format("acme"), CORE),
         finds("AcmeTools", HANDED.format("AcmeTools"), CORE),

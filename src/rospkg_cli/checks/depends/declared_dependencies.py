@@ -118,16 +118,18 @@ class DeclaredDependencies:
 
     @cached_property
     def unknown_names(self) -> frozenset[str]:
-        """The declared names that are no package and no key."""
+        """The declared names that are no package and no key; what counts for ROS 1 alone is reported by no rule."""
         known = (NameKind.PACKAGE, NameKind.KEY)
-        return frozenset(d.name for d in self.manifest.dependencies if self.workspace.kind_of(d.name) not in known)
+        active = (d for d in self.manifest.dependencies if d.active(Targets()))
+        return frozenset(d.name for d in active if self.workspace.kind_of(d.name) not in known)
 
     @cached_property
     def written_otherwise(self) -> frozenset[str]:
         """What declared names stand for that are names on PyPI, of CMake or in ROS 1, or several in one tag."""
         keys = (key for name in self.unknown_names if (key := key_of_cmake_name(name) or key_for_pip(name)) is not None)
         parts = (words for name in self.unknown_names if len(words := name.replace(",", " ").split()) > 1)
-        old = (successors(d.name) or () for d in self.manifest.dependencies if self.workspace.named(d.name) is None)
+        active = (d.name for d in self.manifest.dependencies if d.active(Targets()))
+        old = (successors(name) or () for name in active if self.workspace.named(name) is None)
         return frozenset([*keys, *(each for words in (*parts, *old) for each in words)])
 
     def bringer(self, names: Iterable[str], *, runs: bool) -> Bringer | None:
