@@ -14,6 +14,41 @@ def node(gets: str, declares: str = DECLARES, before: str = "") -> Example:
     return Example(bad={"package.xml": prm007.NEEDED, "my_pkg/talker.py": before + text}, good={})
 
 
+def declares(name: str) -> str:
+    return f"\n        self.declare_parameter('{name}', 1.0)"
+
+
+def gets(name: str, target: str = "") -> str:
+    return f"\n        self.{target or name} = self.get_parameter('{name}').value"
+
+
+PAIRS = f"{DECLARES}{gets('rate')}{declares('gain')}{{}}"
+ROW = f"{DECLARES}{declares('gain')}{gets('rate')}{{}}"
+LATER = "\n\n    def tick(self):"
+AGAIN = gets("rate", "gain")
+
+
+def paired(after: str, form: str = PAIRS, before: str = "") -> Example:
+    return node("1.0", form.format(after), before)
+
+
+CPP = """\
+#include "rclcpp/rclcpp.hpp"
+
+Talker::Talker() : Node("talker")
+{
+  this->declare_parameter("rate", 10.0);
+  this->get_parameter("rate", rate_);
+  %sdeclare_parameter("gain", 1.0);
+  %s
+}
+"""
+
+
+def paired_cpp(gets: str, before: str = "this->", more: str = "") -> Example:
+    return Example(bad={"src/talker.cpp": CPP % (before, gets) + more}, good={}, on="ament_cmake")
+
+
 TRIES = "try:\n    import yaml\nexcept {}:\n    yaml = None\n"
 
 CASES = {
@@ -31,6 +66,23 @@ CASES = {
         node("self.get_parameter('rat')", f"{DECLARES}\n        self.declare_parameters('', names)"),
         node("self.get_parameter('rat')", f"{DECLARES}\n        self.declare_parameter(name, 1)"),
         node("self.get_parameter('rat')", before="OPTIONS = 'allow_undeclared_parameters'\n"),
+        paired(AGAIN),
+        paired(AGAIN, ROW),
+        paired(gets("gain")),
+        paired(gets("rate")),
+        paired(AGAIN + gets("gain", "other")),
+        *(paired(LATER + AGAIN, form) for form in (PAIRS, ROW)),
+        paired(AGAIN, before="GAIN = 'gain'\n"),
+        paired(AGAIN + gets("rates")),
+        paired(AGAIN + "\n        self.get_parameters(names)"),
+        paired(AGAIN, PAIRS.replace("self.declare_parameter('gain'", "self.gain = self.declare_parameter('gain'")),
+        paired(AGAIN + "\n        self.more = self.get_parameter(name)"),
+        paired_cpp('this->get_parameter("rate", gain_);'),
+        paired_cpp('gain_ = get_parameter("rate").as_double();'),
+        paired_cpp('get_parameter("rate", rate_);'),
+        paired_cpp('get_parameter("rate", gain_);', "gain_ = "),
+        paired_cpp('}\nvoid Talker::tick()\n{\n  get_parameter("rate", gain_);'),
+        paired_cpp('get_parameter("rate", gain_);', more='const char * GAIN = "gain";\n'),
         node("self.get_parameter('a_b')", "self.declare_parameters('a', [('b', 1.0)])"),
     ),
 }  # fmt: skip

@@ -11,6 +11,7 @@ from .known_given import KnownNodes
 from .launched_names import LaunchedNames
 from .other_variants import unlike_variants
 from .parameter_file_use import ParameterFileUses
+from .repeated_reads import RepeatedRead, RepeatedReads
 from .unknown_reads import ParameterReads, UnknownRead
 
 SHOWN = 3
@@ -32,6 +33,10 @@ class UnknownParameters:
         """Return what code gets and nothing declares, each place once."""
         found = [*self.reads.in_cpp(), *self.reads.in_python()]
         return [*found, *self.forgotten.all({(each.path, each.span.start) for each in found})]
+
+    def repeated_reads(self) -> list[RepeatedRead]:
+        """Return what is got twice, the second time in the place of what no code gets."""
+        return [*RepeatedReads(self.forgotten).all()]
 
     def unlike_variants(self) -> list[tuple[ParameterFile, Parameter, str, str]]:
         """Return the names that another file of the same name has otherwise, each place once; but for similar ones."""
@@ -57,6 +62,12 @@ def undeclared(read: UnknownRead) -> str:
     if read.more:
         ends, hint = ends.replace("for it is", "for them is"), "declare them"
     return f"nothing declares the parameter{'s' if read.more else ''} {named}: {ends}; {hint}"
+
+
+def repeated(read: RepeatedRead) -> str:
+    """Return what comes of a parameter that another one is got in the place of."""
+    what = f"`{read.unread}` is declared and never got, and `{read.name}` is got again in its place"
+    return f"{what}: the value that is set for `{read.unread}` is dropped; get `{read.unread}` here"
 
 
 def unread(limit: MistypedLimit) -> str:

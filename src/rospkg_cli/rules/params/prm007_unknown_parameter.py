@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.launched_names import strange_names, unknown_to_known, why_dropped
-from ...checks.params.unknown_parameters import UnknownParameters, undeclared, unread
+from ...checks.params.unknown_parameters import UnknownParameters, repeated, undeclared, unread
 from ...edits.parameter_names import renamed
 from ...edits.plain_names import only_plain_names
 from ...example import Example, manifest
@@ -84,7 +84,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     `joint_limits.yaml`. So is the one name in which two files differ that are called alike in two folders, where the
     code declares the other one's. Slashes of ROS 1 stand for dots, and no name ends with the `:=` of the command line.
     In code `get_parameter` is checked likewise: the file declares a similar name without getting it, or it makes its
-    node, and the name stands nowhere else in the code of the package.
+    node, and the name stands nowhere else in the code of the package. A name that is got twice is found where a second
+    one was declared, whose name stands nowhere else: right behind its declaration, or at its place in the row of reads.
 
     ## Why is this bad?
     The value is dropped, and the node runs with its default; or it stops, or a variable is never set.
@@ -126,3 +127,5 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         others = tuple(Related(read.path, span, "and this one") for _, span in read.more)
         level = Severity.ERROR if read.throws and read.suggestion else None
         yield Hit(read.path, read.span, undeclared(read), level, others)
+    for again in scope.repeated_reads():
+        yield Hit(again.path, again.span, repeated(again))
