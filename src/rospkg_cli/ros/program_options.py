@@ -53,3 +53,12 @@ PROGRAMS = {
     ("controller_manager", "spawner.py"): SPAWNER,
     ("gazebo_ros", "spawn_entity.py"): ENTITY,
 }
+CREATE = ProgramOptions(
+    valued=frozenset("world file param string topic name x y z R P Y".split()),
+    flags=frozenset("allow_renaming noallow_renaming help helpfull helpshort helpxml version".split()),
+    others=frozenset({"flagfile", "fromenv", "tryfromenv", "undefok"}),
+)
+"""The flags of ros_gz_sim's `create`, with one hyphen or two: it passes over any other."""
+CREATORS = frozenset({("ros_gz_sim", "create"), ("ros_ign_gazebo", "create")})
+OF_ENTITY = {"entity": "-name", "roll": "-R", "pitch": "-P", "yaw": "-Y", "r": "-R", "p": "-P"}
+"""What `create` calls what others call so."""

@@ -18,7 +18,7 @@ from ..older_distribution import OlderDistribution
 from .argument_types import TYPE_CHECKS, action_list_faults
 from .idle_actions import UNUSED, never_added
 from .include_sources import source_faults
-from .joined_commands import joined_command, joined_words
+from .joined_commands import joined_command, joined_mapping, joined_words
 from .lone_commas import added_faults, at_the_comma, lone_commas
 from .performed_texts import performed_faults
 from .program_prefixes import PROCESSES
@@ -92,6 +92,7 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
             yield from function_faults(call, launch)
         elif class_of(call) == "Command":
             yield from joined_command(call)
+            yield from joined_mapping(call)
         elif class_of(call) in PROCESSES:
             yield from joined_words(call)
 

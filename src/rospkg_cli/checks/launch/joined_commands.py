@@ -13,6 +13,8 @@ from ..fault import Fault
 PROGRAM = regex(r"[A-Za-z][\w.]*")
 OPTION = regex(r"--[a-z][\w-]*")
 WORD = regex(r"-|[A-Za-z0-9]")
+MAPPING = regex(r"[A-Za-z_]\w*:=")
+WORD_END = regex(r"[\w./]$")
 LISTS = ("cmd", "arguments", "ros_arguments")
 
 
@@ -27,6 +29,33 @@ def joined_command(call: Call) -> Iterator[Fault]:
         yield Fault(
             command.places[0], f"{joins}, and the launch stops, as there is no such program; write `'{program.text} '`"
         )
+
+
+def joined_mapping(call: Call) -> Iterator[Fault]:
+    """Yield a `name:=value` that a `Command` hands to xacro, and that no blank parts from what stands before it."""
+    command = call.get("command", 0)
+    if not isinstance(command, Sequence) or not command.is_display or not mentions(command, "xacro"):
+        return
+    earlier = (None, *command.items)
+    for index, (first, before, each) in enumerate(zip(earlier, command.items, command.items[1:], strict=False), 1):
+        found = MAPPING.match(each.text) if isinstance(each, Text) else None
+        end = before.parts[-1] if isinstance(before, PartialText) else before
+        is_word = isinstance(end, Text) and WORD_END.search(end.text)
+        may_be_empty = isinstance(first, Text) and first.text.endswith(" ")
+        if found and (is_word or (is_substitution(before) and not may_be_empty)):
+            joins = f"`Command` puts no blanks between its parts: `{found[0]}` is joined with what stands before it"
+            yield Fault(command.places[index], f"{joins}, and xacro stops; write `' {found[0]}'`")
+
+
+def mentions(value: object, word: str) -> bool:
+    match value:
+        case Text(text=text):
+            return word in text
+        case Sequence(items=items):
+            return any(mentions(each, word) for each in items)
+        case Call(arguments=arguments):
+            return any(mentions(each.value, word) for each in arguments)
+    return False
 
 
 def joined_words(call: Call) -> Iterator[Fault]:

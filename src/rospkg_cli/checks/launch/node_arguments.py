@@ -8,7 +8,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_file import LaunchFile
 from ...package.workspace import Workspace
-from ...ros.program_options import PROGRAMS, TRANSFORMS, ProgramOptions
+from ...ros.program_options import CREATE, CREATORS, OF_ENTITY, PROGRAMS, TRANSFORMS, ProgramOptions
 from ...source import Span
 from ...suggest import nearest
 from ..fault import Fault
@@ -16,6 +16,8 @@ from .argument_words import Word, words_of
 from .static_transforms import transform_problem
 
 NEGATIVE = regex(r"-(?:\d+|\d*\.\d+)$")
+TESTING = "launch_testing"
+"""In what runs tests, the model's name or place are known to be right as they are."""
 ENDS = "it stops when it starts"
 
 
@@ -36,9 +38,12 @@ class StartedPrograms:
 def node_argument_faults(file: LaunchFile, workspace: Workspace) -> Iterator[Fault]:
     for node in file.nodes if not file.is_ros1 and file.has_entry_point else ():
         started = (literal(node.package), literal(node.executable))
-        is_known = (started == TRANSFORMS or started in PROGRAMS) and workspace.named(started[0]) is None
-        words = words_of(file, node) if is_known else None
+        is_known = started == TRANSFORMS or started in PROGRAMS or started in CREATORS
+        words = words_of(file, node) if is_known and workspace.named(started[0]) is None else None
         if words is None:
+            continue
+        if started in CREATORS:
+            yield from passed_over(words) if TESTING not in file.source.text else ()
             continue
         problem = transform_problem(words) if started == TRANSFORMS else option_problem(words, PROGRAMS[started])
         if problem is not None:
@@ -69,6 +74,25 @@ def option_problem(words: Sequence[Word], program: ProgramOptions) -> tuple[Word
         if not group & given:
             return None, f"needs {' or '.join(f'`{each}`' for each in sorted(group))}"
     return (None, f"needs {program.words}") if program.words and not plain and "-h" not in given else None
+
+
+def passed_over(words: Sequence[Word]) -> Iterator[Fault]:
+    """Yield the first flag that `create` does not have."""
+    index = 0
+    while index < len(words):
+        text = words[index].text or ""
+        name = text.lstrip("-").split("=")[0]
+        is_flag = text.startswith("-") and bool(name) and " " not in text and not NEGATIVE.match(text)
+        if is_flag and name in CREATE.others:
+            return
+        if is_flag and name not in CREATE.all:
+            better = OF_ENTITY.get(name) or (f"-{near}" if (near := nearest(name, CREATE.all)) else "")
+            meant = f"; write `{better}`" if better else ""
+            yield Fault(
+                words[index].span, f"`create` has no flag `{text.split('=')[0]}` and passes over it{meant}", "info"
+            )
+            return
+        index += 2 if is_flag and name in CREATE.valued and "=" not in text else 1
 
 
 def option_of(text: str, program: ProgramOptions) -> str | None:

@@ -39,7 +39,7 @@ OPTIONS = """\
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "the node is started only under a condition",
-        Severity.INFO: "the node is never added to the launch description",
+        Severity.INFO: "the node is never added to the launch description, or the program passes over the word",
     },
     examples=(
         Example(
@@ -61,7 +61,7 @@ def invalid_node_arguments(started: StartedPrograms) -> Iterator[Hit]:
     ## What it does
     Finds arguments that a well-known program refuses when it starts.
     It knows `static_transform_publisher` of tf2_ros (how many words there are, which of them are numbers, the options),
-    and the options of controller_manager's `spawner` and gazebo_ros' `spawn_entity.py`.
+    and the options of controller_manager's `spawner`, gazebo_ros' `spawn_entity.py` and ros_gz_sim's `create`.
 
     ## Why is this bad?
     The program ends at once, and says so in the midst of all other messages: a frame is missing in the tree, or a
@@ -70,9 +70,10 @@ def invalid_node_arguments(started: StartedPrograms) -> Iterator[Hit]:
     ## When it is quiet
     Where the words are not all known, a value of an argument is one word that may be right. Options are those of all
     supported distributions, and may be shortened where argparse takes that. What is given to ROS, behind `--ros-args`,
-    is left alone, and so is a program of the workspace.
+    is left alone, and so are a program of the workspace, and flags of `create` in a test (`launch_testing`).
     """
     for fault in started.faults():
         softer, why = level_at(started.file, fault.span)
         message = f"{fault.message}{why and ', '}{why}"
-        yield Hit(started.file.path, fault.span, message, Severity(softer) if softer else None)
+        level = fault.level or softer
+        yield Hit(started.file.path, fault.span, message, Severity(level) if level else None)
