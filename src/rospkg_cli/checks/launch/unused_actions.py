@@ -17,6 +17,7 @@ from ...package.workspace import Workspace
 from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from ...suggest import near_names
+from .awaited_actions import only_awaited
 from .bound_again import bound_again
 from .idle_actions import is_stored
 from .started_elsewhere import started_elsewhere
@@ -42,6 +43,8 @@ class UnusedAction:
     """The launch file that starts the same by another action."""
     again: int = 0
     """The line that binds its name to something else."""
+    is_awaited: bool = False
+    """Whether an event handler waits for it, and no comment mentions it."""
 
 
 def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedAction]:
@@ -51,6 +54,11 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
         return
     calls = {call.span: call for call in launch.calls if class_of(call) in ACTIONS}
     told = told_arguments(configurations)
+    for name, node, value in only_awaited(file):
+        call = calls.get(file.span(value))
+        if call is not None and class_of(call) in HARM:
+            harm = f"{HARM[class_of(call)]}, and neither is what waits for it"
+            yield UnusedAction(file.span(node), f"`{name}`", harm, is_awaited=not is_mentioned(name, file))
     for name, node, value, line in (*((*each, 0) for each in unread(file)), *overwritten(file)):
         call = calls.get(file.span(value))
         if call is None or is_told(call, told) or (not line and is_mentioned(name, file)):

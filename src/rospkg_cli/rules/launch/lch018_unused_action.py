@@ -21,6 +21,17 @@ def generate_launch_description():
     return LaunchDescription([first])
 """
 TWICE = BAD.replace("first = ", "«ready» = ").replace("«second» = ", "ready = ").replace("[first]", "[ready]")
+AWAITED = """\
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess, LogInfo, RegisterEventHandler
+from launch.event_handlers import OnProcessExit
+
+
+def generate_launch_description():
+    «first» = ExecuteProcess(cmd=['true'])
+    handler = OnProcessExit(target_action=first, on_exit=[LogInfo(msg='done')])
+    return LaunchDescription([RegisterEventHandler(handler)])
+"""
 NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
 
 
@@ -29,10 +40,19 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
     "unused-action",
     over=LaunchConfigurations,
     severity=Severity.INFO,
+    levels={Severity.WARNING: "an event handler waits for it"},
     examples=(
         Example(
             bad={"package.xml": NEEDED, "launch/a.launch.py": BAD},
             good={"launch/a.launch.py": BAD.replace("[first]", "[first, second]").replace("«second»", "second")},
+        ),
+        Example(
+            bad={"package.xml": NEEDED, "launch/a.launch.py": AWAITED},
+            good={
+                "launch/a.launch.py": AWAITED.replace("[RegisterEvent", "[first, RegisterEvent")
+                .replace("«", "")
+                .replace("»", "")
+            },
         ),
         Example(
             bad={"package.xml": NEEDED, "launch/a.launch.py": TWICE},
@@ -44,21 +64,24 @@ def unused_action(configurations: LaunchConfigurations) -> Iterator[Hit]:
     """
     ## What it does
     Finds nodes, includes and other actions of a Python launch file that are made and never added.
-    The action is bound to a local name that nothing reads, to one that holds something else before it is read, or to
-    none at all.
+    The action is bound to a local name that nothing but an event handler reads, to one that holds something else
+    before it is read, or to none at all.
 
     ## Why is this bad?
     launch visits only what the launch description holds: the node is never started, and nothing says so.
 
     ## When it is quiet
     A name that a comment mentions was taken out on purpose, and so was one that begins with `_`. Arguments whose use
-    LCH008 or LCH017 reports are left to these. It is an info: many an action is left out on purpose.
+    LCH008 or LCH017 reports are left to these. It is an info: many an action is left out on purpose. Where an event
+    handler waits for it (`OnProcessExit(target_action=…)`), and no comment mentions it, it is a warning: nothing that
+    the handler holds starts.
     """
     for action in unused_actions(configurations):
         message = f"{action.what} is made and never added to the launch description: {action.harm}"
         if action.again:
             message = f"line {action.again} gives {action.what} to something else before this is added: {action.harm}"
-        yield Hit(configurations.file.path, action.span, f"{message}; {advice(action, configurations)}")
+        level = Severity.WARNING if action.is_awaited else None
+        yield Hit(configurations.file.path, action.span, f"{message}; {advice(action, configurations)}", level)
 
 
 def advice(action: UnusedAction, configurations: LaunchConfigurations) -> str:
