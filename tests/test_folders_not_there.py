@@ -50,3 +50,33 @@ def test_a_library_of_the_folder_may_bring_headers(first: str) -> None:
 @pytest.mark.parametrize("first", AMONG)
 def test_what_is_read_in_the_same_scope_may_do_all(first: str) -> None:
     assert told(first) == []
+
+
+INSTALLS = "install(DIRECTORY launch DESTINATION share/my_pkg)"
+
+
+@pytest.mark.parametrize(
+    ("ignored", "lines", "level"),
+    [
+        ("launch", INSTALLS, ["info"]),
+        ("/launch/", "install(DIRECTORY launch/ DESTINATION share/my_pkg)", ["info"]),
+        ("build", INSTALLS, ["error"]),
+        ("models", "install(DIRECTORY models DESTINATION share/my_pkg)", []),
+        ("launch", INSTALLS.replace(")", " OPTIONAL)"), []),
+        ("launch", f"if(X)\n  {INSTALLS}\nendif()", []),
+        ("launch", f"if(EXISTS launch)\n  {INSTALLS}\nendif()", []),
+        ("launch", f"file(MAKE_DIRECTORY launch)\n{INSTALLS}", []),
+        (
+            "launch",
+            f"execute_process(COMMAND ./a WORKING_DIRECTORY ${{PROJECT_SOURCE_DIR}})\n{INSTALLS}",
+            [],
+        ),
+    ],
+)
+def test_installed_folders_that_git_ignores(ignored: str, lines: str, level: list[str]) -> None:
+    files = {
+        "CMakeLists.txt": CMAKE.replace("ament_package()", f"{lines}\nament_package()"),
+        "package.xml": manifest("", "ament_cmake"),
+        ".gitignore": f"{ignored}\n",
+    }
+    assert [each.severity.value for each in lint_files(files, ["CMK102"]).findings] == level

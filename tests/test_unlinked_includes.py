@@ -166,3 +166,20 @@ def test_what_a_package_of_the_workspace_keeps_to_itself(lines: str) -> None:
 )
 def test_what_a_package_of_the_workspace_hands_on_or_nobody_knows(lines: str) -> None:
     assert told_beside(lines) == []
+
+
+@pytest.mark.parametrize(
+    ("more", "count"),
+    [
+        ("", 1),
+        ("include_directories(${YAML_CPP_INCLUDE_DIR})\n", 0),
+        ("target_link_libraries(node yaml-cpp)\n", 0),
+        ("target_link_libraries(node yaml-cpp::yaml-cpp)\n", 0),
+        ("# target_link_libraries(node yaml-cpp::yaml-cpp)\n", 1),
+        ("include(${MORE})\n", 0),
+    ],
+)
+def test_libraries_that_are_given_in_vain(more: str, count: int) -> None:
+    lines = f"find_package(yaml-cpp REQUIRED)\n{NODE}ament_target_dependencies(node rclcpp yaml-cpp)\n{more}"
+    assert told(lines, "#include <yaml-cpp/yaml.h>\n") == [("info", "ament_target_dependencies")] * count
+    assert told(lines, "#include <rclcpp/rclcpp.hpp>\n") == []

@@ -49,6 +49,16 @@ class ReferencedPaths:
                 seen.add(key)
                 yield named
 
+    def ignored(self) -> Iterator[ReferencedPath]:
+        """Yield each installed folder once that git ignores, that nothing makes, and that people fill by hand."""
+        ignored, seen = self.cmake.package_files.absent.is_ignored, set[str]()
+        for each in self.absent():
+            is_by_hand = each.use == "folder" and each.path.rstrip("/") in BY_HAND and each.path not in seen
+            is_sure = is_by_hand and not each.word.maybe and not each.call.maybe and not self.made.is_made(each.path)
+            if is_sure and not self.made.is_worked_in and ignored(each.path):
+                seen.add(each.path)
+                yield each
+
     def all(self) -> Iterator[ReferencedPath]:
         for target in self.cmake.targets:
             yield from self.named(target.sources, "source", target.call)
@@ -93,6 +103,8 @@ class ReferencedPaths:
         return MadePaths(self.cmake)
 
 
+BY_HAND = frozenset("launch config params param urdf rviz include meshes worlds".split())
+"""Folders whose files nobody generates."""
 INSTALLERS = frozenset({
     "install", "ament_auto_package", "autoware_ament_auto_package", "ament_python_install_package",
     "ament_python_install_module", "pluginlib_export_plugin_description_file",

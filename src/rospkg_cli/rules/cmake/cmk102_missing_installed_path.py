@@ -12,7 +12,7 @@ from ...finding import Hit, Related, Severity
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.meant_paths import meant_path
-from ...package.cmake.referenced_paths import ReferencedPath
+from ...package.cmake.referenced_paths import ReferencedPath, ReferencedPaths
 from ...rule import rule
 
 MAX_RELATED = 3
@@ -39,7 +39,7 @@ EXTRAS = CMAKE.replace("ament_package()", "ament_package(CONFIG_EXTRAS «cmake/m
     levels={
         Severity.WARNING: "it is named in a branch that is taken only for some; or CMake runs a program in the "
         "package's folder, which may write what is installed",
-        Severity.INFO: "FILES_MATCHING keeps CMake silent about the folder",
+        Severity.INFO: "FILES_MATCHING keeps CMake silent about the folder, or git ignores a folder that people fill",
     },
     examples=(
         Example(
@@ -82,10 +82,10 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Where something makes the path: `configure_file()`, `file(DOWNLOAD …)`, an OUTPUT or BYPRODUCTS, a program that is
-    run in its folder or is given it, a generator of sources. Where a .gitignore names it, since a build then writes
-    it. Below a submodule that is not checked out. Inside `if(EXISTS …)`, for what is installed inside any condition
-    that can't be evaluated, and with OPTIONAL. A folder with FILES_MATCHING stops nothing: an info, or a warning where
-    another one is called nearly so.
+    run in its folder or is given it, a generator of sources. Where a .gitignore names it, since a build then writes it;
+    an installed folder whose files people write, such as `launch`, is an info. Below a submodule that is not checked
+    out. Inside `if(EXISTS …)`, for what is installed inside any condition that can't be evaluated, and with OPTIONAL. A
+    folder with FILES_MATCHING stops nothing: an info, or a warning where another one is called nearly so.
     """
     for (named, for_everyone), *others in together(package.cmake, MissingPaths(package.cmake).all()):
         paths = list(dict.fromkeys([named.path, *(each.path for each, _ in others)]))
@@ -97,6 +97,10 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
         if named.use == "matching":
             level = Severity.WARNING if near else Severity.INFO
         yield Hit(named.word.path, named.word.span, message, level, related=related)
+    for each in ReferencedPaths(package.cmake).ignored():
+        start = f"`{each.path}` does not exist, and git ignores it: on a fresh clone the build stops at the end"
+        message = f"{start}, as it can't be installed; take it out of .gitignore, or write OPTIONAL"
+        yield Hit(each.word.path, each.word.span, message, Severity.INFO)
 
 
 def together(cmake: CMake, found: Iterable[tuple[ReferencedPath, bool]]) -> Iterable[list[tuple[ReferencedPath, bool]]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ...checks.depends.idle_links import IdleLink, idle_links
 from ...checks.depends.own_interfaces import OwnInterface, OwnInterfaces
 from ...checks.depends.unlinked_includes import UnlinkedInclude, UnlinkedIncludes
 from ...checks.enumeration import in_ticks
@@ -40,7 +41,7 @@ def example(package: str, header: str, linked: str) -> Example:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where another package's folder of headers may hold them as well, or another one that the "
-        "target is linked with may bring them"
+        "target is linked with may bring them, or a library is given in vain"
     },
     examples=(
         example("sensor_msgs", "sensor_msgs/msg/image.hpp", "${sensor_msgs_TARGETS}"),
@@ -53,7 +54,8 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     Finds targets that include headers of a package that CMake finds, and are not linked with it.
     `find_package()` alone tells no target where the headers are: `target_link_libraries()` does, or
     `ament_target_dependencies()` up to Kilted. So are the headers of the package's own interfaces, which come with what
-    `rosidl_get_typesupport_target()` returns.
+    `rosidl_get_typesupport_target()` returns. octomap, ompl and yaml-cpp set no variable that
+    `ament_target_dependencies()` reads, so that it links nothing of them: an info.
 
     ## Why is this bad?
     From Humble on each package has a folder of headers of its own, so the build ends with "No such file or directory";
@@ -72,6 +74,7 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     """
     if hit := without_own(list(OwnInterfaces(includes).all())):
         yield hit
+    yield from map(given_in_vain, idle_links(includes))
     perhaps: list[UnlinkedInclude] = []
     for each in includes.all():
         if each.bringer:
@@ -89,6 +92,18 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
         yield Hit(each.path, each.span, message, None if each.is_own_folder or each.keeper else Severity.INFO)
     for target in dict.fromkeys(each.target.name for each in perhaps):
         yield perhaps_brought([each for each in perhaps if each.target.name == target])
+
+
+def given_in_vain(each: IdleLink) -> Hit:
+    """Return the hit of a library that the target is given and does not get."""
+    name, (folders, libraries) = each.link.word.text, each.variables
+    message = (
+        f"`ament_target_dependencies` reads `{name}_INCLUDE_DIRS` and `{name}_LIBRARIES`, and `{name}` has "
+        f"`{folders}` and `{libraries}` alone: `{each.link.target}` gets nothing of it unless another "
+        "package brings it; link it with `target_link_libraries`"
+    )
+    related = (Related(each.path, each.include.span, "it is included here"),)
+    return Hit(each.link.word.path, each.link.word.span, message, Severity.INFO, related)
 
 
 def without_own(found: Sequence[OwnInterface]) -> Hit | None:
