@@ -110,7 +110,40 @@ def told(*lines: str) -> Example:
     return package("".join(f"{line}\n" for line in both), WORDS)
 
 
+def crate(table: str, depends: str = "", files: dict[str, str] | None = None) -> Example:
+    """A package of Rust that depends on crates."""
+    cargo = f'[package]\nname = "my_pkg"\n\n{table}\n'
+    body = {"package.xml": manifest(depends, "ament_cargo"), "Cargo.toml": cargo, "src/main.rs": "fn main() {}\n"}
+    return Example(bad={**body, **(files or {})}, good={}, on="")
+
+
+CRATE = "[dependencies]\nstd_msgs = {}"
+POINTED = '[patch.crates-io]\nstd_msgs = { path = "../std_msgs" }\n'
+
 CASES = {
+    "DEP121": (
+        *(
+            crate(CRATE.format(value))
+            for value in (
+                '{ version = "*" }',
+                '{ path = "../std_msgs" }',
+                '{ git = "https://example.org/std_msgs" }',
+                '{ version = "*", optional = true }',
+                '"5.3"',
+                '"*"  # any',
+                "{ workspace = true }",
+            )
+        ),
+        crate('[dependencies.std_msgs]\nversion = "*"'),
+        crate('[dependencies.std_msgs]\nversion = "*"\noptional = true\n\n[features]\na = []'),
+        crate('[build-dependencies]\nstd_msgs = "*"'),
+        crate('[dependencies]\nstd_msgs.version = "*"\nserde = "*"\nmy_own_msgs = "*"\n# sensor_msgs = "*"'),
+        crate(CRATE.format('"*"') + "\n\n" + POINTED),
+        crate(CRATE.format('"*"'), files={".cargo/config.toml": POINTED}),
+        crate(CRATE.format('"*"'), "  <depend>geometry_msgs</depend>\n"),
+        crate(CRATE.format('"*"'), "  <!-- <depend>std_msgs</depend> -->\n"),
+        crate(CRATE.format('"*"'), "  <depend>acme_tools</depend>\n"),
+    ),
     "CMK201": (
         told("include_directories(${CMAKE_CURRENT_BINARY_DIR})"),
         told("include_directories(include)"),
