@@ -65,3 +65,36 @@ def test_what_installs_nothing_there_hides_nothing(lines: str) -> None:
 
 def test_several_macros_are_told_each() -> None:
     assert lint("make_config(arm)\nmake_meshes(arm)") == (set(), ["make_config", "make_meshes"])
+
+
+def absent_beside(call: str, install: str = "install(DIRECTORY config launch DESTINATION share/my_pkg)") -> list[str]:
+    """Return what is told of a parameter file that the folder `config` lacks, where CMake calls a foreign command."""
+    launch = "<launch>\n  <let name='p' value='$(find-pkg-share my_pkg)/config/other.yaml'/>\n</launch>\n"
+    files = {
+        "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace("ament_package", f"{install}\n{call}\nament_package"),
+        "config/robot.yaml": "/**:\n  ros__parameters:\n    rate: 2.0\n",
+        "launch/a.launch.xml": launch,
+    }
+    return [each.code for each in lint_files(files, ["LCH003"]).findings]
+
+
+def test_a_folder_that_the_package_copies_whole_is_known_beside_a_command_that_names_neither_it_nor_a_place() -> None:
+    assert absent_beside("make_parameters(src/parameters.yml)") == ["LCH003"]
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "make_parameters(config/arm.yml)",
+        "make_parameters(arm.yml DESTINATION share/my_pkg)",
+        "install_parameters(arm.yml)",
+        "my_package(arm)",
+    ],
+)
+def test_a_command_that_may_fill_the_folder_leaves_it_unknown(call: str) -> None:
+    assert not absent_beside(call)
+
+
+def test_a_folder_of_which_only_some_files_are_installed_is_unknown() -> None:
+    assert not absent_beside("make_parameters(arm.yml)", "install(FILES config/robot.yaml DESTINATION share/my_pkg)")

@@ -134,6 +134,12 @@ FITTING: dict[str, tuple[str, ...]] = {
     "missing-include": ("CMK201", "DEP105", "IDL", "CMK"),
     "launch-source-mismatch": ("LCH",),
     "duplicate-package-name": ("WSP001",),
+    "launch-trailing-comma": ("LCH",),
+    "code-bad-package": ("DEP", "CMK", "PLG", "URD"),
+    "param-unknown-plugin": ("PLG", "PRM", "DEP106"),
+    "urdf-bad-package": ("URD002", "DEP106", "DEP", "LCH003"),
+    "urdf-multiple-roots": ("URD",),
+    "cmake-missing-language": ("CMK", "IDL"),
     "launch-not-installed": ("SET206", "SET207", "CMK101", "LCH003", "LCH004"),
 }
 NAMELESS = {

@@ -32,6 +32,7 @@ from .plugins.plugin_facts import described_plugins, loaded_bases
 from .plugins.plugin_uses import plugin_uses
 from .python.run_time_files import run_time_files
 from .read_install_table import installed_facts
+from .settled_folders import settled_folders
 from .uninstalled_files import made_files, uninstalled_files
 from .urdf.robot_words import robot_includes, robot_words
 
@@ -121,6 +122,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("uninstalled",): one("uninstalled", uninstalled_files),
     ("written_files",): one("written_files", made_files),
     ("run_time_files",): one("run_time_files", run_time_files),
+    ("settled_folders",): one("settled_folders", settled_folders),
     ("cmake_targets",): of_exports,
     ("is_compiled",): one("is_compiled", has_targets),
     ("kept_links",): one("kept_links", kept_links),

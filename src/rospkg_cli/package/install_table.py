@@ -45,6 +45,8 @@ class UnknownPart:
     span: Span
     below: str = ""
     """The one folder of the prefix that it is about; "" where it may be any."""
+    command: str = ""
+    """The command of another package that may install it; "" where it is for another reason."""
 
 
 @dataclass(frozen=True)

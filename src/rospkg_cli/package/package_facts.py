@@ -104,6 +104,8 @@ class PackageFacts:
     """The fields of its messages, services and actions, but for those in .idl files."""
     share_files: frozenset[str] = frozenset()
     """The files of share/<name> after the build, relative to it."""
+    settled_folders: frozenset[str] = frozenset()
+    """The folders of share/<name> that are all known, where commands of other packages may install more elsewhere."""
     uninstalled: frozenset[str] = frozenset()
     """The files that it has in its folders for run time, and that nothing installs."""
     written_files: frozenset[str] = frozenset()

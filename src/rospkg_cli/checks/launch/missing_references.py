@@ -157,7 +157,7 @@ class LaunchContext:
             return MissingReference(named.span, named.package, named.path, "absent", named.use, better, (), True, home)
         if facts is None or facts.may_write(named.path):
             return None
-        if not facts.knows("share_files"):
+        if not facts.knows("share_files") and posixpath.dirname(named.path) not in facts.settled_folders:
             return self.slip_at(named, facts)
         there = named.path in facts.share_files
         if not named.has_slash:

@@ -126,7 +126,7 @@ class CMakeTableBuilder:
                     yield UnknownPart(what, f"`{call.name}` may install anything", call.path, call.command.span)
         for call in (each for each in foreign_commands(self.cmake) if not MAKES_HEADERS.fullmatch(each.name)):
             why = f"`{call.name}` of another package may install anything"
-            yield UnknownPart("share", why, call.path, call.command.span)
+            yield UnknownPart("share", why, call.path, call.command.span, command=call.name)
             if not self.makes_programs or MAKES_PROGRAMS.search(call.name) or "EXECUTABLE" in call.texts:
                 yield UnknownPart("executable", why, call.path, call.command.span)
 
