@@ -33,6 +33,9 @@ CASES = {
     "IDL011": (
         importing("from std_msgs.msg import string, _string, Color, Int65, Bool\n"),
         importing("from std_msgs.msg import *\n"),
+        importing("from std_srvs.srv import Empty, EmptyRequest, SetBoolResponse, TakeRequest, Empty_Request\n"),
+        importing("import rospy\nfrom std_srvs.srv import EmptyRequest\n"),
+        importing("try:\n    from std_srvs.srv import EmptyRequest\nexcept ImportError:\n    pass\n"),
         importing("from std_msgs.msg._string import Strin\nfrom .std_msgs.msgs import a\n"),
         importing("from std_msgs.message import String\nimport std_srvs.service\nfrom std_msgs.srvs import a\n"),
         importing("from std_srvs.msg import Trigger\nfrom std_srvs.srv import SetBool_Request, Triger\n"),

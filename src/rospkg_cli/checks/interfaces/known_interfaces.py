@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Set
 from functools import cached_property
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
@@ -19,6 +20,9 @@ MEANT = {"messages": "msg", "message": "msg", "services": "srv", "service": "srv
 ENDINGS = ("_msgs", "_srvs", "_interfaces")
 PLURALS = {"msgs": "msg", "srvs": "srv"}
 """Modules that no package of interfaces has, whatever it is: rosidl's have the names of the kinds."""
+
+OF_ROS1 = regex(r"(?:Request|Response)$")
+"""How ROS 1 called the halves of a service: `EmptyRequest`."""
 
 
 @dataclass(frozen=True)
@@ -68,6 +72,9 @@ class KnownInterfaces:
         other = next((each for each in KINDS if base in known.get(each, ())), "")
         if other:
             return f"{package}.{other}.{base}"
+        whole = OF_ROS1.sub("", base)
+        if kind == "srv" and whole != base and whole in known.get(kind, ()):
+            return f"{package}.{kind}.{whole}"
         near = self.nearest(package, base, known.get(kind, ()))
         if near:
             return f"{package}.{kind}.{near}"

@@ -53,10 +53,10 @@ def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
 
     ## When it is quiet
     Where the package is not in the workspace, unless one of its messages has a near name or the name is that of a
-    service or action of it; where it makes its interfaces while it is built, or has a Python module of that name; for
-    optional imports, and in files that nothing installs, but for an info on a name that a package of the workspace
-    lacks. A module that no entry point and no other file of the package
-    names or imports, beside others that start, is a warning.
+    service or action of it, also with the ending of ROS 1; where it makes its interfaces while it is built, or has a
+    Python module of that name; for optional imports, and in files that nothing installs, but for an info on a name that
+    a package of the workspace lacks. A module that no entry point and no other file of the package names or imports,
+    beside others that start, is a warning.
 
     ## Fix safety
     The intended name is a guess.
