@@ -580,3 +580,16 @@ def test_folders_that_one_command_installs_are_one_cause(lines: str, starts: lis
     found = said(files, "CMK102")
     assert sorted(each.partition(":")[0] for each in found) == sorted(starts)
     assert all(("add files to them" in each) is ("do not" in each) for each in found)
+
+
+def test_scripts_that_cmake_gives_to_chmod() -> None:
+    """Those that it does not name keep their fault."""
+    names = (
+        "set(NODES a.py)\nforeach(node ${NODES})\n  execute_process(COMMAND {} +x ${CMAKE_INSTALL_PREFIX}/lib/my_pkg/"
+    )
+    lines = f"install(DIRECTORY scripts/ DESTINATION lib/${{PROJECT_NAME}})\n{names}${{node}})\nendforeach()"
+    files = {f"scripts/{name}.py": "#!/usr/bin/env python3\nprint()\n" for name in "ab"}
+    (finding,) = lint_files({**package(lines.replace("{} +x", "chmod +x")), **files}, ["CMK105"]).findings
+    assert finding.message.startswith("the executable bit of `scripts/b.py` is not")
+    (finding,) = lint_files({**package(lines.replace("{} +x", "echo")), **files}, ["CMK105"]).findings
+    assert finding.message.startswith("the executable bit of `scripts/a.py` and `scripts/b.py` is not")

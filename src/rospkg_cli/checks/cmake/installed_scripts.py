@@ -89,6 +89,11 @@ class InstalledScripts:
                 seen.add(copy.source)
                 yield BrokenScript(copy, wrong)
 
+    def gets_bit(self, copy: CopiedFile) -> bool:
+        """Return whether CMake runs chmod on an installed script; the first build may lack the bit."""
+        calls = [call for call in self.package.cmake.named("execute_process") if "chmod" in call.texts]
+        return any(text.endswith(f"/{posixpath.basename(copy.source)}") for call in calls for text in call.texts)
+
     def wrong(self, copy: CopiedFile) -> Wrong | None:
         shebang, bit = self.has_shebang(copy.source), self.has_bit(copy.source)
         if posixpath.basename(copy.source) == "__init__.py" or self.is_no_program(copy.source):
@@ -102,8 +107,8 @@ class InstalledScripts:
         if not shebang or not self.is_runnable(copy.source):
             return None
         if copy.rule.kind == "FILES":
-            return None if copy.is_executable else "files"
-        if copy.is_executable:
+            return None if copy.is_executable or self.gets_bit(copy) else "files"
+        if copy.is_executable or self.gets_bit(copy):
             return None
         return "directory" if not copy.keeps_permissions else None if bit else "directory, no bit"
 

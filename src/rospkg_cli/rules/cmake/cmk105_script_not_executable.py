@@ -70,8 +70,8 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     ## When it is quiet
     For files that another installed script imports, or any Python file by a dotted name (`my_pkg.moves.turn`) where
     they don't start themselves; that hold only definitions, or are launch files; that a launch file hands to `python3`,
-    or a macro in a .cmake file of the package to whom it calls. For what is installed under a condition that can't be
-    evaluated, or for tests.
+    or a macro in a .cmake file of the package to whom it calls, and that CMake gives to `chmod` by name. For what is
+    installed under a condition that can't be evaluated, or for tests.
     """
     if not scripts.package.is_ament:
         return
