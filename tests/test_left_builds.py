@@ -72,3 +72,23 @@ def test_a_key_without_headers(depends: str, text: str) -> None:
     messages = told("DEP104", "find_package(Protobuf REQUIRED)\n", {}, depends)
     assert len(messages) == bool(text)
     assert all(text in each for each in messages)
+
+
+@pytest.mark.parametrize(
+    "tool, lines, count",
+    [
+        ("ament_cmake_core", "find_package(ament_cmake REQUIRED)\n", 1),
+        ("ament_cmake_python", "find_package(ament_cmake REQUIRED)\nfind_package(ament_cmake_python REQUIRED)\n", 1),
+        ("ament_cmake_core", "find_package(ament_cmake_core REQUIRED)\n", 0),
+        ("ament_cmake_ros", "find_package(ament_cmake REQUIRED)\n", 0),
+        ("ament_cmake_auto", "find_package(ament_cmake REQUIRED)\n", 0),
+        ("autoware_cmake", "find_package(ament_cmake REQUIRED)\n", 0),
+        ("acme_cmake", "find_package(ament_cmake REQUIRED)\n", 0),
+    ],
+)
+def test_parts_of_the_build_tool(tool: str, lines: str, count: int) -> None:
+    package = manifest("", "ament_cmake").replace("depend>ament_cmake<", f"depend>{tool}<")
+    cmake = CMAKE.replace("find_package(ament_cmake REQUIRED)\n", lines)
+    messages = told("XML208", "", {"package.xml": package, "CMakeLists.txt": cmake})
+    assert len(messages) == count
+    assert all("does not declare `ament_cmake`" in each for each in messages)

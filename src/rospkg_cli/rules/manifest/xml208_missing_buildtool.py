@@ -17,6 +17,11 @@ BAD = GOOD.replace("  <buildtool_depend>ament_cmake</buildtool_depend>\n", "")
 FAMILY = regex(r"(.*_)?cmake(_.*)?")
 """ament_cmake and its parts, and what wraps it, such as autoware_cmake."""
 
+PART = regex(
+    r"ament_cmake_(core|export_\w+|gen_version_h|gmock|gtest|include_directories|libraries|pytest|python|test)"
+)
+"""What ament_cmake consists of, or is beside it, and does not bring it."""
+
 NOT_FOR_BUILDING = frozenset({"test_depend", "doc_depend", "exec_depend"})
 
 
@@ -47,7 +52,8 @@ def missing_buildtool(tools: BuildTools) -> Iterator[Hit]:
     "ament_cmake"`.
 
     ## When it is quiet
-    A build tool of the ament_cmake family under any tag that is there when the package is built is enough. A
+    A build tool of the ament_cmake family under any tag that is there when the package is built is enough, but for
+    parts such as ament_cmake_core and ament_cmake_python where CMakeLists.txt finds ament_cmake itself. A
     CMakeLists.txt that neither finds such a package nor calls `ament_package()` is left alone. Where a dependency that
     is there to build certainly brings it, as the generators of interfaces do, it is an info.
 
@@ -55,9 +61,12 @@ def missing_buildtool(tools: BuildTools) -> Iterator[Hit]:
     - [ament_cmake user documentation](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Documentation.html)
     """
     package, manifest = tools.package, tools.package.manifest
-    if any(FAMILY.fullmatch(each.name) and each.tag not in NOT_FOR_BUILDING for each in manifest.dependencies):
-        return
     asked = sorted(name for name in package.found_to_build if name.startswith("ament_cmake"))
+    there = [each for each in manifest.dependencies if each.tag not in NOT_FOR_BUILDING]
+    if any(
+        FAMILY.fullmatch(each.name) and not ("ament_cmake" in asked and PART.fullmatch(each.name)) for each in there
+    ):
+        return
     if not asked and not package.ends_a_package:
         return
     name = "ament_cmake" if "ament_cmake" in asked or not asked else asked[0]
