@@ -92,3 +92,32 @@ def test_parts_of_the_build_tool(tool: str, lines: str, count: int) -> None:
     messages = told("XML208", "", {"package.xml": package, "CMakeLists.txt": cmake})
     assert len(messages) == count
     assert all("does not declare `ament_cmake`" in each for each in messages)
+
+
+LINKED = "add_library(core SHARED src/core.cpp)\ntarget_link_libraries(core PRIVATE usb-1.0)\n"
+USB = {"src/core.cpp": "int core() {return 1;}\n"}
+INCLUDED = {"src/core.cpp": "#include <libusb.h>\nint core() {return 1;}\n"}
+ALONE = "add_library(core SHARED src/core.cpp)\n"
+
+
+@pytest.mark.parametrize(
+    "lines, files, depends, count",
+    [
+        (LINKED, USB, "  <depend>libusb-1.0</depend>\n", 1),
+        (ALONE, INCLUDED, "  <depend>libusb-1.0</depend>\n", 1),
+        (LINKED, INCLUDED, "  <exec_depend>libusb-1.0</exec_depend>\n", 1),
+        (LINKED, INCLUDED, "  <depend>libusb-1.0-dev</depend>\n", 0),
+        (LINKED, USB, "  <build_depend>libusb-1.0-dev</build_depend>\n  <exec_depend>libusb-1.0</exec_depend>\n", 0),
+        (LINKED, USB, "  <depend>libusb-1.0</depend>\n  <depend>acme_usb</depend>\n", 0),  # which may bring it
+        (LINKED, USB, "  <depend>libusb-1.0</depend>\n  <depend>libusb-dev</depend>\n", 0),
+        (ALONE, USB, "  <depend>libusb-1.0</depend>\n", 0),
+        (ALONE, {"src/core.cpp": "#if USB\n#include <libusb.h>\n#endif\n"}, "  <depend>libusb-1.0</depend>\n", 0),
+        (ALONE, {**INCLUDED, "include/libusb.h": "int usb();\n"}, "  <depend>libusb-1.0</depend>\n", 0),
+        ("if(USB)\n  find_library(USB usb-1.0 REQUIRED)\nendif()\n", USB, "  <depend>libusb-1.0</depend>\n", 0),
+        (ALONE, {"src/core.cpp": "#include <X11/Xlib.h>\n"}, "  <depend>libx11</depend>\n", 0),
+    ],
+)
+def test_keys_without_headers(lines: str, files: dict[str, str], depends: str, count: int) -> None:
+    messages = told("DEP115", lines, files, depends)
+    assert len(messages) == count
+    assert all(each.startswith("`libusb-1.0` has neither headers") for each in messages)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.bare_libraries import BareLibraries
 from ...checks.depends.linked_libraries import LinkedLibraries
 from ...checks.depends.name_source import is_left_out
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others
@@ -52,7 +53,8 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
     Finds libraries of the system that CMake links or looks for and that package.xml does not declare.
     These are the plain names in `target_link_libraries()`, those in `find_library()`, and the modules of
     `pkg_check_modules()`, as far as a rosdep key is known for them. A call without REQUIRED counts where a target is
-    linked with what it finds.
+    linked with what it finds. It finds keys without headers (`libusb-1.0` for `libusb-1.0-dev`), too, where
+    the library is included or linked.
 
     ## Why is this bad?
     It builds where somebody installed the library by hand. On the build farm, and in a container made by `rosdep
@@ -83,3 +85,11 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
         level = Severity.INFO if is_left_out(declared, key) else None
         yield Hit(each.path, each.span, message, level, fix=declaration(declared, kind, key))
     yield from left_to_others(declared, brought, "needed by CMake")
+    for bare in BareLibraries(libraries).all():
+        kind = "test_depend" if bare.testing else "build_depend"
+        message = (
+            f"`{bare.key}` has neither headers nor what the linker reads, and the build needs `{bare.what}`: where "
+            f"nothing else brings it, it stops here; {advice(declared, kind, bare.wanted)}"
+        )
+        level = Severity.INFO if bare.may_be_brought else None
+        yield Hit(bare.path, bare.span, message, level, fix=declaration(declared, kind, bare.wanted))
