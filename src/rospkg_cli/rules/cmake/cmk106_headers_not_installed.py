@@ -30,12 +30,7 @@ install(TARGETS core EXPORT export_core
 )
 «ament_export_targets(export_core HAS_LIBRARY_TARGET)»
 """
-INSTALL = """\
-
-install(DIRECTORY include/
-  DESTINATION include/${PROJECT_NAME}
-)
-"""
+INSTALL = "\ninstall(DIRECTORY include/\n  DESTINATION include/${PROJECT_NAME}\n)\n"
 GOOD = (
     LINES.replace("«", "")
     .replace("»", "")

@@ -68,7 +68,7 @@ def cmake(lines: str) -> str:
 def lost_component(components: LostComponents) -> Iterator[Hit]:
     """
     ## What it does
-    Finds components of Boost, Qt and OpenCV that targets need and that `find_package()` does not ask for.
+    Finds components of Boost, Qt and OpenCV that targets need and CMake does not ask for.
     Of Boost and Qt it compares the targets that are linked (`Boost::filesystem`), of OpenCV the functions and classes
     that sources use, such as `cv::imread` of imgcodecs, where `${OpenCV_LIBS}` has only what was asked for.
 

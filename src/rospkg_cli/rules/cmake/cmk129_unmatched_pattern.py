@@ -39,7 +39,7 @@ LAUNCH = "<launch/>\n"
 def unmatched_pattern(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds folders that `install()` copies with FILES_MATCHING and a PATTERN that none of their files fits.
+    Finds folders that are installed with FILES_MATCHING and a PATTERN that none of their files fits.
     It tells where the folder has files of the same purpose with another ending: headers (`.h`, `.hpp`), launch files,
     parameters, meshes, robots or pictures.
 

@@ -30,7 +30,7 @@ from launch_ros.actions import Node
 
 
 def generate_launch_description():
-    return LaunchDescription([Node(package='«robot_state_publisher»', executable='robot_state_publisher')])
+    return LaunchDescription([Node(package='«joint_state_publisher»', executable='joint_state_publisher')])
 """
 BAD_XML = """\
 <launch>
@@ -53,7 +53,7 @@ BAD_XML = """\
         Example(
             bad={"launch/robot.launch.py": BAD, "package.xml": manifest(DECLARED.format("ros2launch"))},
             good={
-                "package.xml": manifest(DECLARED.format("robot_state_publisher") + DECLARED.format("ros2launch")),
+                "package.xml": manifest(DECLARED.format("joint_state_publisher") + DECLARED.format("ros2launch")),
             },
             fix=Safety.SAFE,
         ),

@@ -30,8 +30,7 @@ MAIN = "\n\ndef main():\n    print(GREETING)\n"
 def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     """
     ## What it does
-    Finds modules that import another module of their own Python package by its bare name, or one of a folder beside
-    the file.
+    Finds imports of another module of the own Python package, or of a folder beside, by its bare name.
 
     ## Why is this bad?
     It works where the file is started by its path, for Python looks next to it. `ros2 run` starts the entry point, and

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.idle_actions import level_at
+from ...checks.launch.missing_harm import harm_of
 from ...checks.launch.missing_references import LaunchContext, MissingReference
-from ...checks.launch.relative_parameter_files import is_for_nodes, relative_parameter_files
+from ...checks.launch.relative_parameter_files import relative_parameter_files
 from ...edits.offers import how_to_have
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
-from ...package.launch.file_references import ReferenceKind
 from ...rule import rule
 
 LAUNCH = """\
@@ -41,14 +41,6 @@ NODE = {
     "my_pkg/talker.py": "def main():\n    pass\n",
     "config/robot.yaml": "/**:\n  ros__parameters:\n    rate: 2.0\n",
 }
-HARM: dict[ReferenceKind, str] = {
-    "include": "the launch stops there, as the file can't be opened",
-    "open": "the launch stops there, as the file can't be opened",
-    "default": "what opens it fails unless another one is given",
-    "file": "what opens it finds nothing there",
-    "caught": "what opens it goes on with nothing, and does not say so",
-}
-WITHOUT_PARAMETERS = "launch warns, and the node starts with its defaults"
 
 
 @rule(
@@ -115,6 +107,10 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
             level = Severity(softer) if softer else None if each.stops_launch else Severity.WARNING
             others = tuple(Related(scope.file.path, span, "here too") for span in each.other_spans)
             yield Hit(scope.file.path, each.span, message(scope, each, why), level, others)
+    yield from current_folder(scope)
+
+
+def current_folder(scope: LaunchContext) -> Iterator[Hit]:
     for found in relative_parameter_files(scope):
         softer, why = level_at(scope.file, found.span)
         where = f"the share directory of `{scope.package.name}`"
@@ -124,9 +120,7 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
 
 
 def message(scope: LaunchContext, missing: MissingReference, why: str) -> str:
-    harm = "RViz starts with its default view" if missing.is_for_rviz else HARM[missing.use]
-    harm = WITHOUT_PARAMETERS if is_for_nodes(scope, missing) else harm
-    harm = f"{harm}, {why}" if why else harm
+    harm = f"{harm_of(scope, missing)}{why and ', '}{why}"
     if missing.state == "no slash":
         start = f"there is no `/` between the share directory of `{missing.package}` and `{missing.path}`"
         return f"{start}: {harm}; begin it with `/`"
