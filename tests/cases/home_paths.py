@@ -18,6 +18,8 @@ CASES = {
             }
         ),
         python({"my_pkg/talker.py": "open('«/home/ubuntu/ws/src/my_pkg/data/people.txt»')\n", **FILES}),
+        python({"my_pkg/talker.py": "open('«/home/ros2_ws/src/my_pkg/data/people.txt»')\n", **FILES}),
+        python({"my_pkg/talker.py": "open('«/home/rover-docker/src/my_pkg/data/people.txt»')\n", **FILES}),
         python(
             {
                 **FILES,

@@ -31,6 +31,7 @@ OF_MANY = frozenset(
     "admin app dev developer docker jetson nvidia pi robot root ros ros2 runner ubuntu user username vscode you".split()
 )
 """Accounts that robots, containers and examples have: the path may be the same for everyone."""
+SHARED = regex(r"your|docker|container|(?:^|_)(?:ws|workspace)$")
 ASKS = regex(r"\b(?:exists|isfile|is_file|isdir|is_dir|access)\(")
 
 
@@ -121,5 +122,6 @@ def without_comments(path: str, text: str) -> str:
 
 
 def is_of_many(user: str) -> bool:
+    """Return whether many have an account of that name; a workspace right below /home is that of a container."""
     lower = user.lower()
-    return lower in OF_MANY or "your" in lower or lower.startswith(("user", "my_", "<"))
+    return lower in OF_MANY or SHARED.search(lower) is not None or lower.startswith(("user", "my_", "<"))
