@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.commands_of_ros1 import CommandsOfRos1
+from ...checks.cmake.module_commands import ModuleCommand, ModuleCommands
 from ...checks.cmake.unknown_commands import UnknownCommands
 from ...checks.depends.unfound_commands import UnfoundCommand, UnfoundCommands
 from ...edits.cmake_find import add_find_package
@@ -54,7 +55,8 @@ def unknown_command(commands: UnfoundCommands) -> Iterator[Hit]:
     They are nearly called like a known one (of CMake, ament, rosidl and the like, or of the package's own functions;
     near is one or two letters; for commands of ament and rosidl also the same words in another order, or all but the
     last), are of ROS 1 (`catkin_package()`), or come with a package that no `find_package()` looks for:
-    `ament_package()` without `find_package(ament_cmake REQUIRED)`.
+    `ament_package()` without `find_package(ament_cmake REQUIRED)`. So do commands of modules of CMake that nothing
+    includes before: `pkg_check_modules()`, `ExternalProject_Add()`.
 
     ## Why is this bad?
     CMake stops with "Unknown CMake command".
@@ -65,7 +67,8 @@ def unknown_command(commands: UnfoundCommands) -> Iterator[Hit]:
     brings the one that defines it, or `ament_lint_auto_find_test_dependencies()` finds what package.xml declares. For
     names that consist of words which
     commands have (`add_gtest`), names with another number in them (`qt4_wrap_cpp`), and names of less than six letters.
-    Under a condition that can't be evaluated, and where the command is never run.
+    Under a condition that can't be evaluated, and where the command is never run. For a module of CMake where a .cmake
+    file of the package names it.
     """
     cmake = commands.package.cmake
     for call, near in UnknownCommands(cmake).all():
@@ -79,12 +82,22 @@ def unknown_command(commands: UnfoundCommands) -> Iterator[Hit]:
         todo = f"call `{new}`" if new else "remove the call"
         message = f'`{call.name}` is a command of ROS 1: CMake stops with "Unknown CMake command"; {todo}'
         yield Hit(call.path, call.command.name_span, message, None if of_ros1.is_certain else Severity.WARNING)
+    for of_module in ModuleCommands(cmake).all():
+        severity = None if of_module.is_certain else Severity.INFO
+        yield Hit(of_module.call.path, of_module.call.command.name_span, not_included(of_module), severity)
     for each in commands.all():
         line = f"find_package({each.package} REQUIRED)"
         edits = add_find_package(cmake, each.package, each.call)
         fix = Fix(f"add {line}", edits) if edits else None
         level = Severity.INFO if each.may_be_brought else None
         yield Hit(each.call.path, each.call.command.name_span, unfound(each, line), level, fix=fix)
+
+
+def not_included(each: ModuleCommand) -> str:
+    start = f"`{each.call.name}` comes with CMake's module {each.module}, which nothing includes before"
+    if each.is_certain:
+        return f'{start}: CMake stops with "Unknown CMake command"; add `{each.finds}`'
+    return f"{start}: it is known only as long as a package that is found includes it; add `{each.finds}`"
 
 
 def unfound(each: UnfoundCommand, line: str) -> str:

@@ -63,11 +63,10 @@ def missing_language(package: CMakePackage) -> Iterator[Hit]:
 
 
 def sentence(each: MissingLanguage) -> str:
-    start = f"no LANGUAGES of a `project()` has {each.language}"
-    add = f"add {each.language}"
+    start, add = f"no LANGUAGES of a `project()` has {each.language}", f"add {each.language}"
+    stops = 'CMake stops with "Cannot determine link language"'
     if each.of_interfaces:
         what = f"the interfaces of `{each.word.text}` become libraries of {each.language} too"
-        return f'{start}, and {what}: CMake stops with "Cannot determine link language"; {add}'
-    if each.is_only:
-        return f'{start}, and `{each.word.text}` is written in it: CMake stops with "Cannot determine link language"; {add}'
-    return f"{start}, and `{each.word.text}` is written in it: it is never compiled; {add}"
+        return f"{start}, and {what}: {stops}; {add}"
+    ends = stops if each.is_only else "it is never compiled"
+    return f"{start}, and `{each.word.text}` is written in it: {ends}; {add}"
