@@ -125,7 +125,6 @@ FITTING: dict[str, tuple[str, ...]] = {
     "cmake-unknown-command": ("CMK", "DEP104", "DEP107"),
     "library-not-exported": ("CMK",),
     "cmake-duplicate-target": ("CMK006", "CMK110"),
-    "cmake-missing-language": ("CMK131",),
     "missing-include-directory": ("CMK",),
     "param-unknown-link": ("PRM", "URD"),
     "rviz-absolute-path": ("URD002", "LCH003"),

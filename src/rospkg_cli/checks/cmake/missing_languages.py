@@ -43,10 +43,10 @@ class MissingLanguages:
             return
         project, seen = self.cmake.projects[-1], set(self.enabled)
         for language in NEEDED:
-            for target in self.cmake.interface_targets:
-                if language not in seen and not target.call.maybe:
+            for made in self.cmake.interface_targets:
+                if language not in seen and not made.call.maybe:
                     seen.add(language)
-                    yield MissingLanguage(language, target.target, project, of_interfaces=True)
+                    yield MissingLanguage(language, made.target, project, of_interfaces=True)
         for target in self.cmake.targets:
             for each in self.of(target, project):
                 if each.language not in seen:

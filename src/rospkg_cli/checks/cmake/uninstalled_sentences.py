@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.uninstalled_targets import UninstalledTarget
+from .doubled_names import DoubledName
 
 USERS = {
     "component": "the component `{}`",
@@ -28,3 +29,11 @@ def uninstalled(package: CMakePackage, forgotten: UninstalledTarget) -> str:
             f"{forgotten.target.name}` does not find it; install it into lib/${{PROJECT_NAME}}"
         )
     return f"the library {name} is built and not installed: {user} can't load it; install it into lib"
+
+
+def said_twice(each: DoubledName) -> str:
+    name = each.target.name
+    return (
+        f"`{each.word.text}` is installed twice, and the library `{name}`, which is made before, is not: "
+        f"what loads `{name}` finds no file; write `{name}` here"
+    )

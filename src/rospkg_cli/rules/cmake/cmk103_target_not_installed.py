@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.commented_installs import CommentedInstalls
+from ...checks.cmake.doubled_names import DoubledNames
 from ...checks.cmake.misplaced_libraries import MisplacedLibraries
 from ...checks.cmake.node_programs import NodePrograms
 from ...checks.cmake.target_references import TargetReferences
-from ...checks.cmake.uninstalled_sentences import uninstalled
+from ...checks.cmake.uninstalled_sentences import said_twice, uninstalled
 from ...edits.cmake_install import install_executable, install_library
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example
-from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...languages.cmake.targets import Target
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.uninstalled_targets import UninstalledTarget, UninstalledTargets
@@ -80,7 +81,8 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
     Finds executables, and shared libraries needed at run time, that are built and not installed.
-    It also finds libraries that are installed into another folder than `lib`. A shared library is needed where a
+    It also finds libraries that are installed into another folder than `lib`, and libraries that are left out where the
+    name of the one before stands twice. A shared library is needed where a
     component, another installed target, or users need it. What serves the build or the tests is left alone.
 
     ## Why is this bad?
@@ -96,14 +98,19 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
     if not package.is_ament:
         return
     misspelt = {each.word.text for each in TargetReferences(package.cmake).broken() if each.call.name == "install"}
-    programs = NodePrograms(package)
+    programs, told = NodePrograms(package), set()
     for forgotten in UninstalledTargets(package.cmake).all():
         word = forgotten.target.word
         if near_names(word.text, misspelt):
             continue  # the install rule that means it is CMK110's
         fix = only_plain_names(Fix(f"install `{word.text}`", (edit(package, forgotten),)), word.text)
         severity = Severity.INFO if is_left_out(programs, forgotten.target) else level(forgotten, programs)
+        told.add(word.text)
         yield Hit(word.path, word.span, uninstalled(package, forgotten), severity, fix=fix)
+    for each in DoubledNames(package.cmake).all():
+        if each.target.name not in told:
+            related = (Related(each.first.path, each.first.span, "it stands here first"),)
+            yield Hit(each.word.path, each.word.span, said_twice(each), related=related)
     yield from (Hit(each.word.path, each.word.span, each.sentence) for each in MisplacedLibraries(package.cmake).all())
 
 
