@@ -45,8 +45,9 @@ IN_C = CMAKE.replace("ament_package", PROGRAM + "ament_package")
 def missing_language(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds languages that a package is written in and that no `project()` or `enable_language()` enables: C or C++ where
-    interfaces are generated, which become libraries of both, and those of the sources that targets list (C, C++, CUDA).
+    Finds languages that a package is written in and that no `project()` enables.
+    They are C and C++ where interfaces are generated, which become libraries of both, and those of the sources that
+    targets list (C, C++, CUDA); `enable_language()` enables one too.
 
     ## Why is this bad?
     A project that names its languages has no other. CMake stops with "Cannot determine link language for target",
