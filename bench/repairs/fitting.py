@@ -40,7 +40,7 @@ FITTING: dict[str, tuple[str, ...]] = {
     "plugin-xml-not-exported": ("PLG", "XML306"),
     "interface-unknown-type": ("IDL001", "IDL004", "IDL005", "IDL011", "LCH019", "DEP108", "DEP"),
     "launch-bad-package": ("DEP", "LCH"),
-    "launch-bad-executable": ("LCH002",),
+    "launch-bad-executable": ("LCH002", "LCH014"),
     "launch-missing-file": ("LCH003", "LCH004", "LCH021", "PRM010", "SET206", "SET207", "CMK101"),
     "launch-missing-description": ("LCH001", "LCH014"),
     "launch-missing-parametervalue": ("LCH009",),

@@ -86,6 +86,14 @@ GENERATED = (
 IN_FUNCTION = (
     "from writer import LaunchFile\n\n\ndef node():\n    return LaunchFile.Node(package='turtlesim', executable='a')\n"
 )
+NODE_IN_TEST = """\
+from launch_ros.actions import Node as LaunchNode
+
+
+class Helper:
+    def start(self):
+        return LaunchNode(package="turtlesim", executable="turtlesim_node")
+"""
 DESCRIBED = "from launch_ros.actions import Node\n\nN = Node(package='turtlesim', executable='a')\n"
 
 TESTED = setup_py("tests_require=['{}'],").replace("    extras_require={'test': ['pytest']},\n", "")
@@ -122,6 +130,10 @@ CASES = {
     "DEP103": (
         python("", launch__a_DOT_launch_DOT_py=LAUNCH),
         python("", my_pkg__a_DOT_py=DESCRIBED),
+        python("", test__test_a_DOT_py=NODE_IN_TEST),
+        python("", test__test_a_DOT_py=NODE_IN_TEST.replace("turtlesim", "made_up_by_us")),
+        python("  <exec_depend>turtlesim</exec_depend>\n", test__test_a_DOT_py=NODE_IN_TEST),
+        python("", test__test_a_DOT_py=NODE_IN_TEST, my_pkg__a_DOT_py=NODE_IN_TEST),
         python("", my_pkg__launch__a_DOT_py=IN_FUNCTION),
         *(python("", my_pkg__a_DOT_py=GENERATOR.format(first, more, call)) for first, more, call in GENERATED),
         python("", my_pkg__launch__a_DOT_py=IN_FUNCTION + "\n\ndef generate_launch_description():\n    return []\n"),

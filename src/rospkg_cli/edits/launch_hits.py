@@ -13,7 +13,9 @@ from .manifest import add_dependency
 from .undeclared_hits import declarations
 
 
-def described_nodes(declared: DeclaredDependencies, nodes: Sequence[tuple[str, str, Span]]) -> Iterator[Hit]:
+def described_nodes(
+    declared: DeclaredDependencies, nodes: Sequence[tuple[str, str, Span]], tag: str = "exec_depend"
+) -> Iterator[Hit]:
     """Yield one info for the packages that code describes nodes of, each as (name, path, span).
 
     Who launches such nodes may declare them.
@@ -24,9 +26,9 @@ def described_nodes(declared: DeclaredDependencies, nodes: Sequence[tuple[str, s
     are, of_it, it = ("are", "nodes of them", "them") if others else ("is", "a node of it", "it")
     message = (
         f"{in_ticks(name for name, *_ in nodes)} {are} not declared, and this code describes {of_it}: where a launch "
-        f'starts one, it stops with "package not found" on a clean machine; declare {it} as exec_depend'
+        f'starts one, it stops with "package not found" on a clean machine; declare {it} as {tag}'
     )
-    fix = declarations(declared, [("exec_depend", name) for name, *_ in nodes])
+    fix = declarations(declared, [(tag, name) for name, *_ in nodes])
     places = tuple(Related(other, at, f"`{name}` here") for name, other, at in others)
     yield Hit(path, span, message, Severity.INFO, places, fix)
 

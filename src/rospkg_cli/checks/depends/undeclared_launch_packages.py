@@ -164,21 +164,25 @@ class LaunchDependencies:
         imported = ImportDependencies(self.declared, self.python, self.files).undeclared("run").keys() - LAUNCH
         return {name: uses for name, uses in self.missing(tests=tests).items() if tests or name not in imported}
 
-    def nodes_in_code(self) -> dict[str, list[PackageReference]]:
-        """Return the undeclared packages that only installed code describes nodes of, with the places.
+    def nodes_in_code(self, *, tests: bool = False) -> dict[str, list[PackageReference]]:
+        """Return the undeclared packages that only code describes nodes of, with the places: of tests, or installed.
 
-        Such code generates launch files for other packages, which may declare what they start.
+        Installed code generates launch files for other packages, which may declare what they start.
         """
         found: dict[str, list[PackageReference]] = {}
+        roles = ("test",) if tests else ("run", "launch")
         if self.declared.is_checked:
             there = implied_by(self.declared.names, IN_LAUNCH_FILES) | self.missing(tests=False).keys()
+            if tests:
+                there |= self.missing(tests=True).keys() | self.nodes_in_code().keys()
             known = (file for file in self.launch_files if file.nodes or (file.is_complete and file.has_entry_point))
             launches = {file.path for file in known}
             for file in self.python.files:
-                for node in file.nodes if file.role in ("run", "launch") and file.path not in launches else ():
+                for node in file.nodes if file.role in roles and file.path not in launches else ():
                     if NAME.fullmatch(node.package) and not self.declared.has([node.package]):
                         use = PackageReference(node.package, file.path, node.span, "describes a node of")
                         found.setdefault(node.package, []).append(use)
+            there |= {name for name in found if tests and self.is_unknown_package(name)}  # made up, often
             found = {name: uses for name, uses in found.items() if name not in there}
         return found
 

@@ -51,16 +51,27 @@ class InterfaceImports:
 
     def of_import(self, file: PythonFile, each: Import) -> Iterator[WrongInterfaceImport]:
         package, _, rest = each.module.partition(".")
-        if each.level or not rest:
+        if each.level:
             return
         kind, _, deeper = rest.partition(".")
         found: list[WrongInterfaceImport] = []
+        if not deeper:
+            found += self.of_package(file, each, package, kind)
         if kind in KINDS and not deeper:
             found += self.of_kind(file, each, package, kind)
         elif kind and (meant := self.meant_module(package, kind)):
             found.append(self.hit(file, each, each.span, package, kind, "", f"{package}.{meant}"))
         if found and not self.has_module(each.module):  # last, as it looks through all packages
             yield from found
+
+    def of_package(self, file: PythonFile, each: Import, package: str, rest: str) -> Iterator[WrongInterfaceImport]:
+        """Yield what is taken out of a package itself, and is an interface of it: these are in its modules."""
+        known = self.known.of(package)
+        for name in (each.names if not rest else () if each.names else (rest,)) if known else ():
+            kinds = [kind for kind in KINDS if known and name in known.get(kind, ())]
+            if kinds:
+                span = each.span if rest else alias_span(file, each, name)
+                yield self.hit(file, each, span, package, "", name, f"{package}.{kinds[0]}.{name}")
 
     def has_module(self, module: str) -> bool:
         """Return whether a package of the workspace installs a module of that name itself, or may do so.

@@ -19,12 +19,14 @@ from .argument_types import TYPE_CHECKS, action_list_faults
 from .idle_actions import UNUSED, never_added
 from .include_sources import source_faults
 from .joined_commands import joined_command, joined_mapping, joined_words
-from .lone_commas import added_faults, at_the_comma, lone_commas
+from .joined_options import joined_options
+from .lone_commas import added_faults, at_the_comma, lone_commas, used_at_the_comma
 from .performed_texts import performed_faults
 from .program_prefixes import PROCESSES
 from .python_truth import Truth, test_faults, truth_values, use_faults
 from .relative_parameter_files import values_as_files
 from .removed_arguments import renamed
+from .uncalled_values import uncalled_faults
 
 LATER = "`LifecycleNode` is called without its required `namespace`"
 """What Foxy lets pass."""
@@ -80,6 +82,7 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
     for use in launch.uses:
         is_idle = any(each.contains(use.span) for each in idle)
         for fault in use_faults(use, launch.file.source.slice(use.span), is_tested=use.span in tested):
+            fault = used_at_the_comma(fault, use.operands, commas)
             yield softer(fault, "info", UNUSED) if is_idle and fault.level else fault
     yield from test_faults(launch)
     yield from performed_faults(launch)
@@ -88,6 +91,7 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
         is_idle = any(each.contains(fault.span) for each in idle)
         yield softer(fault, "info", UNUSED) if is_idle else fault
     for call in launch.calls:
+        yield from joined_options(call, launch.file.source)
         if class_of(call) == "OpaqueFunction":
             yield from function_faults(call, launch)
         elif class_of(call) == "Command":
@@ -132,6 +136,7 @@ def argument_faults(name: str, keyword: str, argument: Argument, truths: Mapping
             yield Fault(value.span, f"{why}: {better}", "warning" if truths[value.span].makes == wanted else None)
     elif kind in TYPE_CHECKS and not (keyword in signature.optional and is_none(value)):
         yield from TYPE_CHECKS[kind](argument, f"`{keyword}` of `{name}`")
+        yield from uncalled_faults(kind, argument, f"`{keyword}` of `{name}`")
 
 
 def with_its_name(fault: Fault, argument: Argument, launch: EvaluatedLaunch) -> Fault:

@@ -21,9 +21,12 @@ Commas = Mapping[Span, tuple[str, Span]]
 
 def lone_commas(file: PythonFile) -> Commas:
     found: dict[Span, tuple[str, Span]] = {}
-    for node in nodes_of_kind(file.tree, ast.Assign):
+    for node in (*nodes_of_kind(file.tree, ast.Assign), *nodes_of_kind(file.tree, ast.AnnAssign)):
         match node:
-            case ast.Assign(targets=[ast.Name(id=name)], value=ast.Tuple(elts=[item]) as value):
+            case (
+                ast.Assign(targets=[ast.Name(id=name)], value=ast.Tuple(elts=[item]) as value)
+                | ast.AnnAssign(target=ast.Name(id=name), value=ast.Tuple(elts=[item]) as value)
+            ):
                 span, end = file.span(value), file.span(item).end
                 comma = file.source.text.find(",", end, span.end)
                 if comma >= 0 and file.source.text[span.start] != "(":
@@ -43,6 +46,16 @@ def at_the_comma(fault: Fault, argument: Argument, commas: Commas) -> Fault:
             name, comma = commas[item.span]
             said = fault.message.removesuffix("; put a `*` before it")
             message = f"the comma makes a tuple of `{name}`: {said}; remove the comma"
+            return replace(fault, span=comma, message=message, repair=None)
+    return fault
+
+
+def used_at_the_comma(fault: Fault, operands: tuple[Value, ...], commas: Commas) -> Fault:
+    """Return a fault of what Python does with values, at the comma that makes a tuple of one, if one does."""
+    for each in operands:
+        if isinstance(each, Sequence) and each.span in commas:
+            name, comma = commas[each.span]
+            message = f"the comma makes a tuple of `{name}`: {fault.message}; remove the comma"
             return replace(fault, span=comma, message=message, repair=None)
     return fault
 

@@ -54,6 +54,12 @@ def use_faults(use: SubstitutionUse, written: str, *, is_tested: bool) -> Iterat
 
     `written` is the whole expression.
     """
+    if use.kind == "refused":
+        shown = type_name(use.operands[0])
+        yield Fault(
+            use.span, f"`{use.name}` raises TypeError for {shown}" + (" and a string" if use.name == "+" else "")
+        )
+        return
     shown = next(shown_value(each) for each in use.operands if is_resolved_at_run_time(each))
     if use.kind == "function":
         better = "use PathJoinSubstitution" if use.name == "os.path.join" else "do it in an OpaqueFunction"

@@ -10,7 +10,8 @@ from ...languages.python.file import PythonFile
 from ...light_dataclasses import dataclass
 from ...source import Span
 
-UseKind = Literal["function", "method", "operator", "lookup"]
+UseKind = Literal["function", "method", "operator", "lookup", "refused"]
+"""Refused is what Python raises TypeError for: a path that is joined of a tuple."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +25,8 @@ class SubstitutionUse:
     """Of the function with its module (`os.path.join`), or of the method; the operator: `+`, `==`, `!=`, `not`, `and`,
     `or`, and `f""` for an f-string."""
     operands: tuple[Value, ...]
-    """Of a function the substitution that is passed to it, of a method the object, of a lookup in a dict the key."""
+    """Of a function the substitution that is passed to it, of a method the object, of a lookup in a dict the key.
+    Of what is refused the values that are no text."""
 
 
 @dataclass(frozen=True)

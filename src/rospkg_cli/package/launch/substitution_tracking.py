@@ -9,7 +9,7 @@ from ...languages.python.evaluate.evaluator import Evaluator
 from ...languages.python.evaluate.known_functions import LIBRARY
 from ...languages.python.evaluate.sandbox_filesystem import SandboxFilesystem
 from ...languages.python.evaluate.state import EvaluationState, Intrinsic
-from ...languages.python.evaluate.values import Call, Constant, Mapping, Symbol, Value
+from ...languages.python.evaluate.values import Call, Constant, Mapping, PartialText, Sequence, Symbol, Text, Value
 from ...languages.python.file import PythonFile
 from .evaluated_launch import SubstitutionUse
 from .launch_classes import class_of, is_resolved_at_run_time, is_substitution
@@ -19,6 +19,8 @@ STRING_FUNCTIONS = frozenset({
     "int", "float", "open", "os.path.join", "os.path.exists", "os.path.isfile", "os.path.dirname",
 })  # fmt: skip
 """Functions that raise for a substitution."""
+OF_PATHS = frozenset({"os.path.join", "os.path.dirname"})
+"""Of these those that raise for a list and a tuple too."""
 
 
 class SubstitutionTracker(Evaluator):
@@ -45,6 +47,10 @@ class SubstitutionTracker(Evaluator):
         operator = operator_of(node)
         if operator and any(map(is_resolved_at_run_time, operands)):
             self.uses.append(SubstitutionUse(self.span(node), "operator", operator, operands))
+        elif self.certain and (refused := refused_by(node, operands)):
+            self.uses.append(
+                SubstitutionUse(self.span(node), "refused", refused, tuple(filter(is_container, operands)))
+            )
 
 
 def tracked_function(name: str, known: Intrinsic | None) -> Intrinsic:
@@ -54,9 +60,27 @@ def tracked_function(name: str, known: Intrinsic | None) -> Intrinsic:
         found = next((argument for argument in call.positional if is_substitution(argument)), None)
         if found is not None and isinstance(machine, SubstitutionTracker):
             machine.uses.append(SubstitutionUse(call.span, "function", name, (found,)))
+        elif name in OF_PATHS and machine.certain and isinstance(machine, SubstitutionTracker):
+            wrong = tuple(filter(is_container, call.positional))
+            machine.uses += [SubstitutionUse(call.span, "refused", name, wrong)] if wrong else []
         return known(machine, call) if known is not None else None
 
     return function
+
+
+def is_container(value: Value) -> bool:
+    return isinstance(value, Sequence | Mapping)
+
+
+def refused_by(node: ast.expr, operands: tuple[Value, ...]) -> str:
+    """Return the operator that raises TypeError: of a text and a container, or a container as part of a path."""
+    contain = any(map(is_container, operands))
+    match node:
+        case ast.BinOp(op=ast.Add()) if contain and any(isinstance(each, Text | PartialText) for each in operands):
+            return "+"
+        case ast.BinOp(op=ast.Div()) if contain:
+            return "/"
+    return ""
 
 
 def is_key(call: Call) -> bool:

@@ -31,15 +31,21 @@ def described_nodes(file: PythonFile) -> Iterator[DescribedNode]:
     """
     if "package=" not in file.source.text:
         return
-    values = assigned_once(file)
+    values, classes = assigned_once(file), CLASSES | renamed(file)
     for node in nodes_of_kind(file.tree, ast.Call):
         given = next((each.value for each in node.keywords if each.arg == "package"), None)
         value = values.get(ast.unparse(given)) or given if isinstance(given, ast.Name | ast.Attribute) else given
-        is_node = called(node.func) in CLASSES and bool(WHAT & {each.arg for each in node.keywords})
+        is_node = called(node.func) in classes and bool(WHAT & {each.arg for each in node.keywords})
         if isinstance(value, ast.Call) and called(value.func) == OBJECT and len(value.args) == 1:
             value, is_node = value.args[0], True
         if is_node and isinstance(value, ast.Constant) and isinstance(value.value, str):
             yield DescribedNode(value.value, file.span(value))
+
+
+def renamed(file: PythonFile) -> frozenset[str]:
+    """Return the names that imports give to classes: `Node as LaunchNode`."""
+    every = (alias for node in nodes_of_kind(file.tree, ast.ImportFrom) for alias in node.names)
+    return frozenset(alias.asname for alias in every if alias.asname and alias.name in CLASSES)
 
 
 def assigned_once(file: PythonFile) -> dict[str, ast.expr]:

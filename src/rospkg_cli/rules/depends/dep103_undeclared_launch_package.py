@@ -71,7 +71,7 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     Launch files need packages whose nodes and components they start, whose files they find or include, whose modules
     they import, whose programs they run (`xacro`, `xterm -e`), and, where package.xml names parts of launch, what reads
     them (`launch_xml`, `launch_yaml`). Launch files of tests require a test_depend. At info level count commands of
-    `ros2`, controllers of ros2_controllers under their usual names, and other installed code that describes nodes
+    `ros2`, controllers of ros2_controllers under their usual names, and other code that describes nodes, of tests too
     (`Node(package='…', executable='…')`).
 
     ## Why is this bad?
@@ -105,8 +105,9 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
                 brought.append(BroughtUse(name, bringer, tag, uses[0].path, uses[0].span))
             else:
                 yield undeclared(launch, tag, name, uses)
-    nodes = ((name, uses[0].path, uses[0].span) for name, uses in launch.nodes_in_code().items())
-    yield from described_nodes(launch.declared, sorted(nodes))
+    for tests, tag in ((False, "exec_depend"), (True, "test_depend")):
+        nodes = ((name, uses[0].path, uses[0].span) for name, uses in launch.nodes_in_code(tests=tests).items())
+        yield from described_nodes(launch.declared, sorted(nodes), tag)
     yield from left_to_others(launch.declared, brought, "used by launch files")
 
 

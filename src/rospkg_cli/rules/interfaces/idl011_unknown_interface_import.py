@@ -45,7 +45,8 @@ GOOD = "from std_msgs.msg import String\n\nprint(String)\n"
 def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
     """
     ## What it does
-    Finds Python imports of messages, services and actions that their package does not have.
+    Finds Python imports of messages, services and actions that their package does not have, or that are taken out of
+    the package itself (`from std_msgs import String`) and not of its module `msg`, `srv` or `action`.
 
     ## Why is this bad?
     The build does not look: it is green, and the node ends with ImportError when it starts. A package has the messages
@@ -65,13 +66,17 @@ def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
         level = Severity.WARNING if wrong.is_local or wrong.is_left else None
         level = Severity.INFO if wrong.is_uninstalled else level
         fix = None
-        if wrong.kind not in NAMES:
+        if wrong.kind and wrong.kind not in NAMES:
             fix = Fix(f"write `{wrong.meant}`", (Edit(wrong.path, wrong.span, wrong.meant),), Safety.UNSAFE)
         yield Hit(wrong.path, wrong.span, message(wrong), level, fix=fix)
 
 
 def message(wrong: WrongInterfaceImport) -> str:
     package, kind = wrong.package, wrong.kind
+    if not kind:
+        module, _, name = wrong.meant.rpartition(".")
+        what = f"`{package}` itself has no `{name}`, its {NAMES[module.rpartition('.')[2]]}s are in `{module}`"
+        return f"{what}: the import fails; write `from {module} import {name}`"
     if kind not in NAMES:
         return f"there is no module `{package}.{kind}`: the import raises ModuleNotFoundError; write `{wrong.meant}`"
     module, _, name = wrong.meant.rpartition(".")

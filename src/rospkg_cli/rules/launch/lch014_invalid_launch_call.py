@@ -64,7 +64,8 @@ def invalid_launch_call(calls: LaunchCalls) -> Iterator[Hit]:
     Finds calls in Python launch files that raise, or do not do what they say.
     They are numbers where launch takes strings, a value where a parameter file is expected, a set where a parameter
     dict or a list of words is expected, a parameter as a pair (`{'name': 'rate', 'value': 1}`), `launch_arguments`
-    without `.items()`, one text where a path is joined of a list, an action or `MoveItConfigs` as a parameter, a comma
+    without `.items()`, a method or function that is not called (`args.items`), a path that is joined of a tuple or a
+    list, one text where a path is joined of a list, an action or `MoveItConfigs` as a parameter, a comma
     that makes a tuple of an action, a class of sources for files of another kind (`XMLLaunchDescriptionSource` of a
     `.launch.py`), arguments that a class does not have or that are missing; and places that treat a
     substitution as if its value were known while the file is read: `not x`, `if x:`, `x == 'true'`,

@@ -1,0 +1,64 @@
+"""Options that Python joins with the word before them, as no blank or comma parts two texts (LCH014)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from ...languages.python.evaluate.values import Call, PartialText, Sequence, Text, Value
+from ...lazy_regex import regex
+from ...package.launch.launch_classes import class_of, span_within
+from ...source import Source
+from ..fault import Fault, Level
+from .program_prefixes import PROCESSES
+
+JOINED = regex(r"(?P<before>[\w./-]*\w)(?P<option>--[a-z][a-z-]+)(?=[ =:]|$)")
+NEAR = 4
+"""Letters on each side of a seam that stand together nowhere in the file."""
+GAP = "\0"
+"""What stands for a part that is not known."""
+LISTS = ("cmd", "arguments", "ros_arguments", "command")
+
+
+def joined_options(call: Call, source: Source) -> Iterator[Fault]:
+    """Yield the texts of a command in which an option begins a literal, and continues a word all the same."""
+    is_command = class_of(call) == "Command"
+    if class_of(call) not in PROCESSES and not is_command:
+        return
+    for name in LISTS:
+        words = call.get(name, 0 if name == "command" and is_command else None)
+        items = zip(words.items, words.places, strict=True) if isinstance(words, Sequence) else ()
+        for item, place in items if not is_command else ():
+            for found in seams(text_of(item), source.text):
+                yield Fault(span_within(item, place), joins(found, " " in text_of(item)), level_of(name))
+        if is_command and words is not None:
+            whole = "".join(map(text_of, words.items)) if isinstance(words, Sequence) else text_of(words)
+            for found in seams(whole, source.text):
+                yield Fault(words.span, joins(found, True))
+
+
+def seams(text: str, source: str) -> Iterator[re.Match[str]]:
+    for found in JOINED.finditer(text):
+        at, option = found.start("option"), found["option"]
+        is_written = text[max(0, at - NEAR) : at + NEAR] in source
+        begins = any(f"{quote}{option}" in source for quote in ("'", '"'))
+        if begins and not is_written:
+            yield found
+
+
+def joins(found: re.Match[str], is_line: bool) -> str:
+    before, option = found["before"], found["option"]
+    one = f"`{before}` and `{option}` become one word, `{before}{option}`, as nothing parts the two texts"
+    better = f"a blank before `{option}`" if is_line else f"a comma before `{option}`"
+    return f"{one}: the program stops or passes over it; put {better}"
+
+
+def level_of(name: str) -> Level | None:
+    """Return the level: the launch goes on without a process."""
+    return "warning" if name != "command" else None
+
+
+def text_of(value: Value) -> str:
+    if isinstance(value, Text):
+        return value.text
+    return "".join(map(text_of, value.parts)) if isinstance(value, PartialText) else GAP
