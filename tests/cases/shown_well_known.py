@@ -57,6 +57,22 @@ planner_server:
       plugin: nav2_navfn_planner::navfnplanner
     i:
       plugin: nav2_recoveries/Wait
+    j:
+      plugin: nav2_costmap_2d::ObstacleCostmapPlugin
+    k:
+      plugin: nav2_costmap_2d::SocialLayer
+    l:
+      plugin: nav2_costmap_2d::SocialLayer
+    m:
+      plugin: nav2_controller::ControllerServer
+    n:
+      plugin: rviz_default_plugins/Something
+    o:
+      plugin: effort_controllers/JointPositionController
+    p:
+      plugin: nav2_costmap_2d::Plugin
+    q:
+      plugin: somebodys_layers::ObstacleCostmapPlugin
 """
 YAML = Example(
     on="config",

@@ -14,10 +14,11 @@ SEPARATOR = regex(r"/|::")
 
 
 def same_renames(found: Iterable[WrongPlugin]) -> Iterable[list[WrongPlugin]]:
-    """Return misspelt plugins one by one, and those that one package of a former name had together."""
+    """Return misspelt plugins one by one; those that one package of a former name had, or of one name, together."""
     by_cause: dict[object, list[WrongPlugin]] = {}
     for each in found:
-        cause = SEPARATOR.split(each.use.name)[0] if each.wrong.is_removed else each.use
+        one = each.use if each.wrong.better else each.use.name
+        cause = SEPARATOR.split(each.use.name)[0] if each.wrong.is_removed else one
         by_cause.setdefault((each.user.folder, cause), []).append(each)
     return by_cause.values()
 
@@ -28,6 +29,11 @@ def well_known(every: Sequence[WrongPlugin]) -> Hit:
     path, now = unknown.user.at(use.path), "it is called" if wrong.is_removed else "write"
     more = " in any supported distribution" if wrong.is_removed else ""
     hint = f"; {now} `{wrong.better}`" + (" now" if wrong.is_removed else "") if wrong.better else ""
+    if not wrong.is_removed and not wrong.better:
+        of = SEPARATOR.split(use.name)[0]
+        message = f"`{of}` has no plugin `{use.name}` in any distribution: what loads it stops, unless another package"
+        places = tuple(Related(each.user.at(each.use.path), each.use.span, "here too") for each in others)
+        return Hit(path, use.span, f"{message} describes one of this name", Severity.INFO, places)
     names = {each.use.name for each in others} - {use.name}
     alike = f" (so with {in_ticks(sorted(names))})" if names else ""
     message = f"no plugin is called `{use.name}`{more}: what loads it stops{hint}{alike}"

@@ -17,6 +17,13 @@ LAUNCH_FILE = regex(r"[._]launch(?:\.(?:py|xml|ya?ml))?$")
 Kind = Literal["programs", "components", "plugins"]
 ENDINGS = ("_node", ".py", "_exe", "_server")
 """Of names of programs; some packages have them, and some do not."""
+WORD = regex(r"[A-Z]+(?![a-z])|[A-Z]?[a-z0-9]+")
+PLAIN_WORDS = frozenset({
+    "Behavior", "Checker", "Controller", "Costmap", "Critic", "Layer", "Node", "Planner", "Plugin", "Server",
+    "Smoother",
+})  # fmt: skip
+DISPLAYED = frozenset({"rviz_common", "rviz_default_plugins", "rqt_gui_cpp", "rqt_gui_py", "gz_ros2_control"})
+"""Packages whose names stand for more than plugins: panels and tools that are built in."""
 SHORTEST = 8
 """Letters; a shorter name of a program may be that of any other."""
 
@@ -63,10 +70,29 @@ def wrong_plugin(name: str) -> WrongName | None:
     found = sorted(
         same or (each for each in alike if split(each)[1] in near), key=lambda each: ("::" in each) != ("::" in name)
     )
+    if alike and not found:
+        return other_plugin(prefix, tail, name)
     if not alike:  # the package's name stands for the first name of its plugins
         found = [each for each in rows(TABLE, "plugins").get(prefix, ()) if split(each)[1] == tail]
         return WrongName(found[0], False) if len(found) == 1 else None
     return WrongName(found[0], False) if len({split(each)[1] for each in found}) == 1 else None
+
+
+def other_plugin(prefix: str, tail: str, name: str) -> WrongName | None:
+    """Return the plugin of a package that is called alike but for words that say nothing: `ObstacleCostmapPlugin`.
+
+    Another name is a guess: none of the package's own, which somebody else may have described.
+    """
+    own = [each for each in rows(TABLE, "plugins").get(prefix, ()) if split(each)[0] == prefix]
+    if prefix in DISPLAYED or not own or name in sets(TABLE, "components").get(prefix, ()):
+        return None
+    alike = [each for each in own if telling(split(each)[1]) == telling(tail)] if telling(tail) else []
+    return WrongName(alike[0], False) if len(alike) == 1 else WrongName("", False)
+
+
+def telling(name: str) -> tuple[str, ...]:
+    """Return the words of a class but for those that any plugin of its kind may have."""
+    return tuple(word for word in WORD.findall(name) if word not in PLAIN_WORDS)
 
 
 def plugins_of_class(name: str) -> list[str]:

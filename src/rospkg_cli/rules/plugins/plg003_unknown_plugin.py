@@ -51,7 +51,7 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
     "unknown-plugin",
     over=Workspace,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "an old distribution had the plugin, and the parameters may be a leftover of it"},
+    levels={Severity.INFO: "an old distribution had the plugin, or no distribution has it and another package may"},
     examples=(
         Example(
             on="ament_cmake",
@@ -68,8 +68,8 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     For a name such as `plugin: my_pkg/Planner` a package of the workspace should have it: the one that the name begins
     with, or, where that is no package, the one that has a plugin of the same class. Components and interfaces, whose
     names may be alike, are left alone. Where only the package with the description is checked, it is reported there.
-    Of packages that everybody uses it knows the plugins: it says what is a letter or two away from one, and what only
-    distributions had that are no longer supported.
+    Of packages that everybody uses it knows the plugins: it says what is a letter or two away from one, what differs by
+    words such as `Plugin` and `Layer`, what only distributions had that are no longer supported, and what none has.
 
     ## Why is this bad?
     A plugin is found by its exact name; `my_pkg/Planner` and `my_pkg::Planner` are two names. The server that should
