@@ -23,6 +23,13 @@ CASES = {
         node("self.creat_timer()", head="class Base:\n    def creat_timer(self):\n        pass\n\n\n"),
         node("rclpy.loginfo('a')", head="rclpy = None\n"),
         node("setattr(self, name, 1)", "self.creat_timer()"),
+        node(
+            "self.get_logger.«info»('a')",
+            "self.get_clock.«now»()",
+            "self.get_logger.__doc__",
+            "other.get_logger.info('b')",
+        ),
+        node("self.get_logger.info('a')", head="class Base:\n    def get_logger(self):\n        pass\n\n\n"),
         node("rclpy.«loginfo»('a')", path="my_pkg/idle.py"),
         node("rclpy.«loginfo»('a')", path="test/test_talker.py"),
     )

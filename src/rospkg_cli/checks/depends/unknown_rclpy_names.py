@@ -18,6 +18,8 @@ from .undefined_uses import UndefinedUses, When
 NODES = frozenset({"Node", "LifecycleNode"})
 HOMES = frozenset({"rclpy.node", "rclpy.lifecycle"})
 DYNAMIC = ("setattr(", "__getattr__", "__dict__")
+UNCALLED = {f"self.{name}": name for name in ("get_logger", "get_clock")}
+"""Methods of nodes that are only of use when they are called."""
 FAR = 2
 """How many letters a name may be away from one that exists."""
 
@@ -28,7 +30,7 @@ class UnknownName:
     span: Span
     name: str
     owner: str
-    """`rclpy`, or `self`."""
+    """`rclpy`, `self`, or the method that is not called: `self.get_logger`."""
     better: str
     when: When
 
@@ -73,6 +75,14 @@ class UnknownRclpyNames:
                     near = [] if is_known or len(name) <= FAR * 3 else near_names(name, public(known), FAR)
                     if near:
                         yield method, "self", OF_ROSPY.get(name, f"self.{near[0]}")
+            yield from self.uncalled(owner)
+
+    def uncalled(self, owner: ast.ClassDef) -> Iterator[tuple[ast.Attribute, str, str]]:
+        """Yield what a class takes from a method of nodes as if that were no method: `self.get_logger.info`."""
+        for attribute in nodes_of_kind(owner, ast.Attribute):
+            method = ast.unparse(attribute.value) if isinstance(attribute.value, ast.Attribute) else ""
+            if method in UNCALLED and UNCALLED[method] not in self.defined and not attribute.attr.startswith("_"):
+                yield attribute, method, f"{method}().{attribute.attr}"
 
     @cached_property
     def defined(self) -> frozenset[str]:

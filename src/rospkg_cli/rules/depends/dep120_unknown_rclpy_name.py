@@ -58,8 +58,8 @@ def unknown_rclpy_name(names: UnknownRclpyNames) -> Iterator[Hit]:
     """
     ## What it does
     Finds names that code takes from rclpy or from its own node, and that these do not have.
-    It tells a name that is a letter or two from one that exists (`rclpy.spinn`, `self.create_publishr`), and those of
-    rospy (`rclpy.Rate`, `rclpy.loginfo`).
+    It tells a name that is a letter or two from one that exists (`rclpy.spinn`, `self.create_publishr`), those of
+    rospy (`rclpy.Rate`, `rclpy.loginfo`), and those taken from `self.get_logger` and `self.get_clock` without the call.
 
     ## Why is this bad?
     Nothing looks before the line runs: the build is green, and the node ends with AttributeError.
@@ -72,13 +72,14 @@ def unknown_rclpy_name(names: UnknownRclpyNames) -> Iterator[Hit]:
     The names of all branches of ros2/rclpy from Foxy on.
     """
     for each in names.all():
-        what = "`rclpy` has no" if each.owner == "rclpy" else "a node has no"
-        is_of_rospy = each.name in OF_ROSPY
+        what = WHAT.get(each.owner, f"`{each.owner}` is a method, and has no")
+        is_of_rospy = each.name in OF_ROSPY and each.owner in WHAT
         advice = f"rospy has it; write `{each.better}`" if is_of_rospy else f"did you mean `{each.better}`?"
         message = f"{what} `{each.name}`: {ENDS[each.when]} with AttributeError; {advice}"
         yield Hit(each.file.path, each.span, message, LEVELS[each.when])
 
 
+WHAT = {"rclpy": "`rclpy` has no", "self": "a node has no"}
 LEVELS = {"certainly": None, "maybe": Severity.WARNING, "never": Severity.INFO}
 ENDS = {
     "certainly": "the start ends here",
