@@ -156,6 +156,12 @@ MORE  }
 };
 """
 GIVEN = "    verbose: true\n    global_frame: odom\n    frames: [a]\n    arm.speed: 1.0\n"
+SEGMENTS = """\
+    declare_parameter("segmentation.min_points", 5);
+    declare_parameter("segmentation.distance", 5);
+    declare_parameter("segmentation.width", 5);
+"""
+SEGMENTED = "    segmentation.distance: 1\n    segmentation.width: 1\n"
 VALUES = (
     "rate: 5", "rate: [1.0]", "rate: '5'", "rate: 5.0", "rate: 0x10", "rate: -5", "rate: $(var x)", "rate:",
     "depth: 5.0",
@@ -204,6 +210,10 @@ CASES = {
                  "nothing: 1",
                                     "arm.sped: 1.0", "use_sim_time: true", "qos_overrides.x: 1", "depht: x",
                                     "'depht': 1")),
+        *(talker(f"segmentation.{name}: 1", code=SEGMENTS, given=SEGMENTED) for name in (
+          "min_points_segment", "segmentation_min_points", "segment", "min_points", "max_points_segment",
+          "min_seg_points", "segment_min_points_x", "min_points_segment: 1\n    segmentation.min_points")),
+        talker("min_points_segment: 1", code=SEGMENTS),
         talker("arm: {sped: 1.0}", given="    verbose: true\n    rate: 1.0\n    depth: 1\n"),
         talker("ratee: 5.0", *(f"/robot{number}/map/x: 1.0" for number in range(9)),
                given="    verbose: true\n    depth: 1\n"),

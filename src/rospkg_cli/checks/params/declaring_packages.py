@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import cached_property
 from typing import Annotated
 
@@ -24,6 +24,8 @@ ENOUGH = 0.6
 """The share of a block's names that a package has to declare to be taken for its owner."""
 ALMOST = 0.8
 """The same, where it is about what a block does not set."""
+BLOCK_WORD = 4
+"""Letters of a word that stands for the block: `segment` in `segmentation`."""
 MOST = 0.7
 """The share of what a source file needs that a block has to give to be taken for its file."""
 
@@ -61,7 +63,7 @@ class ParameterGroup:
                 before, _, last = parameter.name.rpartition(".")
                 prefix = f"{before}." if before else ""
                 free = {name for name in self.last_names if prefix + name not in given and self.fitting(prefix + name)}
-                found = near_names(last, free) or same_words(last, free)
+                found = near_names(last, free) or same_words(last, free) or but_for_its_block(last, before, free)
                 if len(found) == 1:
                     yield parameter, prefix + found[0]
 
@@ -159,6 +161,18 @@ class ParameterContext:
         """Return whether one of two names is a slip of another that the package declares."""
         declared = {each.name for each in self.package.parameters}
         return len(names) == 2 and any(slips(name, declared - names) for name in names - declared)
+
+
+def but_for_its_block(name: str, before: str, names: Collection[str]) -> list[str]:
+    """Return the names that a name is but for words of the block that it is in: `segmentation.min_points_segment`."""
+    around = [word for word in before.replace(".", "_").split("_") if len(word) >= BLOCK_WORD]
+    words = name.split("_")
+    own = [each for each in words if not any(alike(each, word) for word in around)]
+    return [each for each in names if own and len(own) < len(words) and each.split("_") == own]
+
+
+def alike(word: str, other: str) -> bool:
+    return len(word) >= BLOCK_WORD and (word.startswith(other) or other.startswith(word))
 
 
 def group_of(name: str) -> str:

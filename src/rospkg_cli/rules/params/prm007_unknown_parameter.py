@@ -79,7 +79,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     ## What it does
     Finds values for parameters that no code declares, where a similar name is declared.
     The package that declares the other parameters of the block declares the similar one, and the block does not give
-    it. Names in launch files are compared with what the node's package declares; `wheels` is for `number_of_wheels`
+    it; or a name is longer by a word of its block, as `segmentation.min_points_segment`.
+    Names in launch files are compared with what the node's package declares; `wheels` is for `number_of_wheels`
     there. Well-known packages are known without their sources, and `use_sim_time` is of every node; so are the names in
     `joint_limits.yaml`. So is the one name in which two files differ that are called alike in two folders, where the
     code declares the other one's. Slashes of ROS 1 stand for dots, and no name ends with the `:=` of the command line.
