@@ -51,4 +51,13 @@ SEAMS = python(
     *node("arguments=['--name' '--other', 'x']", "arguments=['--name', '--third']"),
     before="NAME = 'arm'\n",
 )
-CASES = {"LCH014": (UNCALLED, REFUSED, SEAMS)}
+LOST = python(
+    *node("arguments=['-topic' 'robot_description', '-entity', 'arm']", "arguments=['-topic', 'robot' '-entity', 'a']"),
+    *node("arguments=['--a' '/b/c']", "arguments=['a:=' '/b/c', '--long-' 'option', '/a/' 'b', '-' 'x', 'a' '-1']"),
+    *node("arguments=['a b' 'c']", "arguments=[('-x' 'y')]", "arguments=['-a' f'{NAME}']", "name='a' 'b'"),
+    *node("ros_arguments=['--log-level' 'debug']", "arguments=['prefix_' 'name', '-x=' 'y', 'a.b' 'c']"),
+    "ExecuteProcess(cmd=['ros2', 'bag' 'record', '-a'])",
+    "ExecuteProcess(cmd=['ros2 bag record' ' -a'], shell=True)",
+    before="NAME = 'arm'\n",
+)
+CASES = {"LCH014": (UNCALLED, REFUSED, SEAMS, LOST)}

@@ -8,11 +8,16 @@ from collections.abc import Iterator
 from ...languages.python.evaluate.values import Call, PartialText, Sequence, Text, Value
 from ...lazy_regex import regex
 from ...package.launch.launch_classes import class_of, span_within
-from ...source import Source
+from ...source import Source, Span
 from ..fault import Fault, Level
 from .program_prefixes import PROCESSES
 
 JOINED = regex(r"(?P<before>[\w./-]*\w)(?P<option>--[a-z][a-z-]+)(?=[ =:]|$)")
+TWO = regex(r"""(['"])([\w/.:=-]*\w)\1\s+(['"])([\w/.:=-]+)\3""")
+"""Two literals that nothing parts."""
+AN_OPTION = regex(r"--?[A-Za-z][\w-]*")
+A_WORD = regex(r"[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*")
+A_VALUE = regex(r"[\w/.].*")
 NEAR = 4
 """Letters on each side of a seam that stand together nowhere in the file."""
 GAP = "\0"
@@ -29,12 +34,23 @@ def joined_options(call: Call, source: Source) -> Iterator[Fault]:
         words = call.get(name, 0 if name == "command" and is_command else None)
         items = zip(words.items, words.places, strict=True) if isinstance(words, Sequence) else ()
         for item, place in items if not is_command else ():
+            if two := TWO.fullmatch(source.slice(place).strip()):
+                yield from lost_comma(place, two[2], two[4])
             for found in seams(text_of(item), source.text):
                 yield Fault(span_within(item, place), joins(found, " " in text_of(item)), level_of(name))
         if is_command and words is not None:
             whole = "".join(map(text_of, words.items)) if isinstance(words, Sequence) else text_of(words)
             for found in seams(whole, source.text):
                 yield Fault(words.span, joins(found, True))
+
+
+def lost_comma(place: Span, first: str, second: str) -> Iterator[Fault]:
+    """Yield two words of a list that Python makes one of, where one is an option, or both are plain words."""
+    begins = AN_OPTION.fullmatch(first) and A_VALUE.fullmatch(second)
+    ends = AN_OPTION.fullmatch(second) and not first.startswith("-")
+    if begins or ends or (A_WORD.fullmatch(first) and A_WORD.fullmatch(second)):
+        one = f"`{first}` and `{second}` become one word, `{first}{second}`, as no comma parts the two texts"
+        yield Fault(place, f"{one}: the program stops or passes over it; put a comma before `{second}`", "warning")
 
 
 def seams(text: str, source: str) -> Iterator[re.Match[str]]:

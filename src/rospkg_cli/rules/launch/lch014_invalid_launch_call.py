@@ -65,11 +65,11 @@ def invalid_launch_call(calls: LaunchCalls) -> Iterator[Hit]:
     They are numbers where launch takes strings, a value where a parameter file is expected, a set where a parameter
     dict or a list of words is expected, a parameter as a pair (`{'name': 'rate', 'value': 1}`), `launch_arguments`
     without `.items()`, a method or function that is not called (`args.items`), a path that is joined of a tuple or a
-    list, one text where a path is joined of a list, an action or `MoveItConfigs` as a parameter, a comma
-    that makes a tuple of an action, a class of sources for files of another kind (`XMLLaunchDescriptionSource` of a
-    `.launch.py`), arguments that a class does not have or that are missing; and places that treat a
-    substitution as if its value were known while the file is read: `not x`, `if x:`, `x == 'true'`,
-    `os.path.join(x, …)`, `f'{x}'`, `names.get(x)`.
+    list, one text where a path is joined of a list, an action or `MoveItConfigs` as a parameter, a comma that makes a
+    tuple of an action, words that lack a comma between them (`['-topic' 'robot']`), a class of sources for files of
+    another kind (`XMLLaunchDescriptionSource` of a `.launch.py`), arguments that a class does not have or that are
+    missing; and places that treat a substitution as if its value were known while the file is read: `not x`, `if x:`,
+    `x == 'true'`, `os.path.join(x, …)`, `f'{x}'`, `names.get(x)`.
 
     ## Why is this bad?
     Most of these end the launch with a TypeError from deep inside of launch. With the others it goes on: a condition is
