@@ -190,6 +190,7 @@ def test_included_and_added_files() -> None:
         ("set(CMAKE_MODULE_PATH /usr/share/cmake ${PROJECT_SOURCE_DIR}/cmake)\ninclude(Own)", "1"),
         ("list(APPEND CMAKE_MODULE_PATH ${PROJECT_SOURCE_DIR}/cmake)\ninclude(CTest)", "0"),
         ("list(APPEND CMAKE_MODULE_PATH ${elsewhere_DIR})\ninclude(Own)", "0"),
+        ("list(APPEND CMAKE_MODULE_PATH ${PROJECT_SOURCE_DIR}/../../cmake)\ninclude(CTest)", "0"),
         ("include(Own)", "0"),
     ],
 )
@@ -197,6 +198,18 @@ def test_own_modules_are_found_through_their_path(lines: str, expected: str) -> 
     found = read_files({"CMakeLists.txt": f"{HEAD}set(b 0)\n{lines}\necho(${{b}})", "cmake/Own.cmake": "set(b 1)"})
     assert shown(found.named("echo")) == [expected]
     assert found.reads_unknown_files is (expected == "0" and "Own" in lines)
+
+
+def test_modules_of_a_folder_above_the_package_are_not_read() -> None:
+    for folder, name, is_unknown in (
+        ("${PROJECT_SOURCE_DIR}/../../cmake", "Shared", True),
+        ("../cmake", "Shared", True),
+        ("${PROJECT_SOURCE_DIR}/../../cmake", "CheckIPOSupported", False),
+        ("${PROJECT_SOURCE_DIR}/cmake", "Shared", False),
+        ("${elsewhere_DIR}", "Shared", False),
+    ):
+        lines = f"list(APPEND CMAKE_MODULE_PATH {folder})\ninclude({name})"
+        assert read_files({"CMakeLists.txt": HEAD + lines}).reads_unknown_files is is_unknown
 
 
 def test_a_package_below_is_read_where_it_is_added() -> None:

@@ -27,6 +27,9 @@ from .variable_commands import (
 from .variable_scope import VariableScope
 
 NAME = regex(r"[A-Za-z_]\w*")
+OF_CMAKE = regex(r"(?:Add|Android|Bundle|Check|CMake|CPack|CTest|External|Find|Fetch|Test|Use)\w*|GNUInstallDirs|"
+                 r"GoogleTest|FeatureSummary|GenerateExportHeader|ProcessorCount")  # fmt: skip
+"""Modules of CMake, and what is called like one."""
 
 OUTPUT_KEYWORDS = ("OUTPUT_VARIABLE", "RESULT_VARIABLE", "ERROR_VARIABLE", "RESULTS_VARIABLE")
 FIRST_IS_OUTPUT = ("find_program", "find_library", "find_path", "find_file", "get_target_property", "get_property",
@@ -66,7 +69,7 @@ def run_include(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     path = own_module(interpreter, call.texts[0]) if is_module else interpreter.path(call.texts[0])
     if path is not None and interpreter.files.has_file(path):
         interpreter.file(path)
-    elif not is_module or any(place.endswith(f"/{call.texts[0]}.cmake") for place in interpreter.places):
+    elif not is_module or is_elsewhere(interpreter, call.texts[0]):
         interpreter.reads_unknown_files = interpreter.includes_unknown_files = True
 
 
@@ -75,6 +78,15 @@ def own_module(interpreter: Interpreter, name: str) -> str | None:
     folders = interpreter.value_if_set("CMAKE_MODULE_PATH") or ()
     paths = (interpreter.path(f"{folder.text}/{name}.cmake") for folder in folders)
     return next((path for path in paths if path is not None and interpreter.files.has_file(path)), None)
+
+
+def is_elsewhere(interpreter: Interpreter, name: str) -> bool:
+    """Return whether a module may be one that is not read: of the package, or of a folder above it."""
+    if any(place.endswith(f"/{name}.cmake") for place in interpreter.places):
+        return True
+    texts = [folder.text for folder in interpreter.value_if_set("CMAKE_MODULE_PATH") or ()]
+    above = [text for text in texts if text.startswith((SOURCE, "..")) and UNKNOWN not in text]
+    return OF_CMAKE.fullmatch(name) is None and any(interpreter.path(text) is None for text in above)
 
 
 def run_add_subdirectory(interpreter: Interpreter, call: EvaluatedCommand) -> None:
