@@ -9,6 +9,7 @@ from typing import Literal
 from ...languages.cpp.file import CppFile, IncludeDirective
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.cmake.made_headers import HEADERS
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.interfaces import KINDS
 from ...ros.names import NameKind
@@ -75,6 +76,12 @@ class ForeignHeaders:
             kind, meant = "folder", self.in_right_folder(each.path)
         if meant is not None:
             level = self.headers.harm_in(source.path)
+            if (
+                kind == "folder"
+                and level == "error"
+                and digits(meant.partition("/")[0]) != digits(each.path.partition("/")[0])
+            ):
+                level = "warning"
             yield ForeignHeader(source.path, each.span, each.path, kind, meant.strip("-"), level)
 
     def of_ros_1(self, header: str) -> str | None:
@@ -96,8 +103,15 @@ class ForeignHeaders:
             return None
         alike = (each for each in self.packages if digits(each) == digits(folder))
         near = near_names(folder, alike, 1 if len(folder) < SHORT else 2)
-        found = [f"{each}/{rest}" for each in near if self.has(each, rest)]
+        found = [f"{each}/{rest}" for each in near if self.has(each, rest)] or self.with_other_digits(folder, rest)
         return found[0] if len(found) == 1 and not self.is_of_others(folder) else None
+
+    def with_other_digits(self, folder: str, rest: str) -> list[str]:
+        """Return the headers, with any ending, of packages of the workspace whose name has a digit more or less."""
+        stem, name = rest.rpartition(".")[0], folder.rstrip("0123456789_")
+        near = [facts for facts in self.headers.workspace.packages if facts.name.rstrip("0123456789_") == name]
+        wanted = {f"{facts.name}/{stem}{ending}" for facts in near for ending in HEADERS}
+        return sorted({each for facts in near for each in facts.header_files if each in wanted}) if stem else []
 
     def is_of_others(self, folder: str) -> bool:
         """Return whether another package of the workspace has headers in a folder."""
@@ -136,3 +150,7 @@ class ForeignHeaders:
     @cached_property
     def interfaces(self) -> KnownInterfaces:
         return KnownInterfaces(self.headers.package.facts, self.headers.workspace)
+
+
+def folder_of(header: str) -> str:
+    return header.partition("/")[0]

@@ -63,9 +63,9 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     ## What it does
     Finds `#include`s of headers of the package, or of another one of the workspace, that do not exist.
     They begin with the name of that package (`my_pkg/words.hpp`), or are nearly called like a header in the same
-    folder. So are headers in a folder whose name is one or two letters off that of a package that has them, and
-    headers of ROS 1 (`ros/ros.h`, `std_msgs/String.h`), the first of each file that the build compiles. Of headers that
-    are there it finds the first, where no command of CMake tells its target of the folder.
+    folder. So are headers in a folder whose name is one or two letters, or a digit at its end, off that of a package
+    that has them, and headers of ROS 1 (`ros/ros.h`, `std_msgs/String.h`), the first of each file that the build
+    compiles. Of headers that are there it finds the first, where no command of CMake tells its target of the folder.
 
     ## Why is this bad?
     The compiler stops with "No such file or directory". This is what is left when a header was renamed or moved.
