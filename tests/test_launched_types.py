@@ -190,3 +190,16 @@ def test_a_former_name_in_a_parameter_file() -> None:
     files = {"config/camera.yaml": "image_width: 5\n", "config/a.yaml": values.format("former_name_of_my_pkg")}
     assert "did you mean `my_pkg`" in said(files, "DEP106")[0]
     assert not said({**files, "config/a.yaml": values.format("my_pkg")}, "DEP106")
+
+
+@pytest.mark.parametrize(
+    ("attributes", "count"),
+    [
+        ('value="1.0, 2.0"', 1),
+        ('value="1.0, 2.0" value-sep=","', 0),
+        ('value="1.0" type="list_of_float"', 0),
+    ],
+)
+def test_a_list_may_be_written_as_one_text_with_its_separator_or_type(attributes: str, count: int) -> None:
+    launch = XML.format(f'<param name="gains" {attributes}/>')
+    assert len(said({"launch/a.launch.xml": launch}, "PRM006")) == count

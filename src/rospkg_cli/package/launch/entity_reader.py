@@ -33,6 +33,8 @@ NODES: dict[str, NodeKind] = {
     "lifecycle_node": "lifecycle_node",
     "node_container": "node_container",
 }
+TYPED = frozenset({"value-sep", "type"})
+"""Attributes that make another value of the text of a parameter: a list of its parts, or one of a named type."""
 
 
 @dataclass
@@ -139,7 +141,8 @@ class EntityVisitor:
             return inner
         dotted = name if not above else joined([*above, name])
         value = self.get(entity, "value")
-        return [(dotted, value if value is not None else unknown_text(entity.span))]
+        is_plain = value is not None and TYPED.isdisjoint(entity.attributes)
+        return [(dotted, value if value is not None and is_plain else unknown_text(entity.span))]
 
     def include(self, entity: Entity, certain: bool) -> Include:
         given = tuple((self.need(c, "name"), self.need(c, "value")) for c in entity.named("arg", "let"))
