@@ -155,7 +155,7 @@ def test_headers_of_ros_1(line: str, expected: list[GIVEN]) -> None:
         ('#include "my_pkgg/wodrs.hpp"', []),
         ('#include "my_gpkg/words.hpp"', [(ERROR, "my_pkg/words.hpp")]),
         ('#include "mx_gpkg/words.hpp"', []),
-        ('#include "my_pkg2/words.hpp"', []),
+        ('#include "my_pkg2/words.hpp"', [(WARNING, "my_pkg/words.hpp")]),
         ('#include "My_pkgg/words.hpp"', []),
         ("#include <toolbxo/frames.hpp>", []),
         ("#include <sensor_mgs/msg/nav_sat_fix.hpp>", [(ERROR, "sensor_msgs/msg/nav_sat_fix.hpp")]),

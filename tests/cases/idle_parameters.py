@@ -109,6 +109,15 @@ FRAMES = LAUNCH.format(
     '<node pkg="tf2_ros" exec="a"><param name="/frame_id" value="a"/><param name="/child_frame_id" value="b"/></node>'
     '<node pkg="tf2_ros" exec="a"><param name="/frame_id" value="c"/></node>'
 )
+NEVER_ADDED = """\
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+
+
+def generate_launch_description():
+    load = ExecuteProcess(cmd=['ros2', 'control', 'load_controller', '--set-state', 'start', 'arm'])
+    return LaunchDescription([])
+"""
 NAMED = """\
 from launch import LaunchDescription
 from launch.actions import LogInfo
@@ -134,6 +143,7 @@ CASES = {
     "LCH005": (
         *(below(each, {"launch/a.launch.py": OLD}) for each in (*PAGES, GALACTIC[0])),
         below(PAGES[0], {"launch/a.launch.xml": OLD_XML}),
+        below("", {"launch/a.launch.py": NEVER_ADDED}),
     ),
     "PRM006": (*BOTH, *(below(each, {**VALUES, "launch/a.launch.xml": NAMES}) for each in PAGES)),
     "PRM007": (*BOTH, given("a:\n  ros__parameters: {}\n", FRAMES)),

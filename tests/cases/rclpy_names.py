@@ -30,6 +30,9 @@ CASES = {
             "other.get_logger.info('b')",
         ),
         node("self.get_logger.info('a')", head="class Base:\n    def get_logger(self):\n        pass\n\n\n"),
+        node(
+            "while not self.tick:", "    rclpy.«sleep»(1)", "try:", "    pass", "except OSError:", "    rclpy.«Rate»(1)"
+        ),
         node("rclpy.«loginfo»('a')", path="my_pkg/idle.py"),
         node("rclpy.«loginfo»('a')", path="test/test_talker.py"),
     )

@@ -32,6 +32,10 @@ TOLD = (
     node(INIT, SUPER, "    self.create_client_of_arm()", "    self.timer_callback()"),
     node(INIT, SUPER, "    Buffer(self)", "    self.say()", head="from tf2_ros import Buffer\n\n\n"),
     node(INIT, SUPER, "def idle(self):", "    print(self.speed)"),
+    node(
+        INIT, SUPER, "    self.create_timer(1.0, self.tick)", TICK, "    if self.tick:", "        print(self.speed)",
+        "    while not self.tick:", "        self.rate.sleep()", "    while rclpy.ok():", "        print(self.mode)",
+    ),
     node(INIT, SUPER, "    self.mode = self.Mode()", "class Mode:", "    def on(self):", "        return self.off"),
 )  # fmt: skip
 QUIET = (

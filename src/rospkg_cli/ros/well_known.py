@@ -130,7 +130,7 @@ def packages_with_plugin(name: str) -> tuple[str, ...]:
 
 
 def other_launch_file(package: str, path: str) -> tuple[str, str] | None:
-    """Return package and path of the launch file that a path is meant for, "" where none is near; None if it is there.
+    """Return package and path of the launch file that a path is meant for; None where it is there, or none is near.
 
     That is one of nearly this name in the package, else the only one of the very name in another one.
     """
@@ -142,7 +142,7 @@ def other_launch_file(package: str, path: str) -> tuple[str, str] | None:
     near = same or [names[each] for each in closest(path.rpartition("/")[2], set(names))]
     elsewhere = [(home, path) for home, files in sets(LAUNCH_FILES).items() if path in files and not near]
     found = [(package, each) for each in near] or elsewhere
-    return found[0] if len(found) == 1 else ("", "")
+    return found[0] if len(found) == 1 else None
 
 
 def plain_launch_name(path: str) -> str:

@@ -7,6 +7,7 @@ from .unset_members import UnsetMember
 ENDS = {
     "certainly": "the start ends here with NameError",
     "maybe": "the line raises NameError when it runs",
+    "branch": "the line raises NameError where its condition holds",
     "aside": "the line raises NameError when somebody runs this file, which nothing installs",
     "never": "the line raises NameError once something calls it, which nothing here does",
 }

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator
 from functools import cached_property
 from typing import Literal
 
+from ...languages.python.branches import is_under_condition
 from ...languages.python.certain_nodes import certain_nodes
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
@@ -22,10 +23,11 @@ from ..module_attributes import AbsentAttribute, absent_attributes
 from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
 
-When = Literal["certainly", "maybe", "never", "aside"]
-"""When a name is used: at every start or import, in some runs, where nothing leads, in what nothing installs."""
+When = Literal["certainly", "maybe", "branch", "never", "aside"]
+"""When a name is used: at every start or import, in some runs, under a condition, where nothing leads, in what nothing
+installs."""
 
-ORDER: tuple[When, ...] = ("certainly", "maybe", "never", "aside")
+ORDER: tuple[When, ...] = ("certainly", "maybe", "branch", "never", "aside")
 OF_LAUNCH = frozenset({"generate_launch_description", "generate_test_description"})
 PYTHON_2 = frozenset(
     "unicode xrange raw_input basestring long unichr reduce file cmp execfile buffer reload apply intern".split()
@@ -118,6 +120,11 @@ class UndefinedUses:
         if found.span in certain and not (found.is_annotation or found.is_caught):
             return "certainly"
         return "never" if self.is_idle(file, found.span) else "maybe"
+
+    def of_attribute(self, role: Role, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
+        """Return when an attribute is read of an object, of which less is known than of a name."""
+        when = self.when_in(role, file, found, certain)
+        return "branch" if when == "maybe" and is_under_condition(file, found.span) else when
 
     def is_idle(self, file: PythonFile, span: Span) -> bool:
         """Return whether nothing in the package leads to a place."""

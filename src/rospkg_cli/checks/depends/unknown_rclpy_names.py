@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 from functools import cached_property
 
+from ...languages.python.branches import is_under_condition
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
@@ -55,7 +56,8 @@ class UnknownRclpyNames:
         span = Span(whole.end - len(node.attr), whole.end)
         certain = self.uses.certain_spans(file)
         is_certain = file.span(node.value) in certain and not is_test
-        when: When = "certainly" if is_certain else "never" if self.uses.is_idle(file, span) else "maybe"
+        late: When = "branch" if is_under_condition(file, span) else "maybe"
+        when: When = "certainly" if is_certain else "never" if self.uses.is_idle(file, span) else late
         return UnknownName(file, span, node.attr, owner, better, when)
 
     def of_nodes(self, file: PythonFile) -> Iterator[tuple[ast.Attribute, str, str]]:

@@ -74,7 +74,7 @@ class UnsetMembers:
             span, *others = (end_of(file, each) for each in (first, *(each for each in found if each is not first)))
             use = UndefinedName(first.attr, file.span(first.value), frozenset())
             better = (nearest(name, frozenset(own | stored_in(line))) if name else "Node") or ""
-            when = self.uses.when_in(role, file, use, certain)
+            when = self.uses.of_attribute(role, file, use, certain)
             yield UnsetMember(file, span, tuple(others), first.attr, owner.node.name, better, when)
 
     def told(self, file: PythonFile) -> set[str]:

@@ -55,7 +55,8 @@ WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function or a branch that may not run, in a test, or in an annotation",
-        Severity.INFO: "nothing in the package calls the function, imports the module, or installs the file",
+        Severity.INFO: "nothing in the package calls the function, imports the module, or installs the file, or an "
+        "attribute is read under a condition",
     },
     examples=(
         Example(
@@ -114,7 +115,7 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
         yield Hit(member.file.path, member.span, of_member(member), LEVELS[member.when], places)
 
 
-LEVELS = {"certainly": None, "maybe": Severity.WARNING, "never": Severity.INFO, "aside": Severity.INFO}
+LEVELS = {"certainly": None, "maybe": Severity.WARNING, **dict.fromkeys(("branch", "never", "aside"), Severity.INFO)}
 
 
 def advice(use: UndefinedUse, line: str) -> str:

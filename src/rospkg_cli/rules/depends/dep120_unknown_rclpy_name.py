@@ -40,8 +40,8 @@ def main():
     over=UnknownRclpyNames,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a function or a branch that may not run, or in a test",
-        Severity.INFO: "nothing in the package calls the function, or imports the module",
+        Severity.WARNING: "it is in a function that may not run, or in a test",
+        Severity.INFO: "it is under a condition, or nothing in the package calls the function, or imports the module",
     },
     examples=(
         Example(
@@ -80,9 +80,10 @@ def unknown_rclpy_name(names: UnknownRclpyNames) -> Iterator[Hit]:
 
 
 WHAT = {"rclpy": "`rclpy` has no", "self": "a node has no"}
-LEVELS = {"certainly": None, "maybe": Severity.WARNING, "never": Severity.INFO}
+LEVELS = {"certainly": None, "maybe": Severity.WARNING, "branch": Severity.INFO, "never": Severity.INFO}
 ENDS = {
     "certainly": "the start ends here",
     "maybe": "the line ends",
+    "branch": "the line ends, under its condition,",
     "never": "the line ends, once something calls it,",
 }

@@ -45,8 +45,9 @@ GOOD = "from std_msgs.msg import String\n\nprint(String)\n"
 def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
     """
     ## What it does
-    Finds Python imports of messages, services and actions that their package does not have, or that are taken out of
-    the package itself (`from std_msgs import String`) and not of its module `msg`, `srv` or `action`.
+    Finds Python imports of messages, services and actions that their package does not have.
+    It also finds those that are taken out of the package itself (`from std_msgs import String`), and not of its module
+    `msg`, `srv` or `action`.
 
     ## Why is this bad?
     The build does not look: it is green, and the node ends with ImportError when it starts. A package has the messages

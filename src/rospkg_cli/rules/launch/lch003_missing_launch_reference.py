@@ -100,8 +100,6 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
                 softer, why = "info", "but nothing uses the argument"
             if not softer and scope.is_overwritten(each):
                 softer, why = "info", "but the launch file gives the argument another value"
-            if each.is_well_known and not each.better_path:
-                softer = "info"
             if not softer and not scope.is_installed:
                 softer, why = "warning", "where it is started from the source: it is not installed"
             level = Severity(softer) if softer else None if each.stops_launch else Severity.WARNING
@@ -132,7 +130,5 @@ def hint(scope: LaunchContext, missing: MissingReference) -> str:
     if missing.better_path:
         other = missing.better_package not in ("", missing.package)
         return f"did you mean `{missing.better_path}`{f' of `{missing.better_package}`' if other else ''}?"
-    if missing.is_well_known:
-        return "no supported release of it has one"
     facts = scope.workspace.named(missing.package)
     return how_to_have(facts, missing.path, scope.package) if facts else "add it, or correct the path"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.call_errors import LaunchCalls
+from ...checks.launch.idle_actions import level_at
 from ...checks.launch.removed_arguments import removed_arguments
 from ...edits.fault_hits import hits
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
@@ -40,7 +41,10 @@ FILES = {
     "removed-launch-argument",
     over=LaunchCalls,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "pages and scripts name Foxy alone, which takes it"},
+    levels={
+        Severity.WARNING: "pages and scripts name Foxy alone, which takes it",
+        Severity.INFO: "the action is never added to the launch description",
+    },
     examples=(
         Example(
             bad={**FILES, "launch/talker.launch.py": PYTHON},
@@ -76,4 +80,5 @@ def removed_launch_argument(calls: LaunchCalls) -> Iterator[Hit]:
         return
     is_taken = calls.file.frontend == "python" and calls.distribution.is_named_alone
     for fault in removed_arguments(calls.file):
-        yield from hits(calls.file.path, [replace(fault, level="warning") if is_taken else fault])
+        softer = "info" if level_at(calls.file, fault.span)[0] == "info" else "warning" if is_taken else fault.level
+        yield from hits(calls.file.path, [replace(fault, level=softer)])
