@@ -11,6 +11,7 @@ from ..files import PackageFiles
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import is_set_aside, role_of
+from ..package.install_table import InstallTable
 from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
 from ..source import Span
@@ -50,7 +51,8 @@ class HomePath:
     may_be_there: bool
     """Whether many have an account of that name, or the code asks first whether it exists."""
     is_seldom_read: bool
-    """Whether RViz or a script in a folder of its own names it, which few start."""
+    """Whether RViz, a script in a folder of its own or YAML that is not installed names it, which few start; or it is
+    one of several places for modules."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +60,7 @@ class HomePaths:
     files: PackageFiles
     facts: PackageFacts
     workspace: Workspace
+    table: InstallTable | None = None
 
     @cached_property
     def found(self) -> tuple[HomePath, ...]:
@@ -86,11 +89,18 @@ class HomePaths:
             is_image = bare[: match.start("path")].rstrip(" \t\"'").endswith("image:")
             may_be_there = is_asked or is_of_many(match["user"] or match["mac"])
             place, home = Span(*match.span("path")), self.home_of(named)
-            yield HomePath(path, place, named, *home, is_image, may_be_there, self.is_seldom_read(path))
+            is_seldom_read = self.is_seldom_read(path) or "sys.path" in line_before(bare, match.start())
+            yield HomePath(path, place, named, *home, is_image, may_be_there, is_seldom_read)
 
     def is_seldom_read(self, path: str) -> bool:
         folder = path.partition("/")[0]
-        return path.endswith(".rviz") or (path.endswith(".py") and folder not in (self.facts.name, *FOR_CODE))
+        is_aside = path.endswith(".py") and folder not in (self.facts.name, *FOR_CODE)
+        return path.endswith(".rviz") or is_aside or (path.endswith(YAML) and self.is_left_out(path))
+
+    def is_left_out(self, path: str) -> bool:
+        """Return whether nothing installs a file."""
+        table = self.table
+        return table is not None and table.knows("share") and all(row.source != path for row in table.rows)
 
     def home_of(self, named: str) -> tuple[str | None, str]:
         """Return the package of the workspace that a path leads into, and the rest; None where none is known."""
@@ -119,6 +129,10 @@ def without_comments(path: str, text: str) -> str:
             return pattern.sub(lambda match: " " * len(match[0]), text)
     lines = (line if not line.lstrip().startswith("#") else " " * len(line) for line in text.split("\n"))
     return "\n".join(lines)
+
+
+def line_before(text: str, start: int) -> str:
+    return text[text.rfind("\n", 0, start) + 1 : start]
 
 
 def is_of_many(user: str) -> bool:

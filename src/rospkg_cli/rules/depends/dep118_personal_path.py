@@ -42,7 +42,10 @@ FILES = {
     "personal-path",
     over=HomePaths,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "the file is not of the workspace, many have an account of that name, or code asks first"},
+    levels={
+        Severity.INFO: "the file is not of the workspace, many have an account of that name, code asks first, nothing installs "
+        "the YAML, or it is one of the places for modules"
+    },
     examples=(
         Example(
             bad={**FILES, "launch/robot.launch.py": LAUNCH.format("'«/home/ada/ws/src/my_pkg/config/robot.yaml»'")},
