@@ -76,12 +76,8 @@ class ForeignHeaders:
             kind, meant = "folder", self.in_right_folder(each.path)
         if meant is not None:
             level = self.headers.harm_in(source.path)
-            if (
-                kind == "folder"
-                and level == "error"
-                and digits(meant.partition("/")[0]) != digits(each.path.partition("/")[0])
-            ):
-                level = "warning"
+            is_other = kind == "folder" and digits(folder_of(meant)) != digits(folder_of(each.path))
+            level = "warning" if is_other and level == "error" else level
             yield ForeignHeader(source.path, each.span, each.path, kind, meant.strip("-"), level)
 
     def of_ros_1(self, header: str) -> str | None:
