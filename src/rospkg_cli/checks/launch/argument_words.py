@@ -15,13 +15,13 @@ ROS_ARGUMENTS = "--ros-args"
 
 
 @dataclass(frozen=True, slots=True)
-class Word:
+class ArgumentWord:
     text: str | None
     """None where a part of it is known at run time only."""
     span: Span
 
 
-def words_of(file: LaunchFile, node: LaunchedNode) -> list[Word] | None:
+def words_of(file: LaunchFile, node: LaunchedNode) -> list[ArgumentWord] | None:
     """Return the words in their order without those for ROS; None where there may be others."""
     if not node.is_complete or node.kind != "node":
         return None
@@ -29,7 +29,7 @@ def words_of(file: LaunchFile, node: LaunchedNode) -> list[Word] | None:
     return None if found is None else list(without_ros(found))
 
 
-def words_of_python(file: LaunchFile, node: LaunchedNode) -> list[Word] | None:
+def words_of_python(file: LaunchFile, node: LaunchedNode) -> list[ArgumentWord] | None:
     calls = [call for call in file.evaluated.calls if call.span == node.span] if file.evaluated else []
     made = [each for each in file.nodes if each.span == node.span]  # several where a function makes them
     if len(calls) != len(made):
@@ -38,7 +38,7 @@ def words_of_python(file: LaunchFile, node: LaunchedNode) -> list[Word] | None:
     given, for_ros = call.get("arguments"), call.get("ros_arguments")
     if for_ros is not None or not (given is None or is_known_list(given)):
         return None
-    return [Word(each.literal, each.span) for each in node.arguments]
+    return [ArgumentWord(each.literal, each.span) for each in node.arguments]
 
 
 def is_known_list(value: Value) -> bool:
@@ -47,11 +47,11 @@ def is_known_list(value: Value) -> bool:
     return is_list and not any(isinstance(each, Constant | Sequence) for each in getattr(value, "items", ()))
 
 
-def words_of_entity(file: LaunchFile, node: LaunchedNode) -> list[Word] | None:
+def words_of_entity(file: LaunchFile, node: LaunchedNode) -> list[ArgumentWord] | None:
     """Return the words of `args`, which launch splits before it replaces what stands in them."""
     if "ros_args" in file.source.text or any('"' in (each.literal or "") for each in node.arguments):
         return None
-    found: list[Word] = []
+    found: list[ArgumentWord] = []
     for text in node.arguments:
         if text.unknown or any(isinstance(p, Literal) and any(q in p.text for q in QUOTES) for p in text.parts):
             return None
@@ -59,7 +59,7 @@ def words_of_entity(file: LaunchFile, node: LaunchedNode) -> list[Word] | None:
     return found
 
 
-def split(text: LaunchText) -> Iterator[Word]:
+def split(text: LaunchText) -> Iterator[ArgumentWord]:
     """Split a text at its blanks; what is replaced is not split."""
     piece, is_open = "", False
     is_known = True
@@ -71,13 +71,13 @@ def split(text: LaunchText) -> Iterator[Word]:
             if not letter.isspace():
                 piece, is_open = piece + letter, True
             elif is_open:
-                yield Word(piece if is_known else None, text.span)
+                yield ArgumentWord(piece if is_known else None, text.span)
                 piece, is_open, is_known = "", False, True
     if is_open:
-        yield Word(piece if is_known else None, text.span)
+        yield ArgumentWord(piece if is_known else None, text.span)
 
 
-def without_ros(words: list[Word]) -> Iterator[Word]:
+def without_ros(words: list[ArgumentWord]) -> Iterator[ArgumentWord]:
     """Leave out what stands between `--ros-args` and `--`."""
     is_for_ros = False
     for word in words:

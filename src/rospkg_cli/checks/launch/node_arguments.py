@@ -12,7 +12,7 @@ from ...ros.program_options import CREATE, CREATORS, OF_ENTITY, PROGRAMS, TRANSF
 from ...source import Span
 from ...suggest import nearest
 from ..fault import Fault
-from .argument_words import Word, words_of
+from .argument_words import ArgumentWord, words_of
 from .static_transforms import transform_problem
 
 NEGATIVE = regex(r"-(?:\d+|\d*\.\d+)$")
@@ -56,7 +56,7 @@ def literal(text: object) -> str:
     return getattr(text, "literal", None) or ""
 
 
-def option_problem(words: Sequence[Word], program: ProgramOptions) -> tuple[Word | None, str] | None:
+def option_problem(words: Sequence[ArgumentWord], program: ProgramOptions) -> tuple[ArgumentWord | None, str] | None:
     """Return the first word that argparse refuses, or what it misses; None where all may be right."""
     given, plain, index = set[str](), 0, 0
     while index < len(words):
@@ -76,7 +76,7 @@ def option_problem(words: Sequence[Word], program: ProgramOptions) -> tuple[Word
     return (None, f"needs {program.words}") if program.words and not plain and "-h" not in given else None
 
 
-def passed_over(words: Sequence[Word]) -> Iterator[Fault]:
+def passed_over(words: Sequence[ArgumentWord]) -> Iterator[Fault]:
     """Yield the first flag that `create` does not have."""
     index = 0
     while index < len(words):
