@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Collection, Iterator
 
+from ..languages.python.attributes import attribute_span
 from ..languages.python.called_modules import is_bound
 from ..languages.python.file import PythonFile
 from ..languages.python.guarded_nodes import guarded_nodes
@@ -78,8 +79,7 @@ def read_from(file: PythonFile, modules: dict[str, str]) -> Iterator[tuple[ast.A
             continue
         root = root_of(node)
         if not is_bound(file, root.id):
-            end = file.span(node).end
-            span, near = Span(end - len(node.attr), end), meant_by(module, node.attr)
+            span, near = attribute_span(file, node), meant_by(module, node.attr)
             yield node, AbsentAttribute(module, node.attr, span, near, "AttributeError", file.span(root))
 
 

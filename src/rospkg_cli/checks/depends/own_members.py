@@ -5,10 +5,8 @@ from __future__ import annotations
 import ast
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.nodes import FunctionNode, nodes_of_kind
 from ...source import Span
-
-FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef
 
 
 def is_own_member(file: PythonFile, name: str, span: Span) -> bool:

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 from functools import cached_property
 
+from ...languages.python.attributes import attribute_span
 from ...languages.python.branches import is_under_condition
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
@@ -52,8 +53,7 @@ class UnknownRclpyNames:
                     yield self.unknown(file, node, owner, better, is_test=role == "test")
 
     def unknown(self, file: PythonFile, node: ast.Attribute, owner: str, better: str, *, is_test: bool) -> UnknownName:
-        whole = file.span(node)
-        span = Span(whole.end - len(node.attr), whole.end)
+        span = attribute_span(file, node)
         certain = self.uses.certain_spans(file)
         is_certain = file.span(node.value) in certain and not is_test
         late: When = "branch" if is_under_condition(file, span) else "maybe"

@@ -6,9 +6,10 @@ import ast
 from collections.abc import Iterator
 from functools import cached_property
 
+from ...languages.python.attributes import attribute_span
 from ...languages.python.file import PythonFile
 from ...languages.python.guarded_nodes import guarded_nodes
-from ...languages.python.nodes import children_of, nodes_of, nodes_of_kind
+from ...languages.python.nodes import FunctionNode, children_of, nodes_of, nodes_of_kind
 from ...languages.python.undefined_names import UndefinedName
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -29,7 +30,6 @@ VERBS = frozenset(
     "add call count create declare describe destroy get has is list register remove resolve set undeclare wait".split()
 )
 FILLING = frozenset({"setupUi", "setup_ui", "loadUi", "load_ui"})
-FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,11 +71,12 @@ class UnsetMembers:
         certain = self.uses.certain_spans(file) if places else ()
         for name, found in places.items():
             first = next((each for each in found if file.span(each.value) in certain), found[0])
-            span, *others = (end_of(file, each) for each in (first, *(each for each in found if each is not first)))
+            span = attribute_span(file, first)
+            others = tuple(attribute_span(file, each) for each in found if each is not first)
             use = UndefinedName(first.attr, file.span(first.value), frozenset())
             better = (nearest(name, frozenset(own | stored_in(line))) if name else "Node") or ""
             when = self.uses.of_attribute(role, file, use, certain)
-            yield UnsetMember(file, span, tuple(others), first.attr, owner.node.name, better, when)
+            yield UnsetMember(file, span, others, first.attr, owner.node.name, better, when)
 
     def told(self, file: PythonFile) -> set[str]:
         """Return the names that are nearly one of a node's, which another rule tells."""
@@ -223,8 +224,3 @@ def rebinds(method: FunctionNode, name: str) -> bool:
 
 def is_static(method: FunctionNode) -> bool:
     return any(ast.unparse(each) in ("staticmethod", "classmethod") for each in method.decorator_list)
-
-
-def end_of(file: PythonFile, node: ast.Attribute) -> Span:
-    whole = file.span(node)
-    return Span(whole.end - len(node.attr), whole.end)

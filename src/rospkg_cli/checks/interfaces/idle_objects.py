@@ -7,12 +7,11 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_below, nodes_of_kind
+from ...languages.python.nodes import FunctionNode, nodes_below, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...source import Span
 from ..launch.idle_actions import never_added
 from ..run_imports import RunImports
-from .message_variables import FunctionNode
 
 PLAIN = frozenset({"object", "ABC", "abc.ABC"})
 """Base classes that call no method by themselves."""

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.nodes import FunctionNode, nodes_of_kind
 from ...light_dataclasses import dataclass
 from .callback_types import callback_types
 from .message_classes import MessageClasses
-from .message_variables import Bindings, Environment, Fields, FunctionNode, asked_names, attributes_of, variables_of
+from .message_variables import Bindings, Environment, Fields, asked_names, attributes_of, variables_of
 
 Body = tuple[Bindings, Environment]
 """A function or a file, and the variables that hold a message in it."""

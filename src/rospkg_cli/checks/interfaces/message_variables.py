@@ -10,7 +10,6 @@ from .message_classes import MessageClasses
 
 Fields = Callable[[str], Mapping[str, str] | None]
 """Returns the fields of a message with the messages that they hold."""
-FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef
 ENDS = CHILDLESS | {ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda}
 """The classes of nodes that are not looked into: new scopes, and what holds nothing."""
 BINDERS = frozenset({

@@ -7,11 +7,10 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of, nodes_of_kind
+from ...languages.python.nodes import FunctionNode, nodes_of, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...source import Span
 from ..run_imports import RunImports
-from .message_variables import FunctionNode
 
 NODES = frozenset({"Node", "node.Node", "rclpy.node.Node"})
 FOR_ROS = frozenset({"destroy_node"})

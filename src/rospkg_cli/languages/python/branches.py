@@ -7,15 +7,13 @@ from collections.abc import Sequence
 
 from ...source import Span
 from .file import PythonFile
-from .nodes import nodes_below, nodes_of
+from .nodes import FunctionNode, nodes_below, nodes_of
 from .syntax import PositionedNode
-
-FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 
 
 def is_under_condition(file: PythonFile, span: Span) -> bool:
     """Return whether a place is in a branch, a handler or a guarded loop of the function around it."""
-    around = [each for each in nodes_of(file.tree) if isinstance(each, FUNCTIONS) and file.span(each).holds(span)]
+    around = [each for each in nodes_of(file.tree) if isinstance(each, FunctionNode) and file.span(each).holds(span)]
     inner = max(around, key=lambda each: file.span(each).start, default=None)
     nodes = nodes_below(inner) if inner is not None else ()
     return any(file.span(part).holds(span) for node in nodes for part in guarded(node))

@@ -9,6 +9,7 @@ import ast
 from typing import TypeVar, cast
 
 NodeT = TypeVar("NodeT", bound=ast.AST)
+FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef
 
 NO_NODES = frozenset({int, str, float, bool, bytes, complex, type(None), *ast.expr_context.__subclasses__()})
 """The classes of values that are no node."""
