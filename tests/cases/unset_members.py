@@ -36,6 +36,7 @@ TOLD = (
         INIT, SUPER, "    self.create_timer(1.0, self.tick)", TICK, "    if self.tick:", "        print(self.speed)",
         "    while not self.tick:", "        self.rate.sleep()", "    while rclpy.ok():", "        print(self.mode)",
     ),
+    node(INIT, SUPER, "    print(self.speed and self.tick, self.mode or self.rate)"),
     node(INIT, SUPER, "    self.mode = self.Mode()", "class Mode:", "    def on(self):", "        return self.off"),
 )  # fmt: skip
 QUIET = (

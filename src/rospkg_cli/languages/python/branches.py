@@ -20,11 +20,13 @@ def is_under_condition(file: PythonFile, span: Span) -> bool:
 
 
 def guarded(node: ast.AST) -> Sequence[PositionedNode]:
-    """Return what runs only under the condition of a statement; a loop for as long as ROS runs has none."""
+    """Return what runs only under a condition; a loop for as long as ROS runs has none."""
     match node:
         case ast.If() | ast.IfExp():
             parts = node.body, node.orelse
             return [each for part in parts for each in (part if isinstance(part, list) else [part])]
+        case ast.BoolOp():
+            return node.values[1:]
         case ast.While(test=ast.UnaryOp() | ast.Compare()) | ast.ExceptHandler() | ast.match_case():
             return node.body
     return ()
