@@ -60,6 +60,15 @@ ARGUMENT = UNREAD.replace("</launch>", '  <log message="$(var file)"/>\n</launch
 BOTH = UNREAD.replace(
     "</launch>", '  <include file="$(find-pkg-share my_pkg)/launch/{}.launch.xml"/>\n</launch>'
 ).replace("{}", "wheels")
+TAKING = '<launch>\n  <arg name="speed" default="1"/>\n  <log message="$(var speed)"/>\n</launch>\n'
+HANDED = """\
+<launch>
+  <include file="$(find-pkg-share my_pkg)/launch/b.launch.xml">
+    <arg name="robot" value="$(find-pkg-share my_pkg)/urdf/robot.urdf"/>
+    <arg name="speed" value="$(find-pkg-share my_pkg)/urdf/speed.yaml"/>
+  </include>
+</launch>
+"""
 MANY = "".join(f'  <log message="$(var rate{number})"/>\n' for number in range(lch008.FEW + 1))
 FEW = MANY.split("\n", 1)[1]
 
@@ -102,6 +111,7 @@ CASES = {
     "LCH003": (
         on_python(lch003.NODE, launch__a_DOT_launch_DOT_xml=ARGUMENT.format("nothing")),
         on_python(lch003.NODE, launch__a_DOT_launch_DOT_xml=UNREAD.format("nothing")),
+        on_python(lch003.NODE, launch__a_DOT_launch_DOT_xml=HANDED, launch__b_DOT_launch_DOT_xml=TAKING),
     ),
     "LCH004": tuple(
         on_cmake({"package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n", "ament_cmake")},

@@ -13,7 +13,7 @@ from ...package.launch.launch_signature import LaunchSignature
 from ...ros.known_launch_files import known_arguments
 from ...source import Span
 from ...suggest import near_names, nearest
-from .missing_references import LaunchContext
+from .missing_references import LaunchContext, MissingReference
 
 SHORTEST = 5
 DIGITS = regex(r"\d")
@@ -48,6 +48,19 @@ class IncludeContext:
                 yield from self.mismatches_of(include, package, signature)
             elif named is not None and self.scope.workspace.named(named.package) is None:
                 yield from self.slips(include, named)
+
+    def untaken(self) -> Iterator[Span]:
+        """Yield the values of arguments that no included file takes: nothing reads them."""
+        unknown = {each.span for each in self.mismatches() if each.is_sure and not each.is_missing}
+        for include in self.scope.file.includes if unknown else ():
+            yield from (value.span for name, value in include.arguments if name.span in unknown)
+
+    def is_untaken(self, missing: MissingReference) -> bool:
+        """Return whether a file is only given as an argument that no included file takes."""
+        if missing.use != "file":
+            return False
+        places, around = (missing.span, *missing.other_spans), tuple(self.untaken())
+        return all(any(each.holds(place) for each in around) for place in places)
 
     def target(self, named: FileReference) -> tuple[str, LaunchSignature] | None:
         known = self.scope.workspace.included_arguments

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.idle_actions import level_at
+from ...checks.launch.include_arguments import IncludeContext
 from ...checks.launch.missing_harm import harm_of
 from ...checks.launch.missing_references import LaunchContext, MissingReference
 from ...checks.launch.relative_parameter_files import relative_parameter_files
@@ -51,8 +52,8 @@ NODE = {
     levels={
         Severity.WARNING: "a process that is started opens it, it is the default of an argument or in the current "
         "directory, its action has a condition, or the launch file is not installed",
-        Severity.INFO: "the action is never added to the launch description, the argument or value never used, or "
-        "the file itself gives the argument another value",
+        Severity.INFO: "the action is never added to the launch description, the argument or value never used, the "
+        "file itself gives the argument another value, or an included one takes no such argument",
     },
     examples=(
         Example(
@@ -100,6 +101,8 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
                 softer, why = "info", "but nothing uses the argument"
             if not softer and scope.is_overwritten(each):
                 softer, why = "info", "but the launch file gives the argument another value"
+            if not softer and IncludeContext(scope).is_untaken(each):
+                softer, why = "info", "but the included file takes no such argument"
             if not softer and not scope.is_installed:
                 softer, why = "warning", "where it is started from the source: it is not installed"
             level = Severity(softer) if softer else None if each.stops_launch else Severity.WARNING
