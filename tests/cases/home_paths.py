@@ -29,6 +29,14 @@ CASES = {
         python({"cad/draw.py": "save('«/home/ada/ws/src/my_pkg/data/people.txt»')\n", **FILES}),
         python({"rviz/a.rviz": "a:\n  File: «/home/ada/ws/src/my_pkg/data/people.txt»\n", **FILES}),
         python({"my_pkg/talker.py": f"import sys\nsys.path.append('«{HOME}/lib»')\nopen('/home/ada/a.txt')\n"}),
+        python({"my_pkg/talker.py": f"import sys\nsys.path.append(\n    '«{HOME}/lib»')\nopen('/home/ada/a.txt')\n"}),
+        python(
+            {
+                **FILES,
+                "docker/Dockerfile": "RUN useradd -m rover\n",
+                "my_pkg/talker.py": "open('«/home/rover/ws/src/my_pkg/data/people.txt»')\n",
+            }
+        ),
         python({"src/talker.cpp": f'/* "/home/ada/a.txt" */ auto a = open("«{HOME}/a.txt»");\n'}),
         python({"launch/a.launch.xml": f'<launch>\n  <let name="a" value="«{HOME}/a.yaml»"/>\n</launch>\n'}),
         python({"config/a.yaml": "a:\n  - «/home/ada/one.txt»\n  - '/home/ada/two.txt' # two\nb: see /home/ada/c\n"}),

@@ -15,6 +15,7 @@ from ..package.install_table import InstallTable
 from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
 from ..source import Span
+from .home_accounts import is_of_container, is_of_many
 
 MARKUP = (".launch", ".launch.xml", "_launch.xml")
 YAML = (".yaml", ".yml", ".rviz")
@@ -28,11 +29,8 @@ PLAIN = regex(rf"(?m)(?<=[:-])[ \t]+(?:file://)?(?P<path>{PATH})(?=[ \t]*(?:#.*)
 IN_CMAKE = regex(rf"(?<![\w./-])(?<!DESTINATION )(?P<path>{PATH})(?![\w*$])")
 COMMENTS = {CPP: regex(r"(?s)/\*.*?\*/|//[^\n]*"), MARKUP: regex(r"(?s)<!--.*?-->")}
 FOR_CODE = ("launch", "src", "scripts", "script", "nodes", "node", "bin")
-OF_MANY = frozenset(
-    "admin app dev developer docker jetson nvidia pi robot root ros ros2 runner ubuntu user username vscode you".split()
-)
-"""Accounts that robots, containers and examples have: the path may be the same for everyone."""
-SHARED = regex(r"your|docker|container|(?:^|_)(?:ws|workspace)$")
+IS_SOUGHT = regex(r"\bsys\.path\b(?:[^\n]*|[^)\]]*)\Z")
+"""Whether what follows is one of the places for modules."""
 ASKS = regex(r"\b(?:exists|isfile|is_file|isdir|is_dir|access)\(")
 
 
@@ -49,7 +47,8 @@ class HomePath:
     is_image: bool
     """Whether it is the image of a map."""
     may_be_there: bool
-    """Whether many have an account of that name, or the code asks first whether it exists."""
+    """Whether many have an account of that name, or the container of the repository has; or code asks first whether
+    it exists."""
     is_seldom_read: bool
     """Whether RViz, a script in a folder of its own or YAML that is not installed names it, which few start; or it is
     one of several places for modules."""
@@ -87,10 +86,20 @@ class HomePaths:
                 places.setdefault(match["path"], match)
         for named, match in sorted(places.items(), key=lambda each: each[1].start()):
             is_image = bare[: match.start("path")].rstrip(" \t\"'").endswith("image:")
-            may_be_there = is_asked or is_of_many(match["user"] or match["mac"])
+            may_be_there = is_asked or self.is_of_many(match["user"] or match["mac"])
             place, home = Span(*match.span("path")), self.home_of(named)
-            is_seldom_read = self.is_seldom_read(path) or "sys.path" in line_before(bare, match.start())
+            is_seldom_read = self.is_seldom_read(path) or IS_SOUGHT.search(bare, 0, match.start()) is not None
             yield HomePath(path, place, named, *home, is_image, may_be_there, is_seldom_read)
+
+    def is_of_many(self, user: str) -> bool:
+        if user not in self.accounts:
+            self.accounts[user] = is_of_many(user) or is_of_container(self.files, user)
+        return self.accounts[user]
+
+    @cached_property
+    def accounts(self) -> dict[str, bool]:
+        """Whether many have an account, for those that were asked for."""
+        return {}
 
     def is_seldom_read(self, path: str) -> bool:
         folder = path.partition("/")[0]
@@ -129,13 +138,3 @@ def without_comments(path: str, text: str) -> str:
             return pattern.sub(lambda match: " " * len(match[0]), text)
     lines = (line if not line.lstrip().startswith("#") else " " * len(line) for line in text.split("\n"))
     return "\n".join(lines)
-
-
-def line_before(text: str, start: int) -> str:
-    return text[text.rfind("\n", 0, start) + 1 : start]
-
-
-def is_of_many(user: str) -> bool:
-    """Return whether many have an account of that name; a workspace right below /home is that of a container."""
-    lower = user.lower()
-    return lower in OF_MANY or SHARED.search(lower) is not None or lower.startswith(("user", "my_", "<"))
