@@ -38,6 +38,7 @@ CASES = {
             }
         ),
         python({"src/talker.cpp": f'/* "/home/ada/a.txt" */ auto a = open("«{HOME}/a.txt»");\n'}),
+        python({"src/talker.cpp": f'auto say = "a:={HOME}/a.txt\\n"; auto a = open("«{HOME}/b.txt»");\n'}),
         python({"launch/a.launch.xml": f'<launch>\n  <let name="a" value="«{HOME}/a.yaml»"/>\n</launch>\n'}),
         python({"config/a.yaml": "a:\n  - «/home/ada/one.txt»\n  - '/home/ada/two.txt' # two\nb: see /home/ada/c\n"}),
         python({"CMakeLists.txt": "# /home/ada/a\ninclude_directories(«/home/ada/acme/include» /home/ada/${X})\n"}),

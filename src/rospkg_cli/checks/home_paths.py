@@ -20,7 +20,8 @@ from .home_accounts import is_of_container, is_of_many
 MARKUP = (".launch", ".launch.xml", "_launch.xml")
 YAML = (".yaml", ".yml", ".rviz")
 CPP = (".cpp", ".cc", ".cxx", ".hpp", ".h")
-NO = r"${}<>%\s\"'`,;:*()"
+NO = r"${}<>%\\\s\"'`,;:*()"
+"""What no path of these has: in code a backslash makes a line of a text for people of it."""
 PATH = rf"(?:/home/(?P<user>[^/{NO}]+)/|/Users/(?P<mac>[^/{NO}]+)/)[^{NO}]+"
 QUOTED = regex(rf"(?<=[\"'=])(?:file://)?(?P<path>{PATH})(?=[\"'])")
 PLAIN = regex(rf"(?m)(?<=[:-])[ \t]+(?:file://)?(?P<path>{PATH})(?=[ \t]*(?:#.*)?$)")
