@@ -214,6 +214,8 @@ CASES = {
     "SET101": (
         python("", setup_DOT_py=setup_py(scripts("talker = speech.talker:main")).replace(
             "packages=find_packages(exclude=['test'])", "packages=['my_pkg', 'speech']")),
+        python("", setup_DOT_py="from ament_index_python import get_package_prefix\nA = get_package_prefix('a')\n"
+               + setup_py(scripts("talker = my_pkg.talker:main"))),
     ),
     "SET203": (python("", setup_DOT_py=set203.BAD.replace("«", "").replace("»", "").replace("'", '"')),),
     "SET205": (installed(f"('{SHARE}', ['config/*.yaml'])"), installed(f"('{SHARE}', ['config'])")),

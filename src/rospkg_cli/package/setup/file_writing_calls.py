@@ -6,7 +6,8 @@ from ...languages.python.evaluate.values import Call, Text
 
 HARMLESS = frozenset(
     "setuptools distutils os sys pathlib glob io codecs re platform warnings xml json yaml datetime time collections "
-    "itertools functools importlib fnmatch string textwrap catkin_pkg ast math".split()
+    "itertools functools importlib fnmatch string textwrap catkin_pkg ast math logging typing packaging "
+    "ament_index_python".split()
 )
 """Modules whose functions make no file that would be installed, but for what WRITES names."""
 
