@@ -176,6 +176,8 @@ CASES = {
     ),
     "CMK120": (
         cmake("if(WITH_MORE)\n  install(FILES LICENSE DESTINTION share/x)\nendif()\n"),
+        cmake("install(DIRCTORY launch DESTNATION share/x)\ninstall(files LICENSE DESTINATION share/x)\n"),
+        cmake("install(${FORM} a DESTINATION x)\ninstall(CODE a)\ninstall(SNACKS a DESTINATION x)\n"),
         cmake("set(TO DESTINTION)\ninstall(FILES package.xml ${TO} share/x)\n"),
     ),
     "CMK122": (

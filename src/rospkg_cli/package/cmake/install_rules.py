@@ -24,6 +24,9 @@ OPTIONS = ("EXPORT", "DESTINATION", "TYPE", "PERMISSIONS", "FILE_PERMISSIONS", "
            "RUNTIME_DEPENDENCY_SET")  # fmt: skip
 TAKE_A_VALUE = frozenset(("EXPORT", "DESTINATION", "TYPE", "COMPONENT", "NAMELINK_COMPONENT", "RENAME", "PATTERN",
                           "REGEX", "FILE_SET", "RUNTIME_DEPENDENCY_SET", "NAMESPACE", "FILE"))  # fmt: skip
+FORMS = ("TARGETS", "FILES", "PROGRAMS", "DIRECTORY", "CODE", "SCRIPT", "EXPORT", "IMPORTED_RUNTIME_ARTIFACTS",
+         "RUNTIME_DEPENDENCY_SET", "EXPORT_ANDROID_MK", "PACKAGE_INFO", "SBOM")  # fmt: skip
+"""The first word, which says what is installed: CMake stops at any other one, up to 4.2."""
 SHORTEST, SHORT = 6, 9
 """Letters of a keyword that can be told from a name in capitals, and from which two may be wrong."""
 
@@ -81,17 +84,30 @@ def below_prefix(text: str) -> str | None:
     return SITE.sub(PYTHON, posixpath.normpath(text)) if text else "."
 
 
+def meant_form(call: EvaluatedCommand) -> str | None:
+    """Return the form that the first word is a letter or two off, or writes in small letters; None for all others."""
+    first = call.words[0] if call.words else None
+    if first is None or not first.is_known or first.text in FORMS:
+        return None
+    form = first.text.upper()
+    return form if form in FORMS else next(iter(near_names(form, FORMS, 2)), None)
+
+
 def meant_keywords(call: EvaluatedCommand) -> Iterator[tuple[Word, str | None]]:
-    """Yield the words after `install(kind`, each with the keyword that it is a letter or two off; None for all others.
+    """Yield the words after `install(form`, each with the keyword that it is a letter or two off; None for all others.
 
     The rule is read as it is meant: what is wrong is told at the word. A value, as in `DESTINATION INCLUDE`, is none.
     """
-    kind = call.texts[0] if call.words else ""
+    kind = form_of(call)
     keywords = (*OPTIONS, *(ARTIFACTS if kind == "TARGETS" else ()))
     before = kind
     for word in call.words[1:]:
         yield word, None if word.quoted or before in TAKE_A_VALUE else meant_keyword(word.text, keywords)
         before = "" if word.quoted else word.text
+
+
+def form_of(call: EvaluatedCommand) -> str:
+    return meant_form(call) or (call.texts[0] if call.words else "")
 
 
 def meant_keyword(text: str, keywords: Sequence[str]) -> str | None:
@@ -102,7 +118,7 @@ def meant_keyword(text: str, keywords: Sequence[str]) -> str | None:
 
 def rules_of_install(call: EvaluatedCommand) -> Iterator[InstallRule]:
     """`install(…)` in all its forms."""
-    kind = call.texts[0] if call.words else ""
+    kind = form_of(call)
     words = [replace(word, text=meant) if meant else word for word, meant in meant_keywords(call)]
     if kind == "TARGETS":
         yield targets_rule(call, words)

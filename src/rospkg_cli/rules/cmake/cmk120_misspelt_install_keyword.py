@@ -6,8 +6,11 @@ from collections.abc import Iterator
 
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.values import Word
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.install_rules import meant_keywords
+from ...package.cmake.cmake_project import CMake
+from ...package.cmake.install_rules import meant_form, meant_keywords
 from ...rule import rule
 
 LINES = """\
@@ -50,6 +53,7 @@ def misspelt_install_keyword(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
     Finds words in `install()` that are one or two letters off a keyword, such as `DESTINTION`.
+    Its first word, which says what is installed, is also told in small letters (`install(targets …)`).
     All other rules read the call as it is meant.
 
     ## Why is this bad?
@@ -65,12 +69,17 @@ def misspelt_install_keyword(package: CMakePackage) -> Iterator[Hit]:
     """
     cmake = package.cmake
     for call in cmake.named("install"):
+        if form := meant_form(call):
+            yield hit(cmake, call, call.words[0], form, "it does not say what to install")
         for word, meant in meant_keywords(call):
-            if meant is None or cmake.target(word.text) or cmake.package_files.is_there(word.text):
-                continue
-            start = f"`install` has no keyword `{word.text}` (did you mean `{meant}`?)"
-            message = f"{start}: CMake stops, as it takes it for something to install; correct it"
-            fix = Fix(f"write `{meant}`", (Edit(word.path, word.span, meant),), Safety.UNSAFE)
-            is_literal = cmake.source_text(word) == word.text
-            level = Severity.WARNING if call.maybe or word.maybe else None
-            yield Hit(word.path, word.span, message, level, fix=fix if is_literal else None)
+            if meant and not (cmake.target(word.text) or cmake.package_files.is_there(word.text)):
+                yield hit(cmake, call, word, meant, "it takes it for something to install")
+
+
+def hit(cmake: CMake, call: EvaluatedCommand, word: Word, meant: str, why: str) -> Hit:
+    start = f"`install` has no keyword `{word.text}` (did you mean `{meant}`?)"
+    message = f"{start}: CMake stops, as {why}; correct it"
+    fix = Fix(f"write `{meant}`", (Edit(word.path, word.span, meant),), Safety.UNSAFE)
+    is_literal = cmake.source_text(word) == word.text
+    level = Severity.WARNING if call.maybe or word.maybe else None
+    return Hit(word.path, word.span, message, level, fix=fix if is_literal else None)
