@@ -28,6 +28,8 @@ STRAIGHT = (
     "def main():\n    for each in modes:\n        print(mode)\n    assert mood\n",
     "def main(): ...\n\n\ndef idle():\n    print(modes)\n",
     "class Talker(Node):\n    def idle(self):\n        print(modes)\n\n\ndef main():\n    Talker()\n",
+    "class Talker(Node):\n    def idle(self):\n        print(modes)\n        print('idle')\n\n\ndef main():\n"
+    "    Talker()\n",
     "class Talker:\n    CENTER = 5\n\n    def __init__(self):\n        self.mode = CENTER\n        say(mode)\n\n"
     "    def say(self): ...\n\n    @staticmethod\n    def still():\n        print(CENTER)\n\n\n"
     "def main():\n    Talker()\n",

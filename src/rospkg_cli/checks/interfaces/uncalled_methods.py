@@ -13,6 +13,7 @@ from ...source import Span
 from ..run_imports import RunImports
 
 NODES = frozenset({"Node", "node.Node", "rclpy.node.Node"})
+LOGS = frozenset("print debug info warn warning error fatal critical exception".split())
 FOR_ROS = frozenset({"destroy_node"})
 """Methods that rclpy calls by itself."""
 
@@ -29,7 +30,7 @@ class UncalledMethods:
 
     @cached_property
     def named(self) -> frozenset[str]:
-        """Every name and every string in the code of the package's files; a comment names nothing."""
+        """Every name and every string in the code of the package's files; a comment or a log names nothing."""
         return frozenset(name for _, file in self.run.files for name in names_in(file))
 
 
@@ -47,7 +48,18 @@ def may_be_called_unseen(method: FunctionNode) -> bool:
 
 
 def names_in(file: PythonFile) -> Iterator[str]:
+    logged = {id(each) for call in nodes_of_kind(file.tree, ast.Call) if is_log(call) for each in nodes_of(call)}
     for node in nodes_of(file.tree):
         match node:
-            case ast.Attribute(attr=name) | ast.Name(id=name) | ast.Constant(value=str(name)):
+            case ast.Attribute(attr=name) | ast.Name(id=name):
                 yield name
+            case ast.Constant(value=str(name)) if id(node) not in logged:
+                yield name
+
+
+def is_log(call: ast.Call) -> bool:
+    """Return whether a call says something: `self.get_logger().info(…)`, `print(…)`."""
+    match call.func:
+        case ast.Attribute(attr=name) | ast.Name(id=name):
+            return name in LOGS
+    return False
