@@ -69,6 +69,17 @@ INTERFACES = """\
 USES = "#include <my_pkg/msg/a.hpp>\n"
 GENERATED = {"msg/A.msg": "bool a\n", "src/talker.cpp": USES + "int main() {return 0;}\n"}
 SWITCHED = GENERATED | {"src/talker.cpp": f"#if WITH\n{USES}#endif\nint main() {{return 0;}}\n"}
+TWINS = {
+    "src/talker.cpp": '#include "words.hpp"\nint main() {return 0;}\n',
+    "src/words.hpp": "int words();\n",
+    "test/words.hpp": "#include <std_msgs/msg/string.hpp>\n",
+}
+MESSAGES = "  <depend>std_msgs</depend>\n"
+INDEXED = "find_package(rclcpp REQUIRED)\n" + PROGRAM.replace("talker core", "talker rclcpp::rclcpp")
+SHARING = {
+    "src/talker.cpp": "#include <ament_index_cpp/get_package_share_directory.hpp>\nint main() {return 0;}\n",
+}
+NODES = "  <depend>rclcpp</depend>\n  <depend>ament_index_cpp</depend>\n"
 MODULE = (
     "find_package(pybind11 REQUIRED)\npybind11_add_module(fast src/fast.cpp)\ninstall(TARGETS fast DESTINATION {})\n"
 )
@@ -208,6 +219,19 @@ CASES = {
             )
         ),
         package(GENERATES + PROGRAM.replace("talker core", "talker m"), SWITCHED, INTERFACES),
+        package(f"find_package(std_msgs REQUIRED)\n{PROGRAM}".replace("talker core", "talker m"), TWINS, MESSAGES),
+        package(INDEXED, SHARING, NODES),
+        package(INDEXED, SHARING | {"README.md": "For Humble.\n"}, NODES),
+        package(INDEXED, SHARING | {"README.md": "For Humble and Jazzy.\n"}, NODES),
+    ),
+    "CMK126": (
+        package(
+            "add_subdirectory(core)\nament_export_libraries({NAME})\n",
+            {
+                "core/CMakeLists.txt": "set(NAME core)\nament_export_libraries({NAME})\nadd_library({NAME} core.cpp)\n",
+                "core/core.cpp": "int core() {return 1;}\n",
+            },
+        ),
     ),
     "CMK123": (
         package("add_compile_options(-Wall WITH_ARM=1 -include MY_FILE -D WITH_LEG /D WITH_TAIL)\n"),

@@ -1,4 +1,4 @@
-"""Rule input: whether a repository is for distributions before Galactic alone, by the files that tell how to build."""
+"""Rule input: whether a repository is for older distributions alone, by the files that tell how to build."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from .setup.linked_build import build_files
 STARTABLE = (".py", ".xml", ".yaml", ".yml")
 OLDER = ("dashing", "eloquent", "foxy")
 UNSUPPORTED = (*OLDER, "galactic")
+BEFORE_JAZZY = (*UNSUPPORTED, "humble", "iron")
 NAMES = regex(rf"(?<![a-z])({'|'.join((*UNSUPPORTED, 'iron', *(each.name for each in DISTROS)))})(?![a-z])")
 SLIPS = {"elequent": "eloquent", "eloquant": "eloquent"}
 IN_PATHS = regex(rf"(?<![a-z])({'|'.join((*SLIPS, *UNSUPPORTED, 'iron', *(each.name for each in DISTROS)))})(?![a-z])")
@@ -36,6 +37,11 @@ class OlderDistribution:
         Foxy does not check the types of parameters, gives a LifecycleNode a namespace, and takes `node_executable`.
         """
         return bool(self.named) and self.named.issubset(OLDER)
+
+    @property
+    def is_before_jazzy(self) -> bool:
+        """Whether one before Jazzy is named, and none after it."""
+        return bool(self.named) and self.named.issubset(BEFORE_JAZZY)
 
     def is_kept_for_older(self, path: str) -> bool:
         """Return whether a launch file is called as being for one before Galactic, and another one is for the rest."""

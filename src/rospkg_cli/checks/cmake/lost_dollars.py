@@ -26,6 +26,7 @@ OTHER_LANGUAGES = frozenset(
 )
 """Commands whose arguments are texts, patterns, or what a shell or Make gets."""
 OF_INSTALL = frozenset({"CODE", "SCRIPT"})
+EXPORTS = "ament_export_"
 SHORTEST = 3
 """Letters of a variable of the package's own that is told."""
 
@@ -36,6 +37,9 @@ class LostDollar:
     span: Span
     text: str
     name: str
+
+    has_effect: bool = True
+    """Whether what the command is given goes anywhere."""
 
     @property
     def sentence(self) -> str:
@@ -59,13 +63,19 @@ class LostDollars:
         """Return whether what a command is given is for another language."""
         return call.name in OTHER_LANGUAGES or (call.name == "install" and not OF_INSTALL.isdisjoint(call.texts))
 
+    def has_effect(self, call: EvaluatedCommand) -> bool:
+        """Return whether what is exported reaches `ament_package()`, which knows of its own folder's alone."""
+        folders = {each.folder for each in self.cmake.named("ament_package", "ament_auto_package")}
+        return not call.name.startswith(EXPORTS) or not folders or call.folder in folders
+
     def within(self, call: EvaluatedCommand) -> Iterator[LostDollar]:
         for argument in call.command.arguments:
             for found in LOST.finditer(argument.text) if argument.kind != "bracket" else ():
                 name = found[1] or found[2] or found[3]
                 if name in self.names:
                     start = argument.inner.start
-                    yield LostDollar(call, Span(start + found.start(), start + found.end()), found[0], name)
+                    place = Span(start + found.start(), start + found.end())
+                    yield LostDollar(call, place, found[0], name, self.has_effect(call))
 
     @cached_property
     def names(self) -> frozenset[str]:

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from ...languages.cmake.evaluated_command import path_in_package
-from ...languages.cpp.file import CppFile
+from ...languages.cpp.file import CppFile, IncludeDirective
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role, role_of
 from ..fault import Level
@@ -116,17 +116,25 @@ def included_paths(header: str, by_name: Mapping[str, list[str]]) -> Iterator[st
 class Inclusions:
     """Which files of a package include which."""
 
-    def __init__(self, files: Mapping[str, CppFile]) -> None:
+    def __init__(self, files: Mapping[str, CppFile], *, only_certain: bool = False) -> None:
         self.files = files
+        self.only_certain = only_certain
+        """Whether an include that may mean one of several files counts as none."""
         self.by_name = paths_by_name(files)
         self.known: dict[str, list[str]] = {}
 
     def included_by(self, path: str) -> list[str]:
         """Return the files of the package that one includes, wherever they lie."""
         if path not in self.known:
-            includes = self.files[path].includes
-            self.known[path] = [other for each in includes for other in included_paths(each.path, self.by_name)]
+            self.known[path] = [other for each in self.files[path].includes for other in self.meant(path, each)]
         return self.known[path]
+
+    def meant(self, path: str, each: IncludeDirective) -> list[str]:
+        """Return the files that an include may mean: in quotes the one beside the file, where there is one."""
+        beside = posixpath.normpath(posixpath.join(posixpath.dirname(path), each.path))
+        is_beside = beside in self.files and not each.is_angled
+        found = [beside] if is_beside else list(included_paths(each.path, self.by_name))
+        return [] if self.only_certain and len(found) > 1 else found
 
     def reached(self, first: Iterable[str]) -> set[str]:
         """Return some files, and those of the package that they include, and so on."""

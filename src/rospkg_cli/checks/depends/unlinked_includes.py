@@ -18,6 +18,7 @@ from ...ros.names import NameKind
 from ...ros.private_links import KEPT_FROM_JAZZY
 from ...source import Span
 from ..cmake.missing_export_dependencies import BY_MACRO
+from ..older_distribution import OlderDistribution
 from .brought_by_links import BEFORE_JAZZY, SOMEWHERE, BroughtByLinks, is_of_interfaces
 from .compiled_sources import Inclusions
 from .header_folders import HeaderFolders
@@ -49,6 +50,7 @@ class UnlinkedInclude:
 @dataclass(frozen=True)
 class UnlinkedIncludes:
     includes: IncludeDependencies
+    distribution: OlderDistribution
 
     def all(self) -> Iterator[UnlinkedInclude]:
         """Yield each package once that a target includes, also by its own headers, and certainly does not get."""
@@ -112,7 +114,7 @@ class UnlinkedIncludes:
 
     @cached_property
     def inclusions(self) -> Inclusions:
-        return Inclusions(self.files)
+        return Inclusions(self.files, only_certain=True)
 
     @cached_property
     def links(self) -> TargetLinks:

@@ -66,7 +66,8 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     package of the workspace (what it is linked with as PRIVATE stays there), and so do the folders of
     a package (`${tf2_INCLUDE_DIRS}`); where one link or folder is not known, nothing is said of the target, and where
     that is not known of one package, or it brings it on some distributions alone, all that it may bring is one info.
-    What rclcpp is linked with for itself alone from Jazzy on, as it is with ament_index_cpp, it does not bring.
+    What rclcpp is linked with for itself alone from Jazzy on, as it is with ament_index_cpp, it does not bring; where
+    the pages, scripts and workflows of the repository name Humble or older ones alone, that is an info.
     Targets of `ament_auto_add_…()`, includes under `#if`, and calls under a condition are left alone.
 
     ## References
@@ -89,7 +90,9 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
             f"`{each.header}` is included here, and `{each.target.name}` is not linked with `{each.package}`: {ends}; "
             f"{'' if each.is_found else 'find it, and '}add it to `target_link_libraries({each.target.name} …)`"
         )
-        yield Hit(each.path, each.span, message, None if each.is_own_folder or each.keeper else Severity.INFO)
+        is_later = each.keeper and includes.distribution.is_before_jazzy
+        is_told = (each.is_own_folder or each.keeper) and not is_later
+        yield Hit(each.path, each.span, message, None if is_told else Severity.INFO)
     for target in dict.fromkeys(each.target.name for each in perhaps):
         yield perhaps_brought([each for each in perhaps if each.target.name == target])
 

@@ -27,6 +27,7 @@ def cmake(folder: str) -> str:
     "lost-dollar",
     over=CMakePackage,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "what is exported in a folder below that of `ament_package()` goes nowhere in any case"},
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake("«{CMAKE_CURRENT_SOURCE_DIR}»"), **SOURCE},
@@ -50,4 +51,4 @@ def lost_dollar(package: CMakePackage) -> Iterator[Hit]:
     (`add_custom_command()`), in `[[…]]`, and behind a backslash.
     """
     for each in LostDollars(package.cmake).all():
-        yield Hit(each.call.path, each.span, each.sentence)
+        yield Hit(each.call.path, each.span, each.sentence, None if each.has_effect else Severity.INFO)
