@@ -41,6 +41,8 @@ CASES = {
         python({"src/talker.cpp": f'auto say = "a:={HOME}/a.txt\\n"; auto a = open("«{HOME}/b.txt»");\n'}),
         python({"launch/a.launch.xml": f'<launch>\n  <let name="a" value="«{HOME}/a.yaml»"/>\n</launch>\n'}),
         python({"config/a.yaml": "a:\n  - «/home/ada/one.txt»\n  - '/home/ada/two.txt' # two\nb: see /home/ada/c\n"}),
+        python({"config/a.yaml": f"a: «{HOME}/a.txt»\n"}),
+        python({"config/a.yaml": f"a: «{HOME}/a.txt»\n", "my_pkg/talker.py": "open('config/a.yaml')\n"}),
         python({"CMakeLists.txt": "# /home/ada/a\ninclude_directories(«/home/ada/acme/include» /home/ada/${X})\n"}),
         python({"CMakeLists.txt": "set(WORDS\n  «/home/ada/ws/src/my_pkg/data/people.txt»)\n", **FILES}),
     )

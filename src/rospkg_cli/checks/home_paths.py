@@ -16,6 +16,7 @@ from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
 from ..source import Span
 from .home_accounts import is_of_container, is_of_many
+from .yaml_elsewhere import is_named_yaml
 
 MARKUP = (".launch", ".launch.xml", "_launch.xml")
 YAML = (".yaml", ".yml", ".rviz")
@@ -51,8 +52,8 @@ class HomePath:
     """Whether many have an account of that name, or the container of the repository has; or code asks first whether
     it exists."""
     is_seldom_read: bool
-    """Whether RViz, a script in a folder of its own or YAML that is not installed names it, which few start; or it is
-    one of several places for modules."""
+    """Whether RViz, a script in a folder of its own or YAML that is not installed, or that nothing names, has it, which
+    few start; or it is one of several places for modules."""
 
 
 @dataclass(frozen=True)
@@ -90,6 +91,7 @@ class HomePaths:
             may_be_there = is_asked or self.is_of_many(match["user"] or match["mac"])
             place, home = Span(*match.span("path")), self.home_of(named)
             is_seldom_read = self.is_seldom_read(path) or IS_SOUGHT.search(bare, 0, match.start()) is not None
+            is_seldom_read = is_seldom_read or (path.endswith(YAML) and not is_image and not self.is_used(path))
             yield HomePath(path, place, named, *home, is_image, may_be_there, is_seldom_read)
 
     def is_of_many(self, user: str) -> bool:
@@ -111,6 +113,10 @@ class HomePaths:
         """Return whether nothing installs a file."""
         table = self.table
         return table is not None and table.knows("share") and all(row.source != path for row in table.rows)
+
+    def is_used(self, path: str) -> bool:
+        """Return whether anything may give a YAML file to a node; a map is often given by hand."""
+        return is_named_yaml(path, self.facts, self.workspace)
 
     def home_of(self, named: str) -> tuple[str | None, str]:
         """Return the package of the workspace that a path leads into, and the rest; None where none is known."""

@@ -1,10 +1,19 @@
-"""Whether another package may give a YAML file of this one to a node."""
+"""Whether anything may give a YAML file of a package to a node: the package itself, or another one."""
 
 from __future__ import annotations
+
+import posixpath
 
 from ..package.package_facts import PackageFacts
 from ..package.params.named_yaml import ANY
 from ..package.workspace import Workspace
+
+
+def is_named_yaml(path: str, package: PackageFacts, workspace: Workspace) -> bool:
+    """Return whether anything in the workspace names a YAML file of a package, or may."""
+    stem = posixpath.splitext(posixpath.basename(path))[0]
+    named = package.named_yaml
+    return stem in named or ANY in named or is_named_elsewhere(stem, package, workspace)
 
 
 def is_named_elsewhere(stem: str, package: PackageFacts, workspace: Workspace) -> bool:

@@ -12,12 +12,11 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import is_set_aside, role_of
 from ...package.package_facts import PackageFacts
-from ...package.params.named_yaml import ANY
 from ...package.workspace import Workspace
 from ...source import Span
 from ..closest_path import closest_path
 from ..fault import Fault
-from ..yaml_elsewhere import is_named_elsewhere
+from ..yaml_elsewhere import is_named_yaml
 
 MAP = regex(r"^resolution[ \t]*:[\s\S]*^origin[ \t]*:|^origin[ \t]*:[\s\S]*^resolution[ \t]*:", re.MULTILINE)
 IMAGE = regex(r"^image[ \t]*:[ \t]*[\"']?([\w][\w ./-]*\.\w+)[\"']?[ \t]*(?:#.*)?\r?$", re.MULTILINE)
@@ -42,7 +41,7 @@ class NamedFiles:
                 text = self.files.readable_text(path)
                 found = self.of_map(path, text) if MAP.search(text) else self.of_parameters(text)
                 for fault in found:
-                    if fault.level == "info" or self.is_named(path):
+                    if fault.level == "info" or self.is_used(path):
                         yield path, fault
                     elif not self.package.name.endswith(("_test", "_tests")):
                         yield path, unused(fault)
@@ -96,11 +95,10 @@ class NamedFiles:
             return not (self.files.is_there(path) or self.files.absent.is_expected(path))
         return not self.files.absent_in(facts.folder).is_ignored(path)
 
-    def is_named(self, path: str) -> bool:
-        """Return whether anything in the workspace names the YAML file, or may."""
-        stem = posixpath.splitext(posixpath.basename(path))[0]
-        named = self.package.named_yaml
-        return stem in named or ANY in named or is_named_elsewhere(stem, self.package, self.workspace)
+    def is_used(self, path: str) -> bool:
+        """Return whether a YAML file is not left out of what is installed, and something may name it."""
+        is_left = self.package.knows("share_files") and path in self.package.uninstalled
+        return not is_left and is_named_yaml(path, self.package, self.workspace)
 
 
 IMAGES = frozenset({".pgm", ".png", ".bmp", ".jpg"})

@@ -44,7 +44,7 @@ FILES = {
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "the file is not of the workspace, many have an account of that name, code asks first, nothing "
-        "installs the YAML, or it is one of the places for modules"
+        "installs or names the YAML, or it is one of the places for modules"
     },
     examples=(
         Example(

@@ -34,7 +34,7 @@ INSTALLS = CMAKE.replace(
     "missing-named-file",
     over=NamedFiles,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "nothing here names the file, or a launch file may give another value"},
+    levels={Severity.INFO: "nothing here installs or names the file, or a launch file may give another value"},
     examples=(
         Example(
             on="ament_cmake",
