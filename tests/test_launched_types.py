@@ -120,6 +120,16 @@ def test_values_in_xml(param: str, count: int) -> None:
     assert len(said({"launch/a.launch.xml": XML.format(param)}, "PRM006")) == count
 
 
+@pytest.mark.parametrize(
+    ("condition", "count"),
+    [("$(eval '$(var rate) != 10')", 0), ("$(var rate)", 0), ("$(eval '2 > 1')", 1), ("False", 1), ("$(var on)", 1)],
+)
+def test_a_default_that_a_condition_excludes_reaches_no_node(condition: str, count: int) -> None:
+    launch = XML.replace('exec="talker"', f'exec="talker" if="{condition}"')
+    launch = launch.format('<param name="rate" value="$(var rate)"/>')
+    assert len(said({"launch/a.launch.xml": launch}, "PRM006")) == count
+
+
 @pytest.mark.parametrize(("value", "count"), [("10", 1), ("10.0", 0), ('"10"', 0)])
 def test_values_in_yaml(value: str, count: int) -> None:
     assert len(said({"launch/a.launch.yaml": YAML.format(value)}, "PRM006")) == count

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator
 
 from ...lazy_regex import regex
@@ -12,6 +13,8 @@ from ...package.launch.text import LaunchText, Substitution
 from ...package.package_facts import PackageFacts
 from ...package.params.declared_parameter import DeclaredParameter, type_named
 from ...package.params.scalar_types import DOUBLE
+from ...source import Span
+from ..launch.idle_actions import conditional
 from .declaring_packages import ENOUGH, is_its_own
 from .known_given import GivenValue, is_cast_behind, launch_value, type_of_text
 from .launch_parameters import LaunchParameters, NodeArguments
@@ -82,10 +85,17 @@ def value_of(launch: LaunchFile, name: LaunchText, value: LaunchText) -> Iterato
         case (Substitution(name="var", arguments=(argument, *_)),) if written and argument.literal:
             after = PERFORMED.match(launch.source.text, value.span.end) if launch.frontend == "python" else None
             how = PERFORM if after else argument.literal
-            kind = TEXT if after else type_of_default(launch, argument.literal, value)
+            is_asked = not after and is_asked_for(launch, argument.literal, value.span)
+            kind = TEXT if after else "" if is_asked else type_of_default(launch, argument.literal, value)
             yield GivenValue(written[0].name, name.span, value.span, "", kind), how
         case _:
             yield from ((one, "") for one in written)
+
+
+def is_asked_for(launch: LaunchFile, name: str, place: Span) -> bool:
+    """Return whether a place is under a condition that asks for an argument, and that may not hold for its default."""
+    conditions = (launch.source.slice(each.written) for each in conditional(launch) if each.guards(place))
+    return any(re.search(rf"\b{re.escape(name)}\b", text) for text in conditions)
 
 
 def type_of_default(launch: LaunchFile, name: str, value: LaunchText) -> str:
