@@ -26,6 +26,14 @@ CASES = {
                 "my_pkg/talker.py": f"if exists('«{HOME}/data/people.txt»'):\n    open('/home/ada/out.txt')\n",
             }
         ),
+        python(
+            {
+                **FILES,
+                "my_pkg/talker.py": "try:\n    a = find()\nexcept KeyError:\n    if a:\n"
+                f"        a = '«{HOME}/data/people.txt»'\n",
+                "my_pkg/words.py": "try:\n    a = find()\nexcept KeyError:\n    pass\nopen('/home/ada/a.txt')\n",
+            }
+        ),
         python({"cad/draw.py": "save('«/home/ada/ws/src/my_pkg/data/people.txt»')\n", **FILES}),
         python({"rviz/a.rviz": "a:\n  File: «/home/ada/ws/src/my_pkg/data/people.txt»\n", **FILES}),
         python({"my_pkg/talker.py": f"import sys\nsys.path.append('«{HOME}/lib»')\nopen('/home/ada/a.txt')\n"}),

@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ..files import PackageFiles
-from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import is_set_aside, role_of
 from ..package.install_table import InstallTable
@@ -16,24 +15,10 @@ from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
 from ..source import Span
 from .home_accounts import is_of_container, is_of_many
+from .home_path_texts import ASKS, CPP, IS_SOUGHT, MARKUP, YAML, is_in_handler, patterns, without_comments
 from .yaml_elsewhere import is_named_yaml
 
-MARKUP = (".launch", ".launch.xml", "_launch.xml")
-YAML = (".yaml", ".yml", ".rviz")
-CPP = (".cpp", ".cc", ".cxx", ".hpp", ".h")
-NO = r"${}<>%\\\s\"'`,;:*()"
-"""What no path of these has: in code a backslash makes a line of a text for people of it."""
-PATH = rf"(?:/home/(?P<user>[^/{NO}]+)/|/Users/(?P<mac>[^/{NO}]+)/)[^{NO}]+"
-QUOTED = regex(rf"(?<=[\"'=])(?:file://)?(?P<path>{PATH})(?=[\"'])")
-PLAIN = regex(rf"(?m)(?<=[:-])[ \t]+(?:file://)?(?P<path>{PATH})(?=[ \t]*(?:#.*)?$)")
-"""The value of a key, or an element of a list, without quotes."""
-
-IN_CMAKE = regex(rf"(?<![\w./-])(?<!DESTINATION )(?P<path>{PATH})(?![\w*$])")
-COMMENTS = {CPP: regex(r"(?s)/\*.*?\*/|//[^\n]*"), MARKUP: regex(r"(?s)<!--.*?-->")}
 FOR_CODE = ("launch", "src", "scripts", "script", "nodes", "node", "bin")
-IS_SOUGHT = regex(r"\bsys\.path\b(?:[^\n]*|[^)\]]*)\Z")
-"""Whether what follows is one of the places for modules."""
-ASKS = regex(r"\b(?:exists|isfile|is_file|isdir|is_dir|access)\(")
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +35,7 @@ class HomePath:
     """Whether it is the image of a map."""
     may_be_there: bool
     """Whether many have an account of that name, or the container of the repository has; or code asks first whether
-    it exists."""
+    it exists, or tries another one first."""
     is_seldom_read: bool
     """Whether RViz, a script in a folder of its own or YAML that is not installed, or that nothing names, has it, which
     few start; or it is one of several places for modules."""
@@ -88,7 +73,8 @@ class HomePaths:
                 places.setdefault(match["path"], match)
         for named, match in sorted(places.items(), key=lambda each: each[1].start()):
             is_image = bare[: match.start("path")].rstrip(" \t\"'").endswith("image:")
-            may_be_there = is_asked or self.is_of_many(match["user"] or match["mac"])
+            is_asked_here = is_asked or (path.endswith(".py") and is_in_handler(bare, match.start()))
+            may_be_there = is_asked_here or self.is_of_many(match["user"] or match["mac"])
             place, home = Span(*match.span("path")), self.home_of(named)
             is_seldom_read = self.is_seldom_read(path) or IS_SOUGHT.search(bare, 0, match.start()) is not None
             is_seldom_read = is_seldom_read or (path.endswith(YAML) and not is_image and not self.is_used(path))
@@ -130,18 +116,3 @@ class HomePaths:
             if self.files.is_there(posixpath.normpath(rest)):
                 return self.facts.name, rest
         return None, named
-
-
-def patterns(path: str) -> tuple[re.Pattern[str], ...]:
-    if path.endswith("CMakeLists.txt"):
-        return (IN_CMAKE,)
-    return (QUOTED, PLAIN) if path.endswith(YAML) else (QUOTED,)
-
-
-def without_comments(path: str, text: str) -> str:
-    """Return a text with blanks in place of comments, so that what is left keeps its place."""
-    for suffixes, pattern in COMMENTS.items():
-        if path.endswith(suffixes):
-            return pattern.sub(lambda match: " " * len(match[0]), text)
-    lines = (line if not line.lstrip().startswith("#") else " " * len(line) for line in text.split("\n"))
-    return "\n".join(lines)

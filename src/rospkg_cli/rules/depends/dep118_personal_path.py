@@ -5,7 +5,8 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator, Sequence
 
-from ...checks.home_paths import CPP, HomePath, HomePaths
+from ...checks.home_path_texts import CPP
+from ...checks.home_paths import HomePath, HomePaths
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...rule import rule
@@ -78,8 +79,9 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     ## When it is quiet
     Tests, comments, what a substitution fills in, and paths below the home of an account that robots, containers and
     examples have (`/home/ubuntu`), of one that a Dockerfile of the repository names, or in code that asks whether
-    something exists, unless they lead into the workspace: then they are an info. So is what an RViz config names, or a
-    script in a folder that is none for code. Robots and worlds are URD002's, what setup.py installs is SET205's.
+    something exists or tries something else first, unless they lead into the workspace: then they are an info. So is
+    what an RViz config or YAML that nothing names has, or a script in a folder that is none for code. Robots and worlds
+    are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
     others = [each for each in paths.found if each.of_package is None and not each.may_be_there]

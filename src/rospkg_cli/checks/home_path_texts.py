@@ -1,0 +1,52 @@
+"""How paths in a home folder are written in launch files, YAML, CMake and code."""
+
+from __future__ import annotations
+
+import re
+
+from ..lazy_regex import regex
+
+MARKUP = (".launch", ".launch.xml", "_launch.xml")
+YAML = (".yaml", ".yml", ".rviz")
+CPP = (".cpp", ".cc", ".cxx", ".hpp", ".h")
+NO = r"${}<>%\\\s\"'`,;:*()"
+"""What no path of these has: in code a backslash makes a line of a text for people of it."""
+PATH = rf"(?:/home/(?P<user>[^/{NO}]+)/|/Users/(?P<mac>[^/{NO}]+)/)[^{NO}]+"
+QUOTED = regex(rf"(?<=[\"'=])(?:file://)?(?P<path>{PATH})(?=[\"'])")
+PLAIN = regex(rf"(?m)(?<=[:-])[ \t]+(?:file://)?(?P<path>{PATH})(?=[ \t]*(?:#.*)?$)")
+"""The value of a key, or an element of a list, without quotes."""
+
+IN_CMAKE = regex(rf"(?<![\w./-])(?<!DESTINATION )(?P<path>{PATH})(?![\w*$])")
+COMMENTS = {CPP: regex(r"(?s)/\*.*?\*/|//[^\n]*"), MARKUP: regex(r"(?s)<!--.*?-->")}
+IS_SOUGHT = regex(r"\bsys\.path\b(?:[^\n]*|[^)\]]*)\Z")
+"""Whether what follows is one of the places for modules."""
+ASKS = regex(r"\b(?:exists|isfile|is_file|isdir|is_dir|access)\(")
+
+
+def patterns(path: str) -> tuple[re.Pattern[str], ...]:
+    if path.endswith("CMakeLists.txt"):
+        return (IN_CMAKE,)
+    return (QUOTED, PLAIN) if path.endswith(YAML) else (QUOTED,)
+
+
+def is_in_handler(text: str, place: int) -> bool:
+    """Return whether a place in Python is below `except`, where something else was tried before."""
+    around: int | None = None
+    for line in reversed(text[:place].split("\n")):
+        depth = len(line) - len(line.lstrip())
+        if line.strip() and (around is None or depth < around):
+            if line.lstrip().startswith("except") and around is not None:
+                return True
+            if depth == 0:
+                return False
+            around = depth
+    return False
+
+
+def without_comments(path: str, text: str) -> str:
+    """Return a text with blanks in place of comments, so that what is left keeps its place."""
+    for suffixes, pattern in COMMENTS.items():
+        if path.endswith(suffixes):
+            return pattern.sub(lambda match: " " * len(match[0]), text)
+    lines = (line if not line.lstrip().startswith("#") else " " * len(line) for line in text.split("\n"))
+    return "\n".join(lines)
