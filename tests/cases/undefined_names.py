@@ -30,6 +30,11 @@ STRAIGHT = (
     "class Talker(Node):\n    def idle(self):\n        print(modes)\n\n\ndef main():\n    Talker()\n",
     "class Talker(Node):\n    def idle(self):\n        print(modes)\n        print('idle')\n\n\ndef main():\n"
     "    Talker()\n",
+    "class Talker(LifecycleNode):\n    def idle(self):\n        print(modes)\n\n    def on_configure(self, state):\n"
+    "        print(mood)\n\n\ndef main():\n    Talker()\n",
+    "def main():\n    Talker()\n    print(modes)\n\n\nclass Talker:\n    def __init__(self):\n        while True:\n"
+    "            print(mode)\n",
+    "def main():\n    while True:\n        print('a')\n    print(modes)\n",
     "class Talker:\n    CENTER = 5\n\n    def __init__(self):\n        self.mode = CENTER\n        say(mode)\n\n"
     "    def say(self): ...\n\n    @staticmethod\n    def still():\n        print(CENTER)\n\n\n"
     "def main():\n    Talker()\n",

@@ -12,10 +12,10 @@ from ...light_dataclasses import dataclass
 from ...source import Span
 from ..run_imports import RunImports
 
-NODES = frozenset({"Node", "node.Node", "rclpy.node.Node"})
+NODES = frozenset({"Node", "node.Node", "rclpy.node.Node", "LifecycleNode", "lifecycle.LifecycleNode"})
 LOGS = frozenset("print debug info warn warning error fatal critical exception".split())
 FOR_ROS = frozenset({"destroy_node"})
-"""Methods that rclpy calls by itself."""
+"""Methods that rclpy calls by itself, with those of a life cycle (`on_configure`)."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ def methods(file: PythonFile) -> Iterator[FunctionNode]:
 
 
 def may_be_called_unseen(method: FunctionNode) -> bool:
-    return method.name.startswith("__") or method.name in FOR_ROS or bool(method.decorator_list)
+    return method.name.startswith(("__", "on_")) or method.name in FOR_ROS or bool(method.decorator_list)
 
 
 def names_in(file: PythonFile) -> Iterator[str]:

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from .file import STARTERS, PythonFile
-from .nodes import children_of, nodes_of
+from .nodes import children_of, nodes_of, nodes_of_kind
 
 LEAVING = STARTERS | {"exit", "_exit", "fail", "skip"}
 """Calls behind which nothing may run: they don't return before the program ends, or at all."""
@@ -30,8 +30,9 @@ def certain_nodes(file: PythonFile, entries: Collection[str], *, is_program: boo
         (each.body, {}) for each in file.tree.body if is_program and isinstance(each, ast.If) and is_guard(each)
     ]
     found: set[int] = set()
+    leaving = LEAVING | {each.name for each in endless(file.tree)}
     for body, methods in waiting:
-        for node in straight(body):
+        for node in straight(body, leaving):
             if id(node) in found:
                 continue
             found.add(id(node))
@@ -51,32 +52,47 @@ def is_guard(node: ast.If) -> bool:
     return any(isinstance(each, ast.Name) and each.id == "__name__" for each in nodes_of(node.test))
 
 
-def straight(body: Iterable[ast.stmt]) -> Iterator[ast.AST]:
+def endless(tree: ast.Module) -> Iterator[ast.FunctionDef | ast.ClassDef]:
+    """Yield the functions and methods with a loop that never ends, and the classes whose objects begin with one."""
+    for each in nodes_of_kind(tree, ast.FunctionDef):
+        if any(is_endless(loop) for loop in nodes_of_kind(each, ast.While)):
+            yield each
+    for owner in nodes_of_kind(tree, ast.ClassDef):
+        starts = (each for each in owner.body if isinstance(each, ast.FunctionDef) and each.name == "__init__")
+        if any(is_endless(loop) for each in starts for loop in nodes_of_kind(each, ast.While)):
+            yield owner
+
+
+def is_endless(loop: ast.While) -> bool:
+    return isinstance(loop.test, ast.Constant) and bool(loop.test.value)
+
+
+def straight(body: Iterable[ast.stmt], leaving: Collection[str]) -> Iterator[ast.AST]:
     """Yield the nodes of statements that run one after the other, up to the first that may leave them."""
-    waiting: list[ast.AST | None] = [*until_left(body)]
+    waiting: list[ast.AST | None] = [*until_left(body, leaving)]
     while waiting:  # without recursion, as every expression is looked through
         node = waiting.pop()
         if node is not None:
             yield node
-            waiting += evaluated(node)
+            waiting += evaluated(node, leaving)
 
 
-def until_left(body: Iterable[ast.stmt]) -> Iterator[ast.stmt]:
+def until_left(body: Iterable[ast.stmt], leaving: Collection[str]) -> Iterator[ast.stmt]:
     for statement in body:
         yield statement
-        if may_leave(statement):
+        if may_leave(statement, leaving):
             return
 
 
-def evaluated(node: ast.AST) -> Sequence[ast.AST | None]:
+def evaluated(node: ast.AST, leaving: Collection[str]) -> Sequence[ast.AST | None]:
     """Return the parts of a node that run wherever it does."""
     match node:
         case ast.With(items=items, body=body):
-            return [*items, *until_left(body)]
+            return [*items, *until_left(body, leaving)]
         case ast.Try(body=body):
-            return [*until_left(body)]
+            return [*until_left(body, leaving)]
         case ast.ClassDef(body=body, decorator_list=decorators, bases=bases):
-            return [*decorators, *bases, *until_left(body)]
+            return [*decorators, *bases, *until_left(body, leaving)]
         case ast.FunctionDef(args=arguments) | ast.AsyncFunctionDef(args=arguments):
             return [*node.decorator_list, *arguments.defaults, *arguments.kw_defaults]
         case ast.If(test=first) | ast.While(test=first) | ast.IfExp(test=first) | ast.For(iter=first):
@@ -90,7 +106,7 @@ def evaluated(node: ast.AST) -> Sequence[ast.AST | None]:
     return children_of(node)
 
 
-def may_leave(statement: ast.stmt) -> bool:
+def may_leave(statement: ast.stmt, leaving: Collection[str]) -> bool:
     """Return whether the next statement may not be reached."""
     waiting: list[ast.AST] = [statement]
     while waiting:
@@ -98,7 +114,9 @@ def may_leave(statement: ast.stmt) -> bool:
         match node:
             case ast.Return() | ast.Raise() | ast.Break() | ast.Continue() | ast.Yield() | ast.Await():
                 return True
-            case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name)) if name in LEAVING:
+            case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name)) if name in leaving:
+                return True
+            case ast.While() if is_endless(node):
                 return True
         waiting += [] if isinstance(node, APART) else children_of(node)
     return False
