@@ -103,6 +103,7 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     workspace opens (none of the package names it, in code or in a command of a page, and no other that names the
     package) or that lies in a folder such as `old/`, and in a macro that nothing here calls. The default of an argument
     is an info where nothing reads the argument, or where each launch file that opens the robot gives another value.
+    A path without a scheme is one where no launch file opens the robot: KDL and MuJoCo may be all that reads it.
     """
     for each in scope.missing():
         again = tuple(Related(scope.robot.path, other.span, also(each, other)) for other in each.others)
@@ -111,7 +112,8 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     if found := list(personal_paths(scope.robot.document)):
         yield of_several(scope, found, *of_one_machine(found))
     if (bare := bare_meshes(scope.robot.document, scope.files, scope.package)) and not scope.is_idle:
-        yield of_several(scope, list(bare), *without_scheme(bare))
+        hit = of_several(scope, list(bare), *without_scheme(bare))
+        yield hit if scope.launched.has(scope.robot.path) else replace(hit, level=Severity.INFO)
 
 
 def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity | None, str]:
