@@ -34,6 +34,13 @@ CASES = {
                 "my_pkg/words.py": "try:\n    a = find()\nexcept KeyError:\n    pass\nopen('/home/ada/a.txt')\n",
             }
         ),
+        python(
+            {
+                "src/talker.cpp": f'auto a = open("«{HOME}/a.txt»");\n',
+                "include/talker.hpp": "bool is_there = std::filesystem::exists(a);\n",
+            }
+        ),
+        python({"CMakeLists.txt": f"link_directories(\n  «{HOME}/lib»)\nadd_executable(a {HOME}/src/a.cpp)\n"}),
         python({"cad/draw.py": "save('«/home/ada/ws/src/my_pkg/data/people.txt»')\n", **FILES}),
         python({"rviz/a.rviz": "a:\n  File: «/home/ada/ws/src/my_pkg/data/people.txt»\n", **FILES}),
         python({"my_pkg/talker.py": f"import sys\nsys.path.append('«{HOME}/lib»')\nopen('/home/ada/a.txt')\n"}),

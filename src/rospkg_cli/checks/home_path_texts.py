@@ -18,8 +18,8 @@ PLAIN = regex(rf"(?m)(?<=[:-])[ \t]+(?:file://)?(?P<path>{PATH})(?=[ \t]*(?:#.*)
 
 IN_CMAKE = regex(rf"(?<![\w./-])(?<!DESTINATION )(?P<path>{PATH})(?![\w*$])")
 COMMENTS = {CPP: regex(r"(?s)/\*.*?\*/|//[^\n]*"), MARKUP: regex(r"(?s)<!--.*?-->")}
-IS_SOUGHT = regex(r"\bsys\.path\b(?:[^\n]*|[^)\]]*)\Z")
-"""Whether what follows is one of the places for modules."""
+IS_SOUGHT = regex(r"\bsys\.path\b(?:[^\n]*|[^)\]]*)\Z|\blink_directories\s*\([^)]*\Z")
+"""Whether what follows is one of the places for modules, or for libraries."""
 ASKS = regex(r"\b(?:exists|isfile|is_file|isdir|is_dir|access)\(")
 
 

@@ -66,7 +66,8 @@ class HomePaths:
             return
         text = self.files.readable_text(path)
         bare = without_comments(path, text)
-        is_asked = ASKS.search(bare) is not None
+        halves = (without_comments(each, self.files.readable_text(each)) for each in self.halves(path))
+        is_asked = any(ASKS.search(each) for each in halves)
         places: dict[str, re.Match[str]] = {}
         for pattern in patterns(path):
             for match in pattern.finditer(bare):
@@ -79,6 +80,14 @@ class HomePaths:
             is_seldom_read = self.is_seldom_read(path) or IS_SOUGHT.search(bare, 0, match.start()) is not None
             is_seldom_read = is_seldom_read or (path.endswith(YAML) and not is_image and not self.is_used(path))
             yield HomePath(path, place, named, *home, is_image, may_be_there, is_seldom_read)
+
+    def halves(self, path: str) -> Iterator[str]:
+        """Yield a file and, of C++, the header or the source of its name: one may ask for what the other one names."""
+        yield path
+        stem = posixpath.splitext(posixpath.basename(path))[0]
+        for other in self.files.paths if path.endswith(CPP) else ():
+            if other != path and other.endswith(CPP) and posixpath.splitext(posixpath.basename(other))[0] == stem:
+                yield other
 
     def is_of_many(self, user: str) -> bool:
         if user not in self.accounts:
