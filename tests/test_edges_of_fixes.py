@@ -158,11 +158,13 @@ def test_names_of_nodes_in_parameter_files(name: str, is_said: bool) -> None:
 
 @pytest.mark.parametrize("included, names", [("a/x.hpp", {"src/a/x.hpp"}), ("x.hpp", {"src/a/x.hpp", "src/b/x.hpp"})])
 def test_headers_of_one_name_are_told_apart_by_their_folders(included: str, names: set[str]) -> None:
-    include, nothing = SimpleNamespace(path=included), SimpleNamespace(includes=())
+    include, nothing = SimpleNamespace(path=included, is_angled=True), SimpleNamespace(includes=())
     files: Any = {
         "src/m.cpp": SimpleNamespace(includes=(include,)), "src/a/x.hpp": nothing, "src/b/x.hpp": nothing,
     }  # fmt: skip
     assert Inclusions(files).reached(["src/m.cpp"]) == {"src/m.cpp", *names}
+    certain = Inclusions(files, only_certain=True).reached(["src/m.cpp"])
+    assert certain == {"src/m.cpp", *(names if len(names) == 1 else ())}
 
 
 @pytest.mark.parametrize("is_traced", [True, False])
