@@ -110,8 +110,15 @@ class HomePaths:
         return table is not None and table.knows("share") and all(row.source != path for row in table.rows)
 
     def is_used(self, path: str) -> bool:
-        """Return whether anything may give a YAML file to a node; a map is often given by hand."""
-        return is_named_yaml(path, self.facts, self.workspace)
+        """Return whether anything may give a YAML file to a node: nobody does where launch files take another package's
+        file of that name. A map is often given by hand."""
+        rows = self.table.below(f"share/{self.facts.name}") if self.table is not None else ()
+        shared = [place for place, row in rows if row.source == path] or [path]
+        owners = {each.name for each in self.workspace.packages for place in shared if self.is_handed(each.name, place)}
+        return self.facts.name in owners or (not owners and is_named_yaml(path, self.facts, self.workspace))
+
+    def is_handed(self, package: str, place: str) -> bool:
+        return bool(self.workspace.having("handed_yaml", package, place))
 
     def home_of(self, named: str) -> tuple[str | None, str]:
         """Return the package of the workspace that a path leads into, and the rest; None where none is known."""
