@@ -113,6 +113,7 @@ CASES = {
         package(HANDED.format("find_package(acme REQUIRED)\n", "rclcpp tf_ros"), MAIN),
         package(HANDED.format("set(tf_ros_FOUND 1)\n", "rclcpp tf_ros"), MAIN),
         package(HANDED.format("", "rclcpp soup"), MAIN),
+        package("add_library(acme::arm SHARED IMPORTED)\nament_export_dependencies(acme::arm)\n"),
     ),
     "CMK118": (
         package(LIBRARY + "ament_export_libraries(core core_robot other)\n"),

@@ -89,7 +89,9 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     ## Fix safety
     The nearest name may not be the one that was intended.
     """
+    told = set()
     for each in packages.all():
+        told.add((each.word.path, each.word.span))
         fix = None
         if each.near and packages.package.cmake.source_text(each.word).strip('"') == each.word.text:
             edit = Edit(each.word.path, each.word.span, each.near)
@@ -98,7 +100,9 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
         is_asked = each.kind == "imported" and "REQUIRED" not in each.call.texts
         level = Severity.WARNING if is_unused or is_asked or each.kind in ("own", "nowhere", "case") else None
         yield Hit(each.word.path, each.word.span, message(each), level, fix=fix)
-    yield from (given_targets(packages, each) for each in packages.foreign())
+    for given in packages.foreign():
+        if (given.words[0].path, given.words[0].span) not in told:
+            yield given_targets(packages, given)
 
 
 def given_targets(packages: MistypedPackages, each: ForeignTargets) -> Hit:
