@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from textwrap import indent
 
-from rospkg_cli.example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
+from rospkg_cli.example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest, setup_py
 from rospkg_cli.lazy_regex import regex
 
 from .setups import python
@@ -63,6 +63,7 @@ def ticking(bases: str, init: str = "pass\n", name: str = "tick", before: str = 
     return code(start + indent(f"{before}def {name}(self):\n{indent(TICKS, '    ')}", "    ") + end)
 
 
+CAREFUL = "\n    def say(self):\n        try:\n            self.tick()\n        except Exception:\n            pass\n"
 CASES = {
     "IDL010": (
         ticking("Node"),
@@ -79,6 +80,17 @@ CASES = {
         ticking("Node", "msg = Status()\nmsg.batery = 2\n"),
         ticking("Node", "Status().batery\n"),
         code(body("try:\n    pass\nexcept ValueError:\n    Status().batery = 1\n", "def f():")),
+        ticking("Node", end=CAREFUL),
+        Example(
+            on="",
+            bad={
+                **OTHERS,
+                "a/package.xml": manifest("  <depend>my_ifs</depend>\n"),
+                "a/setup.py": setup_py(),
+                "a/test/test_a.py": f"{IMPORTS}\nmsg = Status()\nmsg.batery = 1.0\n",
+            },
+            good={},
+        ),
         code(f"{TICKING}\n\nclass A:\n    pass\n"),
         code(f"\n\nclass A:\n    pass\n{TICKING}"),
         code("\nmsg = Status()\nmsg.idl = 1\nmsg.IDEL = 1\nprint(msg.idl, msg.IDL, Status(idl=1, IDL=1))\n"),

@@ -154,6 +154,7 @@ CASES = {
                 "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
                 "my_pkg/speech.py": "GREETING = 'hello'\n",
                 "my_pkg/listener.py": "def main():\n    from my_pkg.speach import GREETING\n\n    print(GREETING)\n",
+                "test/test_words.py": "from my_pkg.wrods import NAME\n",
                 "my_pkg/talker.py": "from my_pkg.speach import GREETING\n\n\ndef main():\n    print(GREETING)\n",
                 "my_pkg/teller.py": "from my_pkg.speach import GREETING\nfrom my_pkg.speech import NAME, GRETING\n",
             },

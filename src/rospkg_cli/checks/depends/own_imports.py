@@ -13,6 +13,7 @@ from ...languages.python.file import Import, PythonFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
+from ...package.file_role import role_of
 from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
@@ -77,7 +78,9 @@ class OwnImports:
 
     def wrong(self) -> Iterator[MissingOwnName]:
         """Yield the imports of modules and names that the workspace's packages do not have."""
-        return (replace(each, is_reached=self.reached.has(each.path)) for each in self.absent())
+        for each in self.absent():
+            is_test = role_of(each.path) == "test"
+            yield replace(each, is_reached=self.reached.has(each.path) and not is_test)
 
     def absent(self) -> Iterator[MissingOwnName]:
         is_known = self.table.knows("module")

@@ -1,17 +1,29 @@
-"""Places in Python code that run after another failure alone, or in a class that a later one replaces."""
+"""Places in Python code that run after another failure alone, that whoever calls them guards, or that are replaced."""
 
 from __future__ import annotations
 
 import ast
+from collections.abc import Collection
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.guarded_nodes import guarded_nodes
+from ...languages.python.nodes import FunctionNode, nodes_of, nodes_of_kind
 from ...source import Span
 
 
 def is_in_handler(file: PythonFile, span: Span) -> bool:
     """Return whether a place is in an `except` branch."""
     return any(file.span(each).holds(span) for each in nodes_of_kind(file.tree, ast.ExceptHandler))
+
+
+def is_called_with_care(file: PythonFile, span: Span, errors: Collection[str]) -> bool:
+    """Return whether a place is in a function that only stands in a `try` which catches one of some exceptions."""
+    around = [each for each in nodes_of(file.tree) if isinstance(each, FunctionNode) and file.span(each).holds(span)]
+    names = {each.name for each in around}
+    uses = [each for each in nodes_of_kind(file.tree, ast.Attribute) if each.attr in names]
+    uses_by_name = [each for each in nodes_of_kind(file.tree, ast.Name) if each.id in names]
+    guarded = set(guarded_nodes([file.tree], errors)) if uses or uses_by_name else set()
+    return bool(guarded) and all(id(each) in guarded for each in (*uses, *uses_by_name))
 
 
 def is_replaced(file: PythonFile, span: Span) -> bool:

@@ -21,7 +21,7 @@ from .known_interfaces import KnownInterfaces
 from .message_classes import MessageClasses, names_interfaces
 from .message_scopes import MessageScopes
 from .message_variables import Bindings, Environment, held_by
-from .seldom_run import is_in_handler, is_replaced
+from .seldom_run import is_called_with_care, is_in_handler, is_replaced
 from .uncalled_methods import UncalledMethods
 
 GENERATED = frozenset({"get_fields_and_field_types", "SLOT_TYPES", "check_fields"})
@@ -80,6 +80,11 @@ class FieldUses:
         """Return whether a use is in an `except` branch."""
         file = self.run.modules.at(use.path)
         return file is not None and is_in_handler(file, use.span)
+
+    def is_called_with_care(self, use: UnknownField) -> bool:
+        """Return whether a use is in a function whose callers catch what it raises."""
+        file = self.run.modules.at(use.path)
+        return file is not None and is_called_with_care(file, use.span, CATCHES)
 
     def is_replaced(self, use: UnknownField) -> bool:
         """Return whether a use is in a class that the module defines again further down."""

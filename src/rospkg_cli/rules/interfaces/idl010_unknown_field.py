@@ -8,6 +8,7 @@ from ...checks.enumeration import in_ticks
 from ...checks.interfaces.unknown_fields import FieldUses, UnknownField
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...package.file_role import role_of
 from ...rule import rule
 
 DEPENDS = "  <exec_depend>rclpy</exec_depend>\n  <exec_depend>std_msgs</exec_depend>\n"
@@ -30,6 +31,8 @@ LEFT = "; nothing starts or imports this module"
 UNCALLED = "; nothing calls this method"
 IDLE = "; its object is made and never used"
 IN_HANDLER = "; it runs after another exception alone"
+CAUGHT = "; who calls it catches that"
+IN_TEST = "; only a test runs it"
 REPLACED = "; the class is defined again below"
 
 
@@ -39,7 +42,8 @@ REPLACED = "; the class is defined again below"
     over=FieldUses,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "nothing starts or imports the module, calls the method, or comes to the place as a rule"
+        Severity.WARNING: "nothing starts or imports the module, calls the method, or comes to the place as a rule, "
+        "who calls it catches that, or only a test runs it"
     },
     examples=(
         Example(
@@ -76,7 +80,7 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     entry point and no other file of the package names or imports, beside others that start, is a warning, and so is a
     method of a node whose name no other code of the package has, or of an object that is bound to a name which nothing
     reads, unless its construction comes to the method, or of a class that the module defines again further down. So
-    is a use in an `except` branch.
+    is a use in an `except` branch, in a function whose callers catch what it raises, and in a test.
 
     ## Fix safety
     The intended field is a guess.
@@ -102,6 +106,10 @@ def unrun(uses: FieldUses, places: Sequence[UnknownField]) -> str:
         return UNCALLED
     if all(map(uses.is_in_handler, places)):
         return IN_HANDLER
+    if all(map(uses.is_called_with_care, places)):
+        return CAUGHT
+    if role_of(places[0].path) == "test":
+        return IN_TEST
     if all(map(uses.is_replaced, places)):
         return REPLACED
     return IDLE if all(map(uses.is_idle, places)) else ""
