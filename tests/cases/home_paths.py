@@ -2,9 +2,19 @@
 
 from __future__ import annotations
 
+from rospkg_cli.example import CMAKE, Example, manifest
+
 from .setups import python
 
 HOME = "/home/ada/ws/src/my_pkg"
+LAUNCH = """\
+<launch>
+  <node pkg="a" exec="a">
+    <param from="$(find-pkg-share my_pkg)/config/a.yaml"/>
+  </node>
+</launch>
+"""
+INSTALLS = "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package"
 FILES = {"data/people.txt": "Ada\n"}
 
 CASES = {
@@ -58,6 +68,21 @@ CASES = {
         python({"config/a.yaml": "a:\n  - «/home/ada/one.txt»\n  - '/home/ada/two.txt' # two\nb: see /home/ada/c\n"}),
         python({"config/a.yaml": f"a: «{HOME}/a.txt»\n"}),
         python({"config/a.yaml": f"a: «{HOME}/a.txt»\n", "my_pkg/talker.py": "open('config/a.yaml')\n"}),
+        Example(
+            on="",
+            good={},
+            bad={
+                f"{name}/{path}": text.replace("share my_pkg)", f"share {first})")
+                for name, first in (("first", "first"), ("copy", "first"), ("third", "third"))
+                for path, text in {
+                    "package.xml": manifest("", "ament_cmake").replace("<name>my_pkg", f"<name>{name}"),
+                    "CMakeLists.txt": CMAKE.replace("(my_pkg)", f"({name})").replace("ament_package", INSTALLS),
+                    "config/a.yaml": f"a:\n  ros__parameters:\n    map: «/home/ada/{name}/a.txt»\n",
+                    "a.txt": "",
+                    "launch/a.launch.xml": LAUNCH if name != "third" else "<launch/>\n",
+                }.items()
+            },
+        ),
         python({"CMakeLists.txt": "# /home/ada/a\ninclude_directories(«/home/ada/acme/include» /home/ada/${X})\n"}),
         python({"CMakeLists.txt": "set(WORDS\n  «/home/ada/ws/src/my_pkg/data/people.txt»)\n", **FILES}),
     )

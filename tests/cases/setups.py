@@ -163,6 +163,9 @@ CASES = {
     ),
     "SET207": (
         python({**{f"my_pkg/{each}.py": "def generate_launch_description(): ...\n" for each in "abc"},
+                "launch/a.launch.py": "A = 1\n", "launch/b.launch.py": "B = 1\n", "launch/c.launch.py": "",
+                "setup.py": set207.launch("['launch/a.launch.py', 'launch/b.launch.py']")}),
+        python({**{f"my_pkg/{each}.py": "def generate_launch_description(): ...\n" for each in "abc"},
                 "my_pkg/d.py": "A = 1\n", "setup.py": set207.launch("['my_pkg/a.py', 'my_pkg/c.py']")}),
         python({**set207.FILES, "launch/b_launch.xml": set207.LAUNCH, "setup.py": NARROW}),
         python({**set207.FILES, ".gitignore": "arm_launch.xml\n", "setup.py": NARROW}),

@@ -331,11 +331,26 @@ def for_ros1(body: str, build_type: str = "catkin") -> Example:
     return Example(bad={"package.xml": text, "launch/a.launch": ROS1_PARAM}, good={}, on="")
 
 
+ROS1_NODE = '<launch>\n  <node pkg="my_pkg" type="a" name="a" args="$(arg rate) $(find my_pkg)"/>\n</launch>\n'
 ROS1_PACKAGES = (
     for_ros1(CATKIN),
     for_ros1("  <depend>catkin</depend>\n"),
     for_ros1(CATKIN + "  <buildtool_depend>ament_cmake</buildtool_depend>\n"),
     for_ros1(CATKIN, "ament_cmake"),
+    *(
+        Example(
+            on="ament_cmake",
+            good={},
+            bad={
+                "launch/a.launch": ROS1_NODE,
+                "CMakeLists.txt": CMAKE.replace(
+                    "ament_package",
+                    f"{more}install(DIRECTORY launch DESTINATION share/${{PROJECT_NAME}})\nament_package",
+                ),
+            },
+        )
+        for more in ("", "if(DEFINED CATKIN_DEVEL_PREFIX)\n  catkin_package()\nendif()\n")
+    ),
 )
 
 CASES = {

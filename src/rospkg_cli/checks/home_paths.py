@@ -16,7 +16,7 @@ from ..package.workspace import Workspace
 from ..source import Span
 from .home_accounts import is_of_container, is_of_many
 from .home_path_texts import ASKS, CPP, IS_SOUGHT, MARKUP, YAML, is_in_handler, patterns, without_comments
-from .yaml_elsewhere import is_named_yaml
+from .yaml_elsewhere import is_named_yaml, is_of_another
 
 FOR_CODE = ("launch", "src", "scripts", "script", "nodes", "node", "bin")
 
@@ -110,15 +110,11 @@ class HomePaths:
         return table is not None and table.knows("share") and all(row.source != path for row in table.rows)
 
     def is_used(self, path: str) -> bool:
-        """Return whether anything may give a YAML file to a node: nobody does where launch files take another package's
-        file of that name. A map is often given by hand."""
+        """Return whether anything may give a YAML file to a node; a map is often given by hand."""
         rows = self.table.below(f"share/{self.facts.name}") if self.table is not None else ()
-        shared = [place for place, row in rows if row.source == path] or [path]
-        owners = {each.name for each in self.workspace.packages for place in shared if self.is_handed(each.name, place)}
-        return self.facts.name in owners or (not owners and is_named_yaml(path, self.facts, self.workspace))
-
-    def is_handed(self, package: str, place: str) -> bool:
-        return bool(self.workspace.having("handed_yaml", package, place))
+        places = [place for place, row in rows if row.source == path] or [path]
+        is_named = is_named_yaml(path, self.facts, self.workspace)
+        return is_named and not is_of_another(places, self.facts, self.workspace)
 
     def home_of(self, named: str) -> tuple[str | None, str]:
         """Return the package of the workspace that a path leads into, and the rest; None where none is known."""

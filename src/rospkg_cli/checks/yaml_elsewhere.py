@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+from collections.abc import Iterable
 
 from ..package.package_facts import PackageFacts
 from ..package.params.named_yaml import ANY
@@ -14,6 +15,19 @@ def is_named_yaml(path: str, package: PackageFacts, workspace: Workspace) -> boo
     stem = posixpath.splitext(posixpath.basename(path))[0]
     named = package.named_yaml
     return stem in named or ANY in named or is_named_elsewhere(stem, package, workspace)
+
+
+def is_of_another(places: Iterable[str], package: PackageFacts, workspace: Workspace) -> bool:
+    """Return whether launch files give nodes a file of these paths of other packages, and never that of this one.
+
+    A copy of a package keeps its files, and its launch files still name the first package.
+    """
+    owners = {each.name for place in places for each in workspace.packages if is_handed(each.name, place, workspace)}
+    return bool(owners) and package.name not in owners
+
+
+def is_handed(package: str, place: str, workspace: Workspace) -> bool:
+    return bool(workspace.having("handed_yaml", package, place))
 
 
 def is_named_elsewhere(stem: str, package: PackageFacts, workspace: Workspace) -> bool:

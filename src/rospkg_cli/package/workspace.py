@@ -208,9 +208,9 @@ class Workspace:
 
     @cached_property
     def _builders(self) -> dict[str, set[str]]:
-        """By name, the packages that need one for their build."""
+        """By name, the packages that need one for their build; those of setuptools look for nothing with CMake."""
         found: dict[str, set[str]] = {}
-        for facts in self.packages:
+        for facts in (each for each in self.packages if each.build_type != "ament_python"):
             for need in facts.dependencies:
                 if need.tag in BUILDS:
                     found.setdefault(need.name, set()).add(facts.name)

@@ -31,6 +31,8 @@ def ending(each: WrongKind) -> str:
             return each.use.ends
         case "include":
             return 'on the build farm the build ends with "No such file or directory"'
+        case "interface" if not each.use.what:
+            return "where only a release is installed, packages that look for this one stop, as it is not found"
         case "interface":
             return "where only a release is installed, the generated code can't be loaded"
         case "link":

@@ -101,7 +101,8 @@ class LaunchContext:
             manifest = self.files.source("package.xml").text
         except UnreadableError:
             return False
-        alone = self.package.build_type.startswith("ament") and "catkin" not in manifest
+        alone = self.package.build_type.startswith("ament") and "catkin" not in manifest.lower()
+        alone = alone and not self.files.holds("CMakeLists.txt", b"catkin_package")
         return self.file.is_ros1 and not is_named_ros1(self.file.path) and bool(self.places) and alone
 
     @cached_property

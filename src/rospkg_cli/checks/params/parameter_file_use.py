@@ -18,7 +18,7 @@ from ...ros.python_nodes import PYTHON_PACKAGES, is_python_package
 from ...ros.share_layout import LAUNCH
 from ...source import Span
 from ..fault import Level
-from ..yaml_elsewhere import is_named_elsewhere
+from ..yaml_elsewhere import is_named_elsewhere, is_of_another
 
 STARTING = regex(r"\.(?:py|xml|launch|launch\.ya?ml|sh|bash|[ch]pp|cc|service)$")
 """Files that give parameter files to nodes."""
@@ -102,6 +102,8 @@ class ParameterFileUse:
         """
         launches = any(LAUNCH.fullmatch(path.rpartition("/")[2]) for path in self.files.paths)
         launches = launches or any(facts.launch_files for facts in self.workspace.packages)
+        if is_of_another(self.share_paths, self.package, self.workspace):
+            return True
         folder, _, name = self.file.path.rpartition("/")
         if not (launches or self.is_left_out or SHOWN.search(name)) or self.is_for_moveit(name):
             return False

@@ -26,7 +26,7 @@ def left_out(shared: ShareFiles) -> Iterator[tuple[str, DataFile]]:
     places = {posixpath.dirname(path) for path, file in listed.items() if f"/{LAUNCH}/" in file.destination}
     for folder in sorted({LAUNCH, *places}):
         files = launch_files(shared, folder)
-        lost = [path for path in files if path not in shared.covered]
+        lost = [path for path in files if path not in shared.covered and package.files.readable_text(path).strip()]
         own = [path for path in files if path in listed]
         if len(lost) == 1 and len(files) > FEW and len(own) == len(files) - 1:
             name = posixpath.basename(lost[0])
