@@ -16,6 +16,7 @@ from ...package.workspace import Workspace
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
 from ...ros.link_targets import MESSAGES
 from ...ros.read_table import rows
+from .told_folders import tells_of_any
 
 BUILD = ("build_depend",)
 TABLES = ("exported_dependencies", "runtime_dependencies")
@@ -41,7 +42,9 @@ class MissingExportDependency:
     is_target: bool
     """Whether the library is exported as a target: what a target is linked with must be there."""
     is_only_loaded: bool
-    """Whether it is a plugin or a component, or no header includes it, and no package here builds against this one."""
+    """Whether it is a plugin or a component, or no header includes it, and no package here builds against this one.
+
+    Or users are told of no folder of headers, and so include none."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +74,8 @@ class ExportedDependencies:
             if passed and needed and package not in self.there[0] | seen | self.of_families:
                 seen.add(package)
                 loads = plugins or link.target in components or self.registers_classes(link.target)
-                loaded = (loads or not included) and not self.is_built_against
+                is_hidden = link.target not in self.targets and not tells_of_any(cmake)
+                loaded = is_hidden or ((loads or not included) and not self.is_built_against)
                 yield MissingExportDependency(package, link.word, link, link.target in self.targets, loaded)
 
     def is_target(self, package: str, link: TargetLink) -> bool:

@@ -9,7 +9,9 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.values import PREFIX, UNKNOWN
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.cmake.installed_headers import INCLUDES, LIBRARIES, PLUGINS, PublicHeaders
+from ...package.cmake.cmake_project import CMake
+from ...package.cmake.foreign_commands import foreign_commands
+from ...package.cmake.installed_headers import INCLUDES, LIBRARIES, PLUGINS, TARGETS, PublicHeaders
 from ...package.install_table import InstalledFile
 from .exported_headers import AUTOMATIC
 
@@ -102,6 +104,13 @@ def told_by(call: EvaluatedCommand) -> Iterator[str]:
         for text in texts:
             yield from (each.removeprefix(f"{PREFIX}/") for each in INTERFACE.findall(text))
             yield from (UNKNOWN for _ in text[:1] if UNKNOWN in text)
+
+
+def tells_of_any(cmake: CMake) -> bool:
+    """Return whether users of a package may be told of any folder of headers, in whatever way."""
+    names = (*INCLUDES, *TARGETS, *AUTOMATIC, *GENERATES)
+    has_extras = any("CONFIG_EXTRAS" in text for call in cmake.calls for text in call.texts)
+    return bool(cmake.named(*names)) or has_extras or next(foreign_commands(cmake), None) is not None
 
 
 def property_names(call: EvaluatedCommand) -> tuple[str, ...]:

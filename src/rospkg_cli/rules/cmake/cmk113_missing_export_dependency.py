@@ -52,7 +52,8 @@ def cmake(lines: str) -> str:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "it is a plugin or a component, or no header includes it, and no package of the workspace "
-        "builds against it; or of a component, the users may find it otherwise"
+        "builds against it; or users are told of no folder of headers; or of a component, the users may find it "
+        "otherwise"
     },
     examples=(
         Example(
@@ -70,7 +71,8 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     A dependency is public if the library is linked with it (PUBLIC, INTERFACE, or without a keyword) and one of its
     installed headers includes it, or the library is exported as a target that names one of the dependency, also where
     that is of the system (`yaml-cpp::yaml-cpp`). What comes with a package that is named is left alone. A plugin or a
-    component that no package of the workspace builds against may only be loaded. Where Boost is exported, it also finds
+    component that no package of the workspace builds against may only be loaded, and users who are told of no folder
+    of headers include none: infos. Where Boost is exported, it also finds
     components (`Boost::filesystem`): `ament_export_dependencies(Boost)` asks for none.
 
     ## Why is this bad?
