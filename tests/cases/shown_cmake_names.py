@@ -10,6 +10,7 @@ CORE = {"src/core.cpp": "int core() {return 1;}\n", "src/talker.cpp": "int main(
 NAMELESS = CMAKE.replace("project(my_pkg)\n", "")
 LINKS = PLAIN.replace("«", "").replace("»", "")
 SET = LIBRARY.replace("«", "").replace("»", "")
+HEADER = {"include/my_pkg/core.hpp": "int core();\n"}
 
 
 def package(lines: str, files: dict[str, str] | None = None) -> Example:
@@ -111,15 +112,15 @@ CASES = {
         package(SET + "install(EXPORT core_targets DESTINATION share/${PROJECT_NAME}/cmake)\n"),
         package(SET + "if(FALSE)\n  ament_export_targets(core_targets)\nendif()\n"),
         package(SET + "ament_export_targets(${SETS})\n"),
-        package(SET + "target_link_libraries(core ${THEIR_TARGETS})\n"),
-        package(SET + "ament_export_targets(other_targets)\n"),
+        package(SET + "target_link_libraries(core ${THEIR_TARGETS})\n", HEADER),
+        package(SET + "ament_export_targets(other_targets)\n", HEADER),
         package(SET + "team_install_things(core)\n"),
         package(SET + 'rclcpp_components_register_nodes(core "my_pkg::Core")\n'),
         package(SET, {"src/core.cpp": "PLUGINLIB_EXPORT_CLASS(my_pkg::Core, my_pkg::Base)\n"}),
         package("generate_parameter_library(core core.yaml)\n" + SET.partition("\n")[2], {"core.yaml": "core: {}\n"}),
-        package(SET, {"src/other.cpp": "PLUGINLIB_EXPORT_CLASS(my_pkg::Core, my_pkg::Base)\n"}),
-        package(SET + SET.partition("\n")[2]),
-        package(SET + "set_target_properties(core PROPERTIES EXPORT_NAME base)\n"),
+        package(SET, HEADER | {"src/other.cpp": "PLUGINLIB_EXPORT_CLASS(my_pkg::Core, my_pkg::Base)\n"}),
+        package(SET + SET.partition("\n")[2], HEADER),
+        package(SET + "set_target_properties(core PROPERTIES EXPORT_NAME base)\n", HEADER),
         package(SET.replace("EXPORT core_targets", "EXPORT ${SET}")),
         package(f"if(WITH_MORE)\n{SET}endif()\n"),
         package(SET.replace("add_library(core SHARED src/core.cpp)", "add_executable(core src/talker.cpp)")),

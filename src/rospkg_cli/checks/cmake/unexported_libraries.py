@@ -5,18 +5,17 @@ from __future__ import annotations
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.targets import Target
 from ...languages.cmake.values import Word
-from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.artifacts import PYTHON_MODULES, Artifacts
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.cmake.installed_headers import LIBRARIES, TARGETS, PublicHeaders
 from .exported_headers import AUTOMATIC, ExportedHeaders
-from .unexported_targets import UnexportedTargets
+from .unexported_targets import LOADED, UnexportedSet, UnexportedTargets
 
 EXPORTING = (LIBRARIES, *TARGETS, *AUTOMATIC, "ament_export_link_flags", "export")
 """Commands that hand a library on, or may do so."""
-LOADED = regex(r"ADD_PLUGIN|REGISTER_\w*PLUGIN|EXPORT_\w*CLASS|REGISTER_\w*CLASS|REGISTER_NODE|PYBIND11_MODULE")
-"""Macros that make a plugin, which nobody links, of a library."""
+UNSEEN = ("FILE_SET", "PUBLIC_HEADER")
+"""What installs headers along with a target."""
 OWN_WAY = (".cmake", ".cmake.in", ".pc", ".pc.in")
 """Endings of files in which a package may itself tell others of its libraries."""
 
@@ -68,6 +67,17 @@ class UnexportedLibraries:
         if any(LOADED.search(file.source.text) for file in files):
             return False
         return any(each.path in ends for file in files for each in file.includes)
+
+    def is_unused(self, found: UnexportedSet) -> bool:
+        """Return whether nobody links the libraries of a set: they are plugins, or there are no headers for users.
+
+        A package of the workspace that is built with this one may link them all the same.
+        """
+        cmake = self.headers.package.cmake
+        has_unseen = any(text in UNSEEN for call in cmake.calls for text in call.texts)
+        is_known = self.headers.table.knows("header") and not has_unseen and not cmake.interface_targets
+        has_none = is_known and not self.headers.installed and found.is_built
+        return (found.is_of_plugins or has_none) and not self.exported.is_built_against
 
     @property
     def is_needed(self) -> bool:

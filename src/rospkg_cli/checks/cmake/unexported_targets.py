@@ -3,17 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.targets import Target
 from ...languages.cmake.values import UNKNOWN, Word
 from ...languages.cpp.file import CppFile
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.cmake.needed_files import PARAMETERS
+from ...package.plugins.description import PluginDescription
 from .missing_export_dependencies import REGISTERS
 from .target_references import EXPORTS, TargetReferences
+
+LOADED = regex(r"ADD_PLUGIN|REGISTER_\w*PLUGIN|EXPORT_\w*CLASS|REGISTER_\w*CLASS|REGISTER_NODE|PYBIND11_MODULE")
+"""Macros that make a plugin, which nobody links, of a library."""
+DEFINITION = "BT_PLUGIN_EXPORT"
+DEFINES = "target_compile_definitions"
 
 
 @dataclass(frozen=True)
@@ -24,12 +32,17 @@ class UnexportedSet:
     """The first library in it, as others would link it."""
     is_handed_on: bool
     """Whether libraries are handed on without targets, by `ament_export_libraries`."""
+    is_of_plugins: bool
+    """Whether all libraries in it may be loaded as plugins alone."""
+    is_built: bool
+    """Whether all of them have code; a library of headers or options alone is linked for what it tells."""
 
 
 @dataclass(frozen=True)
 class UnexportedTargets:
     package: CMakePackage
     sources: tuple[CppFile, ...]
+    descriptions: tuple[PluginDescription, ...]
 
     def all(self) -> Iterator[UnexportedSet]:
         """Yield each set with a library that others may link, once; nothing where any command may hand it on."""
@@ -37,17 +50,26 @@ class UnexportedTargets:
         is_clear = cmake.is_complete and not cmake.reads_unknown_files and cmake.ends_a_package
         if not self.package.is_ament or not is_clear or next(foreign_commands(cmake), None) is not None:
             return
-        seen = set(self.named())
-        if UNKNOWN in seen or any(each.kind == "export" for each in TargetReferences(cmake).broken()):
+        named = set(self.named())
+        if UNKNOWN in named or any(each.kind == "export" for each in TargetReferences(cmake).broken()):
             return  # the name of the set may be misspelt, which CMK110 tells
-        for rule in cmake.installs:
-            word, library = rule.export, next(filter(self.is_library, rule.items), None)
-            if word is None or library is None or not word.is_known or word.text in seen or rule.call.maybe:
-                continue
-            seen.add(word.text)
-            target = cmake.export_names.get(library.text, library.text)
-            handed_on = bool(cmake.named("ament_export_libraries"))
-            yield UnexportedSet(word, f"{cmake.project_name}::{target}", handed_on)
+        for name, words in self.filled().items():
+            if name not in named:
+                linked = [each for _, each in words if not self.is_plugin(each)]
+                first = (linked or [each for _, each in words])[0]
+                shown = f"{cmake.project_name}::{cmake.export_names.get(first.name, first.name)}"
+                handed_on = bool(cmake.named("ament_export_libraries"))
+                yield UnexportedSet(words[0][0], shown, handed_on, not linked, all(each.is_built for _, each in words))
+
+    def filled(self) -> dict[str, list[tuple[Word, Target]]]:
+        """Name of a set → the libraries in it that others may link, with where their rule names the set."""
+        found: dict[str, list[tuple[Word, Target]]] = {}
+        for rule in self.package.cmake.installs:
+            if rule.export is not None and rule.export.is_known and not rule.call.maybe:
+                for word in filter(self.is_library, rule.items):
+                    if (target := self.package.cmake.target(word.text)) is not None:
+                        found.setdefault(rule.export.text, []).append((rule.export, target))
+        return found
 
     def is_library(self, word: Word) -> bool:
         target = self.package.cmake.target(word.text)
@@ -59,8 +81,27 @@ class UnexportedTargets:
         it, and nobody links it."""
         if any(each.target.text == target.name for each in self.package.cmake.components):
             return True
+        return any(any(file.calls_to(*REGISTERS)) for file in self.sources_of(target))
+
+    def sources_of(self, target: Target) -> list[CppFile]:
         paths = {path_in_package(word.text, target.call.folder) for word in target.sources}
-        return any(file.path in paths and any(file.calls_to(*REGISTERS)) for file in self.sources)
+        return [file for file in self.sources if file.path in paths]
+
+    def is_plugin(self, target: Target) -> bool:
+        """Return whether a program may load a library by its path: a description for pluginlib names it, or a macro in
+        a source of it or a definition makes it a plugin of Gazebo or a library of tree nodes."""
+        cmake = self.package.cmake
+        name = cmake.output_names.get(target.name, target.name)
+        is_exported = any(DEFINITION in call.texts for call in cmake.named(DEFINES) if call.texts[:1] == (target.name,))
+        is_made = any(LOADED.search(file.source.text) for file in self.sources_of(target))
+        return name in self.described or is_exported or is_made
+
+    @cached_property
+    def described(self) -> frozenset[str]:
+        """The libraries that descriptions name which CMake exports, without their folders and `lib`."""
+        classes = (each for file in self.descriptions if file.is_indexed for each in file.classes)
+        paths = (each.path.value.strip() for each in classes if each.path is not None)
+        return frozenset(path.rpartition("/")[2].removeprefix("lib") for path in paths)
 
     def named(self) -> Iterator[str]:
         """Yield what commands besides `install(TARGETS)` are given; UNKNOWN where one may export any set.

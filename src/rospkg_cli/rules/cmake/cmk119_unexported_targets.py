@@ -11,11 +11,12 @@ from ...rule import rule
 
 LIBRARY = """\
 add_library(core SHARED src/core.cpp)
+install(DIRECTORY include/ DESTINATION include)
 install(TARGETS core EXPORT «core_targets» DESTINATION lib)
 """
 EXPORT = "ament_export_targets(core_targets HAS_LIBRARY_TARGET)\n"
 OLD = "ament_export_libraries(core)\n"
-SOURCE = {"src/core.cpp": "int core() {return 1;}\n"}
+SOURCE = {"src/core.cpp": "int core() {return 1;}\n", "include/my_pkg/core.hpp": "int core();\n"}
 ALONE = """\
 add_library(core SHARED src/core.cpp)
 target_include_directories(core PUBLIC include)
@@ -25,7 +26,7 @@ install(TARGETS «core» DESTINATION lib)
 HANDS = "ament_export_include_directories(include)\nament_export_libraries(core)\n"
 BOTH = {
     "src/core.cpp": '#include "my_pkg/core.hpp"\n' + SOURCE["src/core.cpp"],
-    "include/my_pkg/core.hpp": "int core();\n",
+    "include/my_pkg/core.hpp": SOURCE["include/my_pkg/core.hpp"],
 }
 
 
@@ -39,8 +40,8 @@ def cmake(lines: str) -> str:
     over=UnexportedLibraries,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "the package hands its libraries on with `ament_export_libraries()`; or it is in no set, and no "
-        "package here is built with this one"
+        Severity.INFO: "the package hands its libraries on with `ament_export_libraries()`; or no package here is "
+        "built with this one, and it is in no set, all in it are plugins, or no headers are installed"
     },
     examples=(
         Example(
@@ -74,14 +75,16 @@ def unexported_targets(unexported: UnexportedLibraries) -> Iterator[Hit]:
 
     ## When it is quiet
     Where any other command is given the name of the set, where a macro of another package or a file that can't be read
-    may export it, and for sets of executables, plugins and components alone, which nothing links. A library that is in
-    no set may be for this package's programs alone: an info, where no package here is built with this one. It is left
-    alone where a CMake or pkg-config file of the package may tell others of it.
+    may export it, and for sets of executables, registered classes and components alone, which nothing links. Sets of
+    other plugins (tree nodes, what a description names) and of a package that installs no headers are infos, where no
+    package here is built with this one. A library that is in no set may be for this package's programs alone: an info,
+    where no package here is built with this one. It is left alone where a CMake or pkg-config file of the package may
+    tell others of it.
     """
     for found in unexported.sets.all():
         name = found.word.text
         message = f"nothing exports the set `{name}`: packages that link `{found.library}` stop, as it is not found"
-        level = Severity.INFO if found.is_handed_on else None
+        level = Severity.INFO if found.is_handed_on or unexported.is_unused(found) else None
         yield Hit(found.word.path, found.word.span, f"{message}; add `ament_export_targets({name})`", level)
     if word := unexported.first():
         what = f"`{word.text}` and its headers are installed, and nothing exports the library"
