@@ -44,6 +44,13 @@ SUFFIXES = {"INCLUDE_DIR": "INCLUDE_DIRS", "INCLUDES": "INCLUDE_DIRS", "LIBRARY"
 """What people write, and what ament_package() sets."""
 OF_TARGETS = ("ament_target_dependencies", "target_link_libraries", "target_include_directories", "add_executable")
 """Commands whose first argument is a target."""
+NAMING = ("target_include_directories", "target_link_libraries", "target_link_directories", "set")
+"""Commands that add what stands behind their first argument."""
+NAMED = 1
+ADDING = ("include_directories", "link_libraries", "link_directories", *NAMING)
+"""Commands to which an empty argument more is nothing."""
+SAME = {"Boost_INCLUDE_DIRS": "Boost_INCLUDE_DIR"}
+"""Variable → another one that CMake's own module gives the same value."""
 PROJECT = "PROJECT_NAME"
 SHORTEST = 6
 """Letters of a name that the package could have intended for one of its own; two may be wrong from twice that on."""
@@ -63,6 +70,19 @@ class UnsetVariable:
     """The argument as it is written."""
     after: str
     """The argument without the variable."""
+
+    @property
+    def beside(self) -> str:
+        """The intended variable, or one of the same value, where the command adds it all the same; else "".
+
+        A name that is a letter off may be of another thing, which is lost.
+        """
+        is_meant = package_of(self.name) == package_of(self.near) and self.call.name in ADDING
+        arguments = self.call.command.arguments if is_meant else ()
+        wanted = {f"${{{name}}}": name for name in (self.near, SAME.get(self.near)) if name}
+        texts = [each.text for each in arguments[NAMED if self.call.name in NAMING else 0 :]]
+        found = (wanted[text] for text in texts if text in wanted)
+        return next(found, "") if f"${{{self.name}}}" in texts else ""
 
 
 @dataclass(frozen=True)
@@ -214,6 +234,12 @@ class UnsetVariables:
     @cached_property
     def variables(self) -> SetVariables:
         return SetVariables(self.cmake)
+
+
+def package_of(variable: str) -> str:
+    """Return the package whose variable it is, or else the whole name, in capitals."""
+    found = OF_PACKAGE.fullmatch(variable.upper())
+    return found[1] if found is not None else variable.upper()
 
 
 def lacks_one(words: list[str], whole: list[str]) -> bool:

@@ -31,7 +31,8 @@ def cmake(lines: str) -> str:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "it says what is installed, or where",
-        Severity.INFO: "it would name targets to install, and no other variable is near",
+        Severity.INFO: "it would name targets to install, and no other variable is near; or the intended one stands "
+        "beside it",
     },
     examples=(
         Example(
@@ -64,11 +65,12 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     `cmake_parse_arguments()` sets; those like the package's own where they begin like a package that is found, or where
     a macro of another one is called. In `message()`. Under an unknown condition only names near to those of CMake are
     told, as warnings; where a file is included that can't be read, those near to PROJECT_NAME in `install()`, and those
-    beside a variable that nothing reads.
+    beside a variable that nothing reads. A variable of a package in other letters is an info where the right one stands
+    in the same command, as nothing is lost.
     """
     for each in (*variables.all(), *UnreadTwins(variables).all()):
         is_sure = each.call.name == "install" and not each.call.maybe and not variables.cmake.reads_unknown_files
-        is_lost = not each.near and each.call.name == "install"
+        is_lost = bool(each.beside) or (not each.near and each.call.name == "install")
         level = Severity.INFO if is_lost else Severity.ERROR if is_sure else None
         yield Hit(each.call.path, each.span, message(each), level)
     for lost in UnreadLists(variables.cmake).all():
@@ -83,6 +85,8 @@ def message(each: UnsetVariable) -> str:
         )
     if not each.near:
         return f"`{each.name}` is set nowhere: it is empty, and no target is installed by it; set it, or remove it"
+    if each.beside:
+        return f"`{each.name}` is set nowhere: it is empty, and `{each.beside}` stands beside it; remove it"
     shown = len(each.before) <= LONGEST and "\n" not in each.before
     result = f"`{each.after}`" if each.after else "nothing"
     becomes = f", and `{each.before}` becomes {result}" if shown else ""
