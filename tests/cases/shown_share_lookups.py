@@ -128,6 +128,8 @@ CASES = {
           for install, file in (
               (YAML_ALONE, "config/words.txt"),
               (YAML_ALONE, "config/a.yaml"),
+              ("DIRECTORY config/ DESTINATION share/${PROJECT_NAME}", "config/a.yaml"),
+              ("FILES config/a.yaml DESTINATION etc/${PROJECT_NAME}", "config/a.yaml"),
               ("DIRECTORY src DESTINATION share/${PROJECT_NAME}", "config/a.yaml"),
               ("FILES launch/a.launch.xml launch/b.launch.xml DESTINATION share/${PROJECT_NAME}/launch",
                "launch/c.launch.xml"),

@@ -16,6 +16,7 @@ from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.cmake.cmake_project import CMake
 from ..package.file_role import role_of
+from ..package.install_table import InstallTable
 from ..package.launch.file_references import is_file
 from ..package.package_facts import PackageFacts
 from ..package.python.node_calls import called
@@ -63,7 +64,9 @@ class MissingShareFile:
     """Relative to the share directory."""
     near: str | None
     is_here: bool
-    """Whether the package has the file, and does not install it."""
+    """Whether the package has the file, and does not install it there."""
+    goes_to: str | None = None
+    """Where below the prefix it is installed instead."""
 
 
 @dataclass(frozen=True)
@@ -76,6 +79,7 @@ class ShareLookups:
     sources: tuple[CppFile, ...] = ()
     cmake: CMake | None = None
     reached: ReachedModules | None = None
+    table: InstallTable | None = None
 
     def is_run(self, path: str) -> bool:
         """Return whether a file runs: every build compiles the C++, and something may start or import the module."""
@@ -161,7 +165,8 @@ class ShareLookups:
         near = None if is_here else closest_path(path, facts.share_files)
         if not is_here and (not near or (facts is self.facts and self.files.absent.is_expected(path))):
             return None
-        return MissingShareFile(where, span, facts.name, path, near, is_here)
+        goes_to = self.table.destination_of(path) if is_here and self.table is not None else None
+        return MissingShareFile(where, span, facts.name, path, near, is_here, goes_to)
 
 
 def literal_of(call: ast.Call) -> ast.Constant | None:

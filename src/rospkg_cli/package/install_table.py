@@ -70,5 +70,15 @@ class InstallTable:
         parts = (f"{each.below}/" for each in self.unknown if each.what == what)
         return not any(part == "/" or part.startswith(f"{folder}/") or f"{folder}/".startswith(part) for part in parts)
 
+    def destination_of(self, source: str) -> str | None:
+        """Return where a file or folder of the package goes below the prefix."""
+        for row in self.rows:
+            if row.source == source:
+                return row.destination
+            rest = row.source.removeprefix(source)
+            if row.source.startswith(f"{source}/") and row.destination.endswith(rest):
+                return row.destination.removesuffix(rest)
+        return None
+
     def joined(self, other: InstallTable) -> InstallTable:
         return InstallTable(tuple(dict.fromkeys(self.rows + other.rows)), self.unknown + other.unknown)

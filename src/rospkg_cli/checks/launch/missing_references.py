@@ -208,8 +208,7 @@ class LaunchContext:
 
     def goes_to(self, path: str) -> str | None:
         """Return where a file of the package goes below the prefix."""
-        rows = self.table.rows if self.table is not None else ()
-        return next((row.destination for row in rows if row.source == path), None)
+        return self.table.destination_of(path) if self.table is not None else None
 
     def local_missing(self, named: FileReference) -> MissingReference | None:
         """Return a missing file that is named relative to the launch file, in the source and where it is installed."""

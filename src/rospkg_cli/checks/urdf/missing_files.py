@@ -79,7 +79,7 @@ class RobotInWorkspace:
         emptied = emptied_folders(((each.package, each.path or "") for each in self.robot.references), alone)
         for each in every:
             inner = posixpath.dirname(each.path)
-            is_one = each.state == "not installed" or (each.package, inner) in emptied
+            is_one = each.state != "absent" or (each.package, inner) in emptied
             place = each.folder or (inner if is_one else "")
             found.setdefault((each.package, place or each.path, each.state), []).append(each)
         for first, *others in found.values():
@@ -91,7 +91,8 @@ class RobotInWorkspace:
             path = reference.path
             if facts is None or not path or path.startswith("..") or self.is_expected(facts, path):
                 continue
-            state, meant = self.state(facts, path), self.suggestion(facts, path)
+            state = self.state(facts, path)
+            meant = self.goes_to(path) if state == "elsewhere" else self.suggestion(facts, path)
             if state is not None and (facts.knows("share_files") or meant) and not self.is_told(facts, path, state):
                 folder = self.missing_folder(facts, path) if state == "absent" else ""
                 better = meant if not folder or meant is None else self.folder_meant(folder, path, meant)
@@ -125,12 +126,20 @@ class RobotInWorkspace:
             if path in facts.uninstalled:
                 return "not installed"
             return "absent" if path not in facts.run_time_files else None
+        if self.goes_to(path):
+            return "elsewhere" if facts.knows("share_files") else None
         top = path.partition("/")[0]
         partly = "/" not in path or top in self.share_folders(facts) or top not in FOLDERS
         return "not installed" if partly and facts.knows("share_files") else None
 
+    def goes_to(self, path: str) -> str | None:
+        """Return where a file of the package goes below the prefix."""
+        return self.table.destination_of(path) if self.table is not None else None
+
     def is_told(self, facts: PackageFacts, path: str, state: State) -> bool:
-        return state == "not installed" and self.install.is_told(facts.name, path)
+        place = (self.goes_to(path) or "") if state == "elsewhere" else ""
+        is_misplaced = bool(place) and self.install.is_told_at_its_destination(facts.name, place)
+        return is_misplaced or (state != "absent" and self.install.is_told(facts.name, path))
 
     def share_folders(self, facts: PackageFacts) -> frozenset[str]:
         return self._own_folders if facts is self.package else folders_of(facts.share_files)

@@ -6,10 +6,11 @@ from typing import Literal
 
 from ...light_dataclasses import dataclass
 from ...source import Span
+from ..other_places import goes_elsewhere, how_to_find_it
 
 SHOWN = 4
 """How many other files a message names."""
-State = Literal["absent", "not installed"]
+State = Literal["absent", "not installed", "elsewhere"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +23,7 @@ class MissingResource:
     state: State
     is_include: bool
     suggestion: str | None = None
-    """The likely path: of the file, or of the folder where that is missing."""
+    """The likely path: of the file, or of the folder where that is missing; for `elsewhere`, where it is installed."""
     folder: str = ""
     """The outermost folder of the path that does not exist."""
     others: tuple[MissingResource, ...] = ()
@@ -44,6 +45,9 @@ def wrong(missing: MissingResource, own: str) -> str:
     if missing.state == "not installed":
         verb, them = ("are", "them") if several else ("is", "it")
         return f"`{missing.path}`{several} {verb} there, but `{missing.package}` does not install {them}"
+    if missing.state == "elsewhere":
+        more = f" (and {len(missing.other_paths)} more elsewhere, too)" if several else ""
+        return goes_elsewhere(missing.package, missing.path, missing.suggestion or "") + more
     verb = "has" if missing.package == own else "installs"
     if missing.is_model:
         return f"the model `{missing.package}` has no file `{missing.path}`{several}"
@@ -65,6 +69,8 @@ def advice(missing: MissingResource) -> str:
     if missing.state == "not installed":
         folder = missing.path.rpartition("/")[0] or missing.path
         return f"; install `{folder}` (`data_files` in setup.py, `install(…)` in CMakeLists.txt)"
+    if missing.state == "elsewhere":
+        return f"; {how_to_find_it(missing.package, missing.path, missing.suggestion or '')}"
     return f"; did you mean `{missing.suggestion}`?" if missing.suggestion else "; add it, or correct the path"
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.other_places import goes_elsewhere, how_to_find_it
 from ...checks.share_lookups import ShareLookups
 from ...example import SETUP_PY, Example, manifest
 from ...finding import Hit, Severity
@@ -41,7 +42,7 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
     ## What it does
     Finds files in a share directory that Python modules and C++ name and that no rule installs there.
     It follows `get_package_share_directory` and its like, joined with literal parts, and folders of the package too,
-    in C++ also where a variable is put behind the folder.
+    in C++ also where a variable is put behind the folder. Of a file that is installed at another path, that is told.
 
     ## Why is this bad?
     The build is green, and opening the file raises FileNotFoundError, or fails in C++.
@@ -52,7 +53,10 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
     SET207 tell about; in files that nothing installs.
     """
     for found in lookups.missing_files():
-        if found.is_here:
+        if found.goes_to:
+            start, hint = (tell(found.package, found.file, found.goes_to) for tell in (goes_elsewhere, how_to_find_it))
+            message = f"{start}: this does not find it; {hint}"
+        elif found.is_here:
             message = f"`{found.file}` is not installed: this does not find it in share/{found.package}; install it"
         else:
             message = f"`{found.package}` installs no file `{found.file}`; did you mean `{found.near}`?"

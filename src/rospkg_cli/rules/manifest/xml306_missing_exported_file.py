@@ -91,7 +91,9 @@ def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
             yield Hit(manifest.path, attribute.value_span, message, None if rqt else Severity.INFO)
         elif rqt and package.is_installed(path) is False:
             place = f"share/{manifest.name}/{posixpath.dirname(path)}".rstrip("/")
-            message = f"{what} is not installed: rqt will not offer the plugin; install it to `{place}`"
+            goes = package.table.destination_of(path) if package.table is not None else None
+            wrong = f"is installed as `{goes}`" if goes else "is not installed"
+            message = f"{what} {wrong}: rqt will not offer the plugin; install it to `{place}`"
             yield Hit(manifest.path, attribute.value_span, message)
 
 

@@ -82,11 +82,10 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     ## What it does
     Finds meshes, includes and other files that a robot or a world names and that do not exist.
     It follows `package://name/…`, `$(find name)/…` and relative includes of urdf, xacro, sdf and world files into this
-    package and the others of the workspace, and checks whether the file is among what they install; `model://name/…`
-    it follows into models that lie here. Files in somebody's home folder (`file:///home/ada/…`) are told, too, and
-    meshes that are named by a path alone, where the package has the file: only URLs are looked for.
-
-    Several files of one missing folder are one finding, and so are three or more of a folder of which none is there.
+    package and others of the workspace, and checks whether they install the file, there or at another path, which is
+    told; `model://name/…` it follows into models that lie here. Files in a home folder (`file:///home/ada/…`) are told,
+    and meshes that are named by a path alone, where the package has the file: only URLs are looked for. Files of one
+    missing folder are one finding, and so are three or more of a folder of which none is there.
 
     ## Why is this bad?
     xacro stops at an include that isn't there. A missing mesh is not shown: RViz prints an error, Gazebo leaves the
