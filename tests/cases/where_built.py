@@ -126,6 +126,20 @@ CASES = {
             {"a/package.xml": manifest("", "cmake")},
             {"Thirdparty/a/package.xml": manifest("", "cmake", "arm")},
             {"a/package.xml": CATKIN.replace("my_pkg", "ament_arm")},
+            *(
+                {
+                    "CMakeLists.txt": CMAKE.replace("ament_package", f"{added}\nament_package"),
+                    **{f"lib/{each}/package.xml": manifest("", "ament_cmake", each) for each in ("arm", "leg")},
+                    **{f"lib/{each}/CMakeLists.txt": CMAKE.replace("my_pkg", each) for each in ("arm", "leg")},
+                    "lib/leg/src/CMakeLists.txt": "add_library(leg leg.cpp)\n",
+                }
+                for added in (
+                    "add_subdirectory(lib/arm)",
+                    "add_subdirectory(lib/arm)\nadd_subdirectory(lib/leg/src)",
+                    "include(ExternalProject)\nExternalProject_Add(arm SOURCE_DIR ${PROJECT_SOURCE_DIR}/lib/arm)",
+                    "if(FALSE)\n  add_subdirectory(lib/arm)\nendif()\nadd_subdirectory(lib/legs)",
+                )
+            ),
         )
     ),
     "XML307": (

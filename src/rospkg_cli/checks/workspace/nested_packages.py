@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
+from functools import cached_property
 
 from ...files import PackageFiles
+from ...languages.cmake.evaluated_command import path_in_package
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
+from ...package.cmake.made_paths import values_of
 from ...package.file_role import is_set_aside, role_of
 from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
@@ -25,6 +29,7 @@ class NestedPackages:
     files: PackageFiles
     table: InstallTable | None
     workspace: Workspace
+    cmake: CMake | None
 
     def manifests(self) -> Iterator[str]:
         """Yield the package.xml of the packages inside, the outermost of each folder, that should be built."""
@@ -57,3 +62,19 @@ class NestedPackages:
         name = NAME.search(text)
         is_copy = name is not None and name[1] in self.workspace.names
         return not is_for_ros1 and not is_copy and not any(part.startswith(".") for part in path.split("/"))
+
+    def is_built_here(self, path: str) -> bool:
+        """Return whether the CMake of the outer package builds the folder of a package.xml, or one inside of it."""
+        folder = posixpath.dirname(path)
+        return any(f"{each}/".startswith(f"{folder}/") for each in self.built_folders)
+
+    @cached_property
+    def built_folders(self) -> frozenset[str]:
+        """The folders that CMake adds to the build, or builds as a project of its own."""
+        if self.cmake is None:
+            return frozenset()
+        words = [(word, call) for call in self.cmake.named("add_subdirectory") for word in call.words[:1]]
+        for call in self.cmake.named("externalproject_add", "fetchcontent_declare"):
+            words += [(word, call) for word in values_of(call, ("SOURCE_DIR",))]
+        paths = (path_in_package(word.text, call.folder) for word, call in words)
+        return frozenset(path for path in paths if path)

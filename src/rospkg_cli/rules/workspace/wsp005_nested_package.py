@@ -19,7 +19,8 @@ INNER = manifest().replace("<name>my_pkg</name>", "<name>my_driver</name>")
     over=NestedPackages,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "all of them are for ROS 1, or in a hidden folder, so that nobody means colcon to build them"
+        Severity.INFO: "all of them are for ROS 1, in a hidden folder, or built by the outer one, so that nobody means "
+        "colcon to build them"
     },
     examples=(
         Example(
@@ -40,22 +41,34 @@ def nested_package(nested: NestedPackages) -> Iterator[Hit]:
     ## When it is quiet
     Folders with an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE), those that git ignores, those of tests,
     templates, examples and third parties, and a package.xml that is installed as data, are left alone. Packages for
-    ROS 1, those in hidden folders, and those whose name a package has that colcon finds are an info.
+    ROS 1, those in hidden folders, and those whose name a package has that colcon finds are an info. So are those that
+    the outer package builds itself (`add_subdirectory`, `ExternalProject_Add`): only their package.xml is not read.
 
     ## References
     colcon/colcon-recursive-crawl: package_discovery/recursive_crawl.py
     """
-    found = list(nested.manifests())
-    if not found:
-        return
+    built: list[str] = []
+    left: list[str] = []
+    for path in nested.manifests():
+        (built if nested.is_built_here(path) else left).append(path)
+    outer = nested.package.name
+    if left:
+        message = (
+            f"is a package inside of `{outer}`: colcon does not look there, and never builds it; "
+            f"move it next to `{outer}`, or remove its package.xml"
+        )
+        yield of_all(left, message, None if any(map(nested.may_be_meant, left)) else Severity.INFO)
+    if built:
+        message = (
+            f"is a package inside of `{outer}`, which builds it itself: nothing fails, but colcon and rosdep read no "
+            f"package.xml there; declare what it needs in that of `{outer}`"
+        )
+        yield of_all(built, message, Severity.INFO)
+
+
+def of_all(found: list[str], message: str, level: Severity | None) -> Hit:
     first, *others = found
     folder = first.rpartition("/")[0]
     more = f" (and {len(others)} more)" if others else ""
-    outer = nested.package.name
-    message = (
-        f"`{folder}`{more} is a package inside of `{outer}`: colcon does not look there, and never builds it; "
-        f"move it next to `{outer}`, or remove its package.xml"
-    )
     related = tuple(Related(path, Span(0, 0), "this one too") for path in others)
-    level = None if any(map(nested.may_be_meant, found)) else Severity.INFO
-    yield Hit(first, Span(0, 0), message, level, related=related)
+    return Hit(first, Span(0, 0), f"`{folder}`{more} {message}", level, related=related)
