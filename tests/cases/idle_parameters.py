@@ -104,6 +104,7 @@ OLD = LIFECYCLE.replace("Node(executable='b', nam='c')", "Node(package='a', node
 OLD_XML = LAUNCH.format('<node pkg="a" type="b"/><let name="c" value="d"/>')
 SPAWNS = LAUNCH.format('<node pkg="controller_manager" exec="spawner.py"/><node pkg="nav2_recoveries" exec="{}"/>')
 REMOVED = SPAWNS.format("recoveries_server")
+RECOVERIES = "recoveries_server:\n  ros__parameters:\n    spin:\n      plugin: {}\n"
 GALACTIC = ("Built on Galactic.\n", "Galactic, or Humble.\n")
 FRAMES = LAUNCH.format(
     '<node pkg="tf2_ros" exec="a"><param name="/frame_id" value="a"/><param name="/child_frame_id" value="b"/></node>'
@@ -139,6 +140,25 @@ CASES = {
         *(below(each, {"launch/a.launch.xml": REMOVED}) for each in (*PAGES, *GALACTIC)),
         *(below("ros\n", {f"launch/{name}.launch.xml": REMOVED}) for name in ("a_foxy", "Galactic", "foxes", "humble")),
         below("Foxy\n", {"launch/a.launch.xml": SPAWNS.format("recoveries_sevrer")}),
+        *(
+            below(page, {"launch/a.launch.xml": REMOVED, "config/nav.yaml": RECOVERIES.format(name)})
+            for page, name in (
+                ("", "nav2_recoveries/Spin"),
+                ("", "nav2_behaviors/Spin"),
+                (GALACTIC[1], "nav2_recoveries/Spin"),
+            )
+        ),
+        *(
+            Example(
+                bad={
+                    f"{each}/arm/package.xml": manifest(build_type="cmake"),
+                    f"{each}/arm/launch/a.launch.xml": REMOVED,
+                },
+                good={},
+                on="",
+            )
+            for each in ("nav_galactic", "galictic", "foxy-devel", "foxy_humble", "galactica", "src")
+        ),
     ),
     "LCH005": (
         *(below(each, {"launch/a.launch.py": OLD}) for each in (*PAGES, GALACTIC[0])),

@@ -16,7 +16,7 @@ OLDER = ("dashing", "eloquent", "foxy")
 UNSUPPORTED = (*OLDER, "galactic")
 BEFORE_JAZZY = (*UNSUPPORTED, "humble", "iron")
 NAMES = regex(rf"(?<![a-z])({'|'.join((*UNSUPPORTED, 'iron', *(each.name for each in DISTROS)))})(?![a-z])")
-SLIPS = {"elequent": "eloquent", "eloquant": "eloquent"}
+SLIPS = {"elequent": "eloquent", "eloquant": "eloquent", "galatic": "galactic", "galictic": "galactic"}
 IN_PATHS = regex(rf"(?<![a-z])({'|'.join((*SLIPS, *UNSUPPORTED, 'iron', *(each.name for each in DISTROS)))})(?![a-z])")
 
 
@@ -49,8 +49,20 @@ class OlderDistribution:
         return names_older(path) and not all(map(names_older, others))
 
     def is_for_unsupported(self, path: str) -> bool:
-        """Return whether none that is supported is named, or a file is called as being for an older one."""
-        return (bool(self.named) and self.named.issubset(UNSUPPORTED)) or is_called_older(path)
+        """Return whether none that is supported is named, or a file or a folder is called as being for an older one."""
+        is_named = bool(self.named) and self.named.issubset(UNSUPPORTED)
+        return is_named or is_called_older(path) or self.is_in_older_folder
+
+    @property
+    def is_in_older_folder(self) -> bool:
+        """Whether a folder around the package is called as being for one that is not supported, and for no other."""
+        found = called(self.files.folder)
+        return bool(found) and found.issubset(UNSUPPORTED)
+
+    @property
+    def names_supported(self) -> bool:
+        """Whether one that is supported is named, or Iron."""
+        return not self.named.issubset(UNSUPPORTED)
 
 
 @lru_cache(maxsize=1000)
@@ -61,10 +73,15 @@ def names_in(text: str) -> frozenset[str]:
 
 def names_older(path: str) -> bool:
     """Return whether a file or its folder is called as being for a distribution before Galactic alone."""
-    found = {SLIPS.get(name, name) for name in IN_PATHS.findall(path.lower())}
+    found = called(path)
     return bool(found) and found.issubset(OLDER)
 
 
 def is_called_older(path: str) -> bool:
     """Return whether a file is called as being for a distribution that is no longer supported."""
-    return not frozenset(UNSUPPORTED).isdisjoint(NAMES.findall(path.lower()))
+    return not called(path).isdisjoint(UNSUPPORTED)
+
+
+def called(path: str) -> frozenset[str]:
+    """Return the distributions that a path names, right or with a known slip."""
+    return frozenset(SLIPS.get(name, name) for name in IN_PATHS.findall(path.lower()))

@@ -9,7 +9,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts
-from ...ros.well_known import WrongName, wrong_name
+from ...ros.well_known import WrongName, removed, wrong_name
 from ...source import Span
 from ...suggest import nearest, slips
 from ..closest_path import is_like
@@ -100,9 +100,19 @@ class NodeExecutables:
 
     def level_of(self, use: WellKnownUse) -> Level | None:
         """Return the level of a name that is not there; where the repository is for an older distribution it is."""
-        if use.wrong.is_removed and self.distribution.is_for_unsupported(self.scope.file.path):
+        is_older = self.distribution.is_for_unsupported(self.scope.file.path) or self.uses_plugins_of(use.package)
+        if use.wrong.is_removed and is_older:
             return "info"
         return use.level or ("warning" if use.wrong.is_removed or "/" in use.wrong.better else None)
+
+    def uses_plugins_of(self, package: str) -> bool:
+        """Return whether parameters or descriptions here name plugins that a package had in that old distribution.
+
+        That is none where a page names a supported one: then all of it is left over.
+        """
+        facts = self.scope.package
+        names = {*(each.name for each in facts.plugin_uses), *(each.name for each in facts.plugins)}
+        return not names.isdisjoint(removed("plugins").get(package, ())) and not self.distribution.names_supported
 
     def nodes(self) -> Iterator[ExecutableUse]:
         """Yield what is started of packages of the workspace, under literal names; a component is no program."""
