@@ -192,6 +192,11 @@ def test_what_is_likely_meant(name: str, meant: str | None) -> None:
         ("ms", "msg", MAX_TYPOS + 1),
         ("navigator", "nabigatos", 2),  # of nine two may be others
         ("navigate", "nabigats", MAX_TYPOS + 1),
+        ("turtlelib", "turtlesim", MAX_TYPOS + 1),  # another part is another name
+        ("transforms", "transformer", MAX_TYPOS + 1),
+        ("descritpionn", "description", 2),  # letters that are swapped or doubled are slips
+        ("descriptionns", "description", 2),
+        ("generators", "generatosr", 1),
     ],
 )
 def test_a_slip_wants_a_word_that_is_long_enough(word: str, other: str, far: int) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from itertools import takewhile
 
 from ..lazy_regex import regex
 from ..suggest import distance
@@ -15,6 +16,8 @@ from .read_table import rows
 SEPARATOR = regex(r"[-_.]")
 MAX_TYPOS = 2
 """More typos than these make another name."""
+MAX_PART = 3
+"""Letters at one end of a word that make another one of it: `turtlelib` is no `turtlesim`."""
 LONG_REST = 6
 """Letters that two names have in common beside a short word, from which that is a typo."""
 
@@ -88,7 +91,23 @@ def typos_between(word: str, other: str) -> int:
     short, far = min(len(word), len(other)), distance(word, other, MAX_TYPOS)
     is_swap, is_plural = sorted(word) == sorted(other), f"{word}s" == other or word == f"{other}s"
     kept = far == 1 and (short > 4 or (short > 3 and (is_swap or len(word) != len(other))) or (short > 2 and is_plural))
-    return far if kept or (far == 2 and short > 8) else MAX_TYPOS + 1
+    is_long = far == 2 and short > 8 and not has_other_part(word, other)
+    return far if kept or is_long else MAX_TYPOS + 1
+
+
+def has_other_part(word: str, other: str) -> bool:
+    """Return whether other letters begin or end two words: no slip of the fingers, which loses or swaps some."""
+    start = same_start(word, other)
+    word, other = word[start:], other[start:]
+    end = same_start(word[::-1], other[::-1])
+    parts = (word[: len(word) - end], other[: len(other) - end])
+    is_short = all(parts) and max(map(len, parts)) <= MAX_PART
+    return is_short and (start == 0 or end == 0) and sorted(parts[0]) != sorted(parts[1])
+
+
+def same_start(word: str, other: str) -> int:
+    """Return how many letters two words have in common from their first one on."""
+    return sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(word, other, strict=False)))
 
 
 def digits(name: str) -> list[str]:
