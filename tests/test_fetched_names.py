@@ -48,6 +48,20 @@ def lint(body: str, *targets: str, codes: str = "DEP001", complete: bool = True)
     return list(Session(MemoryTree.of(files), scope, frozenset({codes}), Targets(targets)).run().findings)
 
 
+@pytest.mark.parametrize("missing", [frozenset(), frozenset({"wheels"})])
+def test_a_plain_project_of_the_workspace_is_no_misspelt_name(missing: frozenset[str]) -> None:
+    """It is told at the same level, whatever repositories are missing: it is here."""
+    projects = (("wheel_odometri", "libs/odometry"), ("my_math", "math"))
+    more = {"missing_repositories": missing, "cmake_projects": projects, "index": FetchedNames(dump(INDEX))}
+    scope = Scope(("",), frozenset({""}), "my_pkg", "repositories are missing" if missing else "", **more)
+    body = need("wheel_odometri") + need("my_math")
+    files = existing_files({**BACKDROPS["ament_python"], "package.xml": manifest(body)})
+    found = Session(MemoryTree.of(files), scope, frozenset({"DEP001"}), Targets()).run().findings
+    assert [(each.severity, each.fix) for each in found] == [(Severity.WARNING, None)] * 2
+    assert "it is a plain CMake project here (`libs/odometry`): give it a package.xml" in found[0].message
+    assert found[1].message.endswith("or have rosdep skip it (`--skip-keys my_math`)")
+
+
 def said(body: str, *targets: str, complete: bool = True) -> list[str]:
     return [finding.message.partition(": `rosdep")[0] for finding in lint(body, *targets, complete=complete)]
 

@@ -11,6 +11,7 @@ import pytest
 from cases import CASES
 
 from rospkg_cli.cli.diff import unified
+from rospkg_cli.engine.discovery.cmake_projects import cmake_projects_in
 from rospkg_cli.engine.discovery.discover import packages_in, repositories_in
 from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run.session import Scope, Session
@@ -42,7 +43,8 @@ def repaired(rule: Rule, example: Example) -> str:
     tree = MemoryTree.of(example.bad_files())
     folders = packages_in(tree)
     codes = {rule.code, "XML104"} if rule.code in NEEDS_OTHERS else {rule.code}
-    scope = Scope(tuple(folders), frozenset(folders), "my_pkg", repositories=repositories_in(tree))
+    repositories, projects = repositories_in(tree), cmake_projects_in(tree, folders)
+    scope = Scope(tuple(folders), frozenset(folders), "my_pkg", repositories=repositories, cmake_projects=projects)
     session = Session(tree, scope, frozenset(codes), Targets(example.targets))
     outcome = fix_all(session, (Safety.SAFE, Safety.UNSAFE))
     assert not outcome.refused

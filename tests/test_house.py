@@ -217,7 +217,7 @@ def test_facts_are_frozen_and_pickle() -> None:
     assert pickle.loads(pickle.dumps(facts)) == facts
     assert hash(facts) == hash(pickle.loads(pickle.dumps(facts)))  # only a frozen one has a hash
     known = {"packages", "selected", "is_complete", "prefix_names", "repositories", "index", "incomplete"}
-    known |= {"missing_repositories", "nearest"}
+    known |= {"missing_repositories", "cmake_projects", "nearest"}
     assert {f.name for f in dataclasses.fields(Workspace)} <= known
 
 

@@ -128,6 +128,25 @@ def test_repositories(workspace: Path) -> None:
     assert found == ({"src/a", "src/third_party/d"}, {"src/group/b"})
 
 
+def test_plain_projects_are_named(workspace: Path) -> None:
+    """One in a package, in another project, or around packages is none, and so is one that colcon is told to ignore."""
+    lists = ("src", "src/a", "src/a/deep", "src/group/lib", "src/group/lib/deep", "src/hidden/lib", "src/unnamed/deep")
+    for folder in lists:
+        (workspace / folder).mkdir(parents=True, exist_ok=True)
+        (workspace / folder / "CMakeLists.txt").write_text(f'PROJECT("{folder.replace("/", "-")}" CXX)\n')
+    (workspace / "src/unnamed/CMakeLists.txt").write_text("project(${NAME})\n")
+    own, deep = ("src-group-lib", "src/group/lib"), ("src-unnamed-deep", "src/unnamed/deep")
+    assert locate([workspace]).scope.cmake_projects == (own, deep)
+    assert locate([workspace / "src/group"]).scope.cmake_projects == (own, deep)
+
+
+def test_without_a_workspace_plain_projects_lie_beside_the_packages(tmp_path: Path) -> None:
+    for folder, name in (("a", "package.xml"), ("lib", "CMakeLists.txt")):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / name).write_text("project(wheel)\n")
+    assert locate([tmp_path / "a"]).scope.cmake_projects == (("wheel", "../lib"),)
+
+
 def test_a_copy_of_a_repository_belongs_to_the_one_around_it(workspace: Path) -> None:
     """What the copy's former host read is still in it."""
     (workspace / "src/group/.github").mkdir()

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from .cli.lint.lint_options import LintOptions, ReportOptions
 from .cli.lint.run import lint_to
+from .engine.discovery.cmake_projects import cmake_projects_in
 from .engine.discovery.discover import packages_in, repositories_in
 from .engine.run.session import Results, Scope, Session
 from .engine.selection import EVERYTHING
@@ -29,7 +30,8 @@ def lint_files(
     tree = MemoryTree.of(files)
     folders = packages_in(tree)
     chosen = EVERYTHING.codes() if codes is None else frozenset(codes)
-    scope = Scope(tuple(folders), frozenset(folders), "my_pkg", repositories=repositories_in(tree))
+    repositories, projects = repositories_in(tree), cmake_projects_in(tree, folders)
+    scope = Scope(tuple(folders), frozenset(folders), "my_pkg", repositories=repositories, cmake_projects=projects)
     session = Session(tree, scope, chosen, Targets(targets))
     return session.run() if folders else session.no_packages(["."])
 

@@ -115,6 +115,15 @@ CASES = {
         *(cmake(f"find_package(ament_cmake_auto REQUIRED)\n{lines}\n", "  <depend>OpenCV</depend>\n")
         for lines in ("", "ament_auto_find_build_dependencies()",
                       "find_package(OpenCV REQUIRED)\nament_auto_find_build_dependencies()")),
+        *(Example(on="", good={}, bad={
+            "a/package.xml": manifest("  <depend>nav2_utils</depend>\n", "ament_cmake"),
+            "a/CMakeLists.txt": "cmake_minimum_required(VERSION 3.8)\nproject(my_pkg)\n",
+            f"{folder}/CMakeLists.txt": lines,
+        }) for folder, lines in (
+            ("libs/nav2_utils", "cmake_minimum_required(VERSION 3.8)\nproject(nav2_utils CXX)\n"),
+            ("libs/nav2_utils", "# project(nav2_utils)\nadd_library(nav2_utils a.cpp)\n"),
+            ("a/nav2_utils", "project(nav2_utils)\n"),
+        )),
     ),
     "DEP102": (
         python("  <exec_depend>sensor_msgs</exec_depend>\n", test__test_a_DOT_py="import std_msgs.msg\n"),

@@ -63,6 +63,9 @@ class Workspace:
     missing_repositories: frozenset[str] = frozenset()
     """The repositories that are listed and not here; empty where that is unknown."""
 
+    cmake_projects: tuple[tuple[str, str], ...] = ()
+    """The names and folders of the plain CMake projects, which colcon builds and rosdep does not know."""
+
     nearest: tuple[PackageFacts, ...] = ()
     """Of the names that several packages have, the package that is meant where the workspace is looked at."""
 
@@ -227,6 +230,10 @@ class Workspace:
     def is_available(self, name: str) -> bool:
         """Return whether a package is around, or installed on this machine."""
         return name in self._by_name or name in self.prefix_names
+
+    def folder_of_project(self, name: str) -> str:
+        """Return where a plain CMake project lies; "" where none has the name."""
+        return dict(self.cmake_projects).get(name, "")
 
     def resolves(self, name: str, distro: Distro) -> bool | None:
         """Return whether a name can be resolved on a distribution, without what is not here; None if unknown."""

@@ -45,6 +45,7 @@ def moved_scope(scope: Scope, moved: MovedTree) -> Scope:
         scope,
         folders=tuple(sorted(map(moved.moved, scope.folders))),
         selected=frozenset(map(moved.moved, scope.selected)),
+        cmake_projects=tuple((name, moved.moved(folder)) for name, folder in scope.cmake_projects),
         repositories=tuple(frozenset(map(moved.moved, each)) for each in scope.repositories),
     )
 

@@ -19,7 +19,7 @@ def intended_names(name: str, workspace: Workspace) -> tuple[str, ...]:
 
     Several stand in one tag, or a package of ROS 1 was split.
     """
-    if workspace.is_available(name):
+    if workspace.is_available(name) or workspace.folder_of_project(name):
         return (name,)
     if taken := successors(name):
         return taken

@@ -15,6 +15,7 @@ from ...ros.name_suggestions import suggested_name
 from ...ros.names import Names
 from ...ros.rosdep import CODENAMES
 from ..enumeration import enumerated
+from .plain_projects import advice_for_project
 from .similar_names import SimilarNames
 
 NO_PACKAGE = regex(r"python3?-.*|lib.*-dev|.*[^\w-].*")
@@ -33,10 +34,14 @@ class UnavailableName:
         return self.workspace.index
 
     @cached_property
+    def for_project(self) -> str:
+        return advice_for_project(self.name, self.workspace)
+
+    @cached_property
     def suggestion(self) -> str | None:
-        """The similar name of something that the target or the workspace has; None where another distribution has the
-        name, or nothing has a similar one."""
-        if self.other_distros:
+        """The similar name of something that the target or the workspace has; None where another distribution or a
+        plain CMake project has the name, or nothing has a similar one."""
+        if self.other_distros or self.for_project:
             return None
         there = Targets(tuple(each.name for each in self.distros))
         return suggested_name(self.name, self.index, there) or SimilarNames(self.workspace).renamed(self.name)
@@ -44,7 +49,7 @@ class UnavailableName:
     @property
     def is_told(self) -> bool:
         """Whether it is certain enough to be reported, though packages of the workspace may not be here."""
-        if self.workspace.is_complete or NO_PACKAGE.fullmatch(self.name):
+        if self.workspace.is_complete or self.for_project or NO_PACKAGE.fullmatch(self.name):
             return True
         if self.workspace.may_lack(self.name):
             return False
@@ -53,7 +58,8 @@ class UnavailableName:
     @property
     def may_be_elsewhere(self) -> bool:
         """Whether a repository that is not here may hold it after all, under whatever name."""
-        return not (self.workspace.is_complete or self.suggestion or NO_PACKAGE.fullmatch(self.name))
+        is_settled = self.workspace.is_complete or self.suggestion or self.for_project
+        return not (is_settled or NO_PACKAGE.fullmatch(self.name))
 
     @cached_property
     def other_distros(self) -> list[str]:
@@ -78,6 +84,8 @@ class UnavailableName:
 
     @property
     def advice(self) -> str:
+        if self.for_project:
+            return self.for_project
         if self.other_distros:
             lacking = " and ".join(f"$ROS_DISTRO != {each.name}" for each in self.distros)
             return f'add it to the workspace, or do without it there: condition="{lacking}"'

@@ -13,6 +13,7 @@ from ...ros.read_table import rows
 from ...ros.rosdep import CODENAMES, NOT_THERE
 from .declared_dependencies import DeclaredDependencies
 from .intended_names import key_of_cmake_name
+from .plain_projects import advice_for_project
 from .similar_names import SimilarNames
 
 PYTHON_TAGS = frozenset({"exec_depend", "test_depend", "run_depend"})
@@ -103,6 +104,8 @@ def of_ubuntu(declared: DeclaredDependencies, dependency: Dependency) -> WrongDe
 
 
 def of_family(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
+    if declared.workspace.folder_of_project(dependency.name):
+        return None
     member = SimilarNames(declared.workspace).with_family_prefix(dependency.name)
     return WrongDependencyName("is no known ROS package, here or elsewhere", member) if member is not None else None
 
@@ -111,7 +114,10 @@ def of_typo(declared: DeclaredDependencies, dependency: Dependency) -> WrongDepe
     meant = SimilarNames(declared.workspace).meant(dependency.name)
     if meant is None or without_version(meant) == without_version(dependency.name):
         return None
-    return WrongDependencyName("is no known ROS package or rosdep key", meant, f"did you mean `{meant}`?")
+    start = "is no known ROS package or rosdep key"
+    if for_project := advice_for_project(dependency.name, declared.workspace):
+        return WrongDependencyName(start, advice=for_project)
+    return WrongDependencyName(start, meant, f"did you mean `{meant}`?")
 
 
 def without_version(name: str) -> str:

@@ -28,7 +28,7 @@ def kept_packages(options: LintOptions, session: Session) -> KeptPackages | None
     installed = [question + answer for question, answer in answers.items() if question[0] == "p"]
     named = [question + answer for question, answer in answers.items() if question[0] == "w"]
     facts_key = repr([code, sys.version, installed, str(tree.root), scope.name, session.targets])
-    missing = [scope.incomplete, sorted(scope.missing_repositories)]
+    missing = [scope.incomplete, sorted(scope.missing_repositories), scope.cmake_projects]
     around = [missing, sorted(scope.prefix_names), sorted(map(sorted, scope.repositories))]
     rules_key = repr([sorted(session.codes), sorted(session.settings.build_types), around, named])
     name = f"{crc32(os.fsencode(tree.root)):08x}{crc32(repr([session.targets, sorted(session.codes)]).encode()):08x}"

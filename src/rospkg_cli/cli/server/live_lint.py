@@ -102,7 +102,8 @@ class LiveLint:
         changed = {*relative_to(order.changed, located.root), *self.changed_on_disk(order, located.scope)}
         self.memory.forget(changed, located.scope.folders)
         scope = session.scope
-        given = [scope.incomplete, sorted(scope.prefix_names), sorted(map(sorted, scope.repositories)), scope.folders]
+        beside = [sorted(map(sorted, scope.repositories)), scope.folders, scope.cmake_projects]
+        given = [scope.incomplete, sorted(scope.prefix_names), beside]
         self.memory.require(repr([given, sorted(session.codes), session.settings, session.targets, configs.root]))
         tree = DiskTree(located.root, scope.folders)
         typed = {folder: self.facts[folder] for folder in self.facts if is_typed(located.root / folder, order.texts)}

@@ -15,6 +15,7 @@ from ...leftovers import is_never_source
 from ...light_dataclasses import dataclass
 from ...user_error import UserError
 from ..run.session import Scope
+from .cmake_projects import LIST, cmake_projects, read_list
 from .discover import enclosing_package, packages_below, repositories
 from .exclusions import Exclusions
 from .hidden_packages import VENDOR_FOLDERS, describe_hidden
@@ -40,13 +41,14 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, configs: Config
     """Find the packages; raises LocateError for a path that is not there. `exclude` of the configs leaves some out."""
     exclusions, config = Exclusions(configs), configs.root
     given: list[Path] = []
+    plain: list[Path] = []
     for path in paths:
         if not exists(path):
             raise LocateError(f"`{path}` does not exist; give the path of a package or of a workspace")
-        given += packages_at(absolute(path))
+        given += packages_at(absolute(path), plain)
     kept = [p for p in each_once(given) if not exclusions.leave_out(p)]
     around = absolute(workspace) if workspace else workspace_of(kept)
-    others = packages_below(around) if around else siblings(kept)
+    others = packages_below(around, plain=plain) if around else siblings(kept, plain)
     every = sorted(each_once([*kept, *(p for p in others if not exclusions.leave_out(p))]))
     anchors = [*every, *([around] if around else []), *([config.folder] if config.path and not configs.is_only else [])]
     root = Path(os.path.commonpath(anchors)) if every else current_folder()
@@ -58,6 +60,7 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, configs: Config
         incomplete=missing.why,
         missing_repositories=missing.repositories,
         prefix_names=installed_package_names(os.environ),
+        cmake_projects=cmake_projects(plain, every, root, read_list),
         repositories=repositories((relative(p, root) for p in every), lambda f, marks: is_marked(root / f, marks)),
     )
     hidden = "" if kept else "the config excludes them" if given else describe_hidden(paths)
@@ -72,25 +75,27 @@ def each_once(packages: Iterable[Path]) -> list[Path]:
     return list(found.values())
 
 
-def siblings(packages: Iterable[Path]) -> Iterator[Path]:
-    """Yield the packages next to some others, where there is no workspace around them."""
+def siblings(packages: Iterable[Path], plain: list[Path]) -> Iterator[Path]:
+    """Yield the packages next to some others, where there is no workspace around them; add those of plain CMake."""
     for folder in dict.fromkeys(package.parent for package in packages):
         if not is_shared(folder):
             with suppress(OSError):
                 names = [entry.name for entry in scan(folder) if not is_never_source(entry.name)]
-                yield from (folder / name for name in names if is_file(folder / name / "package.xml"))
+                beside = [folder / name for name in names if is_file(folder / name / "package.xml")]
+                yield from beside
+                plain += [folder / n for n in names if folder / n not in beside and is_file(folder / n / LIST)]
 
 
 def is_marked(folder: Path, marks: Sequence[str]) -> bool:
     return any(exists(folder / mark) for mark in marks)
 
 
-def packages_at(path: Path) -> list[Path]:
+def packages_at(path: Path, plain: list[Path]) -> list[Path]:
     """Return the packages that a path means: the one it lies in, else those below it."""
     around = enclosing_package(path if is_folder(path) else path.parent)
     if around:
         return [around]
-    return [p for p in packages_below(path) if not VENDOR_FOLDERS.intersection(p.relative_to(path).parts)]
+    return [p for p in packages_below(path, plain=plain) if not VENDOR_FOLDERS.intersection(p.relative_to(path).parts)]
 
 
 def relative(path: Path, root: Path) -> str:

@@ -41,7 +41,7 @@ for _name in field_names(PackageFacts):
     setattr(RecordedFacts, _name, recorded_field(_name))
 
 
-GIVEN = ("is_complete", "prefix_names", "repositories", "index", "incomplete", "missing_repositories")
+GIVEN = ("is_complete", "prefix_names", "repositories", "index", "incomplete", "missing_repositories", "cmake_projects")
 """What is the same for all packages of a run: `rules_key` of KeptPackages holds it."""
 
 

@@ -47,6 +47,7 @@ class Scope:
     index: Names = BUILT_IN
     repositories: tuple[frozenset[str], ...] = ()
     missing_repositories: frozenset[str] = frozenset()
+    cmake_projects: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -186,7 +187,8 @@ class Session:
     def link(self, facts: Sequence[PackageFacts]) -> Workspace:
         scope = self.scope
         around = (scope.selected, not scope.incomplete, scope.prefix_names, scope.repositories)
-        return Workspace(tuple(facts), *around, scope.index, scope.incomplete, scope.missing_repositories)
+        missing = (scope.incomplete, scope.missing_repositories)
+        return Workspace(tuple(facts), *around, scope.index, *missing, cmake_projects=scope.cmake_projects)
 
     def collect(self, workspace: Workspace, checked: Sequence[PackageResults]) -> Results:
         of_workspace = list(self.run_workspace_rules(workspace))

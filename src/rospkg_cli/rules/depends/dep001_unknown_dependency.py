@@ -60,7 +60,8 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
     Packages of the workspace, of an installed prefix (AMENT_PREFIX_PATH, /opt/ros) and of any distribution are known.
     Where a `.repos` file or an empty submodule says that more packages belong to the workspace, a name that resembles
     one of the repositories that are missing is left alone, and another that nothing explains is an info. Dependencies
-    whose condition excludes the targets, and doc_depend, are left alone.
+    whose condition excludes the targets, and doc_depend, are left alone. No other name is suggested for a plain CMake
+    project of the workspace, which colcon builds and rosdep does not know.
 
     ## Fix safety
     The name is replaced by the suggested one; where only a letter differs, another one may be right. There is none
