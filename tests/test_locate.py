@@ -173,6 +173,41 @@ def test_it_says_what_hides_the_packages(tmp_path: Path, marks: list[str], says:
     assert says in locate([tmp_path]).hidden
 
 
+@pytest.mark.parametrize(
+    "files, says",
+    [
+        (["ws/install/setup.sh", "ws/install/local_setup.sh"], ""),
+        (
+            ["ws/install/local_setup.sh", "ws/install/share/a/package.xml"],
+            "the packages below `ws/install/` are made by",
+        ),
+        (
+            ["install/.colcon_install_layout", "install/a/share/a/package.xml"],
+            "the packages below `install/` are made by",
+        ),
+        (
+            [
+                "ws/install/COLCON_IGNORE",
+                "ws/install/a/package.xml",
+                "ws/build/COLCON_IGNORE",
+                "ws/build/a/package.xml",
+            ],
+            "the packages below `ws/build/` and another folder are made by colcon and do not count",
+        ),
+        (["ws/env/pyvenv.cfg", "ws/env/share/a/package.xml"], ""),
+        (
+            ["install/local_setup.sh", "install/a/package.xml", "b/AMENT_IGNORE", "b/package.xml"],
+            "1 package below, hid",
+        ),
+    ],
+)
+def test_it_says_that_colcon_made_the_packages(tmp_path: Path, write, files: list[str], says: str) -> None:
+    write(tmp_path, dict.fromkeys(files, ""))
+    found = locate([tmp_path]).hidden
+    assert found.startswith(says)
+    assert bool(found) is bool(says)
+
+
 def test_folders_of_others_hide_packages_too(tmp_path: Path) -> None:
     (tmp_path / "third_party" / "one").mkdir(parents=True)
     (tmp_path / "third_party" / "one" / "package.xml").write_text("<package/>")

@@ -24,18 +24,28 @@ MAX_LINKED_FOLDERS = 1_000
 """How many links to folders are followed from one folder, so that links in circles end."""
 
 
+class PassedBy:
+    """Folders that a walk meets and that are no packages."""
+
+    def __init__(self) -> None:
+        self.plain: list[Path] = []
+        """With a CMakeLists.txt and no package.xml."""
+        self.outputs: list[Path] = []
+        """What a build made, which is not looked into."""
+
+
 def packages_below(
-    root: Path, *, given: bool = True, marked: bool = False, plain: list[Path] | None = None
+    root: Path, *, given: bool = True, marked: bool = False, passed: PassedBy | None = None
 ) -> Iterator[Path]:
     """Yield the package folders below a folder, sorted; nothing inside a package, nothing below an ignore marker.
 
     A folder that is `given` is looked into even when it is marked; every folder is where `marked` ones count.
     Links to folders are followed as colcon does, each package once, and under its own path where it has one here.
-    Folders that have a CMakeLists.txt and no package.xml are added to `plain`.
+    What it passes by is added to `passed`.
     """
     found: dict[str, Path] = {}
-    plain = [] if plain is None else plain
-    links = list(crawl(root, found, plain, given, marked))
+    passed = passed or PassedBy()
+    links = list(crawl(root, found, passed, given, marked))
     top = real_path(root)
     seen = {top}
     for _ in range(MAX_LINKED_FOLDERS):
@@ -45,11 +55,11 @@ def packages_below(
         real = real_path(link)
         if real not in seen and not is_within(top, real):
             seen.add(real)
-            links += crawl(link, found, plain, False, marked)
+            links += crawl(link, found, passed, False, marked)
     yield from sorted(found.values())
 
 
-def crawl(root: Path, found: dict[str, Path], plain: list[Path], given: bool, marked: bool) -> Iterator[Path]:
+def crawl(root: Path, found: dict[str, Path], passed: PassedBy, given: bool, marked: bool) -> Iterator[Path]:
     """Add the packages below a folder to `found`, by where they really lie; yield the links to folders met."""
     waiting = [root]
     while waiting:
@@ -62,8 +72,10 @@ def crawl(root: Path, found: dict[str, Path], plain: list[Path], given: bool, ma
             continue
         if "package.xml" in entries and is_there(entries["package.xml"]):
             found.setdefault(real_path(folder), folder)
-        elif folder == root or not is_build_output(folder.name, entries.keys()):
-            plain += [folder] if "CMakeLists.txt" in entries else []
+        elif folder != root and is_build_output(folder.name, entries.keys()):
+            passed.outputs.append(folder)
+        else:
+            passed.plain += [folder] if "CMakeLists.txt" in entries else []
             shown = [entry for name, entry in entries.items() if not name.startswith(".")]  # as colcon's crawl does
             waiting += [Path(each.path) for each in shown if each.is_dir(follow_symlinks=False)]
             yield from sorted(Path(each.path) for each in shown if each.is_symlink() and is_folder(each))

@@ -2,26 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from ...disk_trace import is_folder, real_path
-from .discover import marker_above, packages_below
+from ...leftovers import BUILD_FOLDERS
+from .discover import PassedBy, marker_above, packages_below
 
 VENDOR_FOLDERS = frozenset("third_party thirdparty vendor vendored external template templates fixtures".split())
 """Folders of others' packages, or of half ones: reported on only when a path leads into them."""
+
+MADE_BY_COLCON = frozenset(BUILD_FOLDERS)
 
 
 def describe_hidden(paths: Iterable[Path]) -> str:
     """Return a sentence on what hides packages below the paths; "" where there are none."""
     tops = [top for top in map(Path, map(real_path, paths)) if is_folder(top)]
-    found = [(top, p) for top in tops for p in packages_below(top, marked=True)]
+    passed = PassedBy()
+    found = [(top, p) for top in tops for p in packages_below(top, marked=True, passed=passed)]
     if not found:
-        return ""
+        return describe_made(tops, passed.outputs)
     marks = {hiding_path(top, package).relative_to(top).as_posix(): None for top, package in found}
     others = {1: "", 2: " and another marker"}.get(len(marks), f" and {len(marks) - 1} other markers")
     count = "1 package" if len(found) == 1 else f"{len(found)} packages"
     return f"{count} below, hidden by `{next(iter(marks))}`{others}"
+
+
+def describe_made(tops: Sequence[Path], outputs: Iterable[Path]) -> str:
+    """Return a clause on the folders of colcon that have package.xml files, where nothing else has; "" for none."""
+    made = [each for each in sorted(outputs) if each.name in MADE_BY_COLCON and next(packages_below(each), None)]
+    if not made:
+        return ""
+    top = next(top for top in tops if made[0].is_relative_to(top))
+    others = {1: "", 2: " and another folder"}.get(len(made), f" and {len(made) - 1} other folders")
+    return f"the packages below `{made[0].relative_to(top).as_posix()}/`{others} are made by colcon and do not count"
 
 
 def hidden_packages(paths: Iterable[Path]) -> list[tuple[Path, Path]]:

@@ -16,7 +16,7 @@ from ...light_dataclasses import dataclass
 from ...user_error import UserError
 from ..run.session import Scope
 from .cmake_projects import LIST, cmake_projects, read_list
-from .discover import enclosing_package, packages_below, repositories
+from .discover import PassedBy, enclosing_package, packages_below, repositories
 from .exclusions import Exclusions
 from .hidden_packages import VENDOR_FOLDERS, describe_hidden
 from .incomplete_workspace import missing_packages
@@ -41,14 +41,14 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, configs: Config
     """Find the packages; raises LocateError for a path that is not there. `exclude` of the configs leaves some out."""
     exclusions, config = Exclusions(configs), configs.root
     given: list[Path] = []
-    plain: list[Path] = []
+    passed = PassedBy()
     for path in paths:
         if not exists(path):
             raise LocateError(f"`{path}` does not exist; give the path of a package or of a workspace")
-        given += packages_at(absolute(path), plain)
+        given += packages_at(absolute(path), passed)
     kept = [p for p in each_once(given) if not exclusions.leave_out(p)]
     around = absolute(workspace) if workspace else workspace_of(kept)
-    others = packages_below(around, plain=plain) if around else siblings(kept, plain)
+    others = packages_below(around, passed=passed) if around else siblings(kept, passed.plain)
     every = sorted(each_once([*kept, *(p for p in others if not exclusions.leave_out(p))]))
     anchors = [*every, *([around] if around else []), *([config.folder] if config.path and not configs.is_only else [])]
     root = Path(os.path.commonpath(anchors)) if every else current_folder()
@@ -60,7 +60,7 @@ def locate(paths: Sequence[Path], workspace: Path | None = None, configs: Config
         incomplete=missing.why,
         missing_repositories=missing.repositories,
         prefix_names=installed_package_names(os.environ),
-        cmake_projects=cmake_projects(plain, every, root, read_list),
+        cmake_projects=cmake_projects(passed.plain, every, root, read_list),
         repositories=repositories((relative(p, root) for p in every), lambda f, marks: is_marked(root / f, marks)),
     )
     hidden = "" if kept else "the config excludes them" if given else describe_hidden(paths)
@@ -90,12 +90,14 @@ def is_marked(folder: Path, marks: Sequence[str]) -> bool:
     return any(exists(folder / mark) for mark in marks)
 
 
-def packages_at(path: Path, plain: list[Path]) -> list[Path]:
+def packages_at(path: Path, passed: PassedBy) -> list[Path]:
     """Return the packages that a path means: the one it lies in, else those below it."""
     around = enclosing_package(path if is_folder(path) else path.parent)
     if around:
         return [around]
-    return [p for p in packages_below(path, plain=plain) if not VENDOR_FOLDERS.intersection(p.relative_to(path).parts)]
+    return [
+        p for p in packages_below(path, passed=passed) if not VENDOR_FOLDERS.intersection(p.relative_to(path).parts)
+    ]
 
 
 def relative(path: Path, root: Path) -> str:
