@@ -137,6 +137,8 @@ CASES = {
                         "/share/${PROJECT_NAME}s")),
     ),
     "CMK115": (
+        *(package(f"find_package({name} REQUIRED)\nset(YAML_CPP_INCLUDE_DIRS ${{YAML_CPP_INCLUDE_DIR}})\n")
+          for name in ("yaml-cpp", "acme")),
         *(package(f"set(PACKAGE_DEPENDENCIES rclcpp)\n{lines}") for lines in (
             "foreach(each IN ITEMS ${PAKCAGE_DEPENDENCIES})\n  find_package(${each} REQUIRED)\nendforeach()\n",
             "foreach(each IN ITEMS ${PACKAGE_DEPENDENCIES})\n  find_package(${each} REQUIRED)\nendforeach()\n",

@@ -12,6 +12,7 @@ from .foreign_commands import foreign_commands
 
 ANY_REFERENCE = regex(r"\$(?:ENV|CACHE)?\{[^{}]*\}")
 WHOLE_REFERENCE = regex(r"\$\{([A-Za-z_]\w*)\}")
+NO_WORD = regex(r"\W")
 NAME = regex(r"[A-Za-z_]\w*")
 
 
@@ -27,7 +28,7 @@ class SetVariables:
         """Return whether a name is like none that CMake, a package that is found, or a macro of one sets."""
         first = name.lower()
         theirs = ("cmake_", "ament_", "catkin_", "project_", self.cmake.project_name.lower() or "cmake_")
-        found = tuple(each.name.lower() for each in self.cmake.packages)
+        found = tuple(NO_WORD.sub("_", each.name.lower()) for each in self.cmake.packages)
         return not first.startswith(theirs + found) and next(foreign_commands(self.cmake), None) is None
 
     @cached_property
