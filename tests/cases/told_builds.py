@@ -88,6 +88,11 @@ def switched(defines: str, text: str) -> Example:
     return program(f"{defines}\n{PLAIN}", text.format(STRING) + MAIN)
 
 
+OPTION = 'option(WITH_A "With a" OFF)\nset(FILES src/b.cpp ${OTHERS_OF_SYSTEM})\nif(WITH_A)\n  '
+ON_DEMAND = {
+    "src/a.cpp": "#include <yaml-cpp/yaml.h>\nint a() {return 0;}\n",
+    "src/b.cpp": "int main() {return 0;}\n",
+}
 CASES = {
     "DEP104": (
         package("find_package(ZLIB REQUIRED QUIET)\n", {}),
@@ -106,6 +111,19 @@ CASES = {
         package("find_package(GDAL REQUIRED)\n", {"cmake/GDALConfig.cmake": MODULE}),
     ),
     "DEP105": (
+        Example(
+            on="",
+            good={},
+            bad={
+                "port/package.xml": manifest("", "cmake").replace("<name>my_pkg", "<name>port"),
+                "port/CMakeLists.txt": "project(port)\n",
+                "port/ports/other/include/sys/time.h": "\n",
+                "user/package.xml": manifest("", "ament_cmake"),
+                "user/CMakeLists.txt": CMAKE.replace("ament_package", "add_executable(a src/a.cpp)\nament_package"),
+                "user/src/a.cpp": "#include <sys/shm.h>\nint main() {return 0;}\n",
+            },
+        ),
+        package(f"{OPTION}list(APPEND FILES src/a.cpp)\nendif()\nadd_executable(b ${{FILES}})\n", ON_DEMAND),
         switched("add_definitions(-DON_ROS)", "#ifdef ON_ROS\n{}#endif\n"),
         switched("add_compile_definitions(ON_ROS=1)", "#if defined(ON_ROS)\n{}#endif\n"),
         switched(

@@ -81,7 +81,7 @@ def compiled_on_demand(cmake: CMake, sources: Iterable[CppFile]) -> set[str]:
     """Return the files that are compiled under a condition alone, such as an option that is off by default."""
     known, _ = sources_by_use(cmake, sources)
     always = known.certain | known.certain_tests
-    return (known.own | known.tests) - always if known.is_known else set()
+    return (known.own | known.tests) - always
 
 
 def as_built(role: Role) -> Role:

@@ -34,6 +34,8 @@ GENERATED = regex(r"[a-z][a-z0-9_]*/(?:msg|srv|action)/[a-z0-9_]+\.hpp")
 """A header that rosidl makes of an interface, behind the name of its package."""
 PACKAGE, QUALIFIER = regex(r"[a-z][a-z0-9_]*"), regex(r"[\w:]")
 
+OF_SYSTEM = frozenset("sys linux net netinet arpa asm bits rpc mach".split())
+"""Folders of the C library and of kernels; a package that brings a port to another system may have one of them, too."""
 OF_CLIENT_LIBRARIES = frozenset(
     "action_msgs builtin_interfaces composition_interfaces lifecycle_msgs rcl_interfaces rosgraph_msgs service_msgs "
     "statistics_msgs type_description_interfaces unique_identifier_msgs".split()
@@ -188,6 +190,8 @@ class IncludeDependencies:
     def providers(self, header: str) -> tuple[tuple[str, ...], str]:
         """Return the providers of a header, and its name in CMake; no providers where they are unknown."""
         folder = header.partition("/")[0]
+        if folder in OF_SYSTEM:
+            return (), folder
         if folder in LIBRARIES:
             is_fetched = is_named_among(folder, self.fetched)
             return () if is_fetched else self.find_packages.providers(LIBRARIES[folder]), LIBRARIES[folder]
