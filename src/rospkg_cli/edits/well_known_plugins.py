@@ -31,12 +31,12 @@ def well_known(every: Sequence[WrongPlugin]) -> Hit:
     hint = f"; {now} `{wrong.better}`" + (" now" if wrong.is_removed else "") if wrong.better else ""
     if not wrong.is_removed and not wrong.better:
         of = SEPARATOR.split(use.name)[0]
-        message = f"`{of}` has no plugin `{use.name}` in any distribution: what loads it stops, unless another package"
+        message = f"`{of}` has no plugin `{use.name}` in any distribution: loading it fails, unless another package"
         places = tuple(Related(each.user.at(each.use.path), each.use.span, "here too") for each in others)
         return Hit(path, use.span, f"{message} describes one of this name", Severity.INFO, places)
     names = {each.use.name for each in others} - {use.name}
     alike = f" (so with {in_ticks(sorted(names))})" if names else ""
-    message = f"no plugin is called `{use.name}`{more}: what loads it stops{hint}{alike}"
+    message = f"no plugin is called `{use.name}`{more}: loading it fails{hint}{alike}"
     places = tuple(Related(each.user.at(each.use.path), each.use.span, "here too") for each in others)
     better = {each.wrong.better for each in every}
     edits = tuple(Edit(each.user.at(each.use.path), each.use.span, each.wrong.better or "") for each in every)

@@ -106,9 +106,9 @@ def at_use(unknown: UnknownPlugin, others: Iterable[UnknownPlugin]) -> Hit:
     places = tuple(Related(*place, "here too") for place in again)
     if meant is None:
         known = ", ".join(f"`{plugin.name}`" for plugin in owner.plugins[:5])
-        message = f"`{owner.name}` describes no plugin `{use.name}`: what loads it stops; it has {known}"
+        message = f"`{owner.name}` describes no plugin `{use.name}`: loading it fails; it has {known}"
         return Hit(path, use.span, message, related=places)
-    message = f"no plugin is called `{use.name}`: what loads it stops; write `{meant.name}`, as `{owner.name}` has it"
+    message = f"no plugin is called `{use.name}`: loading it fails; write `{meant.name}`, as `{owner.name}` has it"
     related = (Related(owner.at(meant.path), meant.span, "described here"), *places)
     edits = tuple(Edit(*place, meant.name) for place in ((path, use.span), *again))
     fix = Fix(f"write `{meant.name}`", edits, Safety.UNSAFE)
