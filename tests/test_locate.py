@@ -129,11 +129,13 @@ def test_repositories(workspace: Path) -> None:
 
 
 def test_plain_projects_are_named(workspace: Path) -> None:
-    """One in a package, in another project, or around packages is none, and so is one that colcon is told to ignore."""
+    """One in a package, in another project, or around packages is none; nor is one of ament, or one with a marker."""
     lists = ("src", "src/a", "src/a/deep", "src/group/lib", "src/group/lib/deep", "src/hidden/lib", "src/unnamed/deep")
     for folder in lists:
         (workspace / folder).mkdir(parents=True, exist_ok=True)
         (workspace / folder / "CMakeLists.txt").write_text(f'PROJECT("{folder.replace("/", "-")}" CXX)\n')
+    (workspace / "src/lost").mkdir()
+    (workspace / "src/lost/CMakeLists.txt").write_text("project(lost)\nfind_package(ament_cmake_auto REQUIRED)\n")
     (workspace / "src/unnamed/CMakeLists.txt").write_text("project(${NAME})\n")
     own, deep = ("src-group-lib", "src/group/lib"), ("src-unnamed-deep", "src/unnamed/deep")
     assert locate([workspace]).scope.cmake_projects == (own, deep)

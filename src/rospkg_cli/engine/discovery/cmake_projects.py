@@ -13,6 +13,8 @@ from ...tree import Tree
 
 LIST = "CMakeLists.txt"
 PROJECT = regex(rb"^[ \t]*project[ \t]*\(\s*\"?([\w.+-]+)[\s\")]", re.MULTILINE | re.IGNORECASE)
+OF_ROS = regex(rb"\b(?:ament|catkin)(?:_\w+)?\b")
+"""A project that uses these has a package.xml, or is given one before the build: it is none of plain CMake."""
 MAX_READ = 200
 """Files that are read: a large library that was copied in has thousands, and colcon looks into no project."""
 
@@ -29,8 +31,10 @@ def cmake_projects(
     last: Path | None = None
     for folder in [each for each in sorted(set(folders)) if each not in above][:MAX_READ]:
         is_part = last is not None and folder.is_relative_to(last)
-        if not is_part and (named := PROJECT.search(read(folder / LIST))):
+        text = b"" if is_part else read(folder / LIST)
+        if named := PROJECT.search(text):
             last = folder
+        if named and not OF_ROS.search(text):
             found.setdefault(named[1].decode("utf-8", "replace"), folder)
     return tuple((name, Path(os.path.relpath(found[name], root)).as_posix()) for name in sorted(found))
 
