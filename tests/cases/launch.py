@@ -38,6 +38,32 @@ def generate_launch_description():
 """
 
 
+GIVEN = """\
+from launch import LaunchDescription
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    there = PathJoinSubstitution([FindPackageShare('my_pkg'), 'config', 'a.yaml'])
+    missing = PathJoinSubstitution([FindPackageShare('my_pkg'), 'config', 'b.yaml'])
+    return LaunchDescription([Node(package='my_pkg', executable='talker', parameters=[{}])])
+"""
+GIVEN_FILES = (
+    "there, missing",
+    "missing, {'rate': 2.0}",
+    "missing, missing",
+    "missing, LaunchConfiguration('more')",
+    "there]), Node(package='my_pkg', executable='listener', parameters=[missing",
+)
+
+
+def with_file(text: str) -> Example:
+    """A package with one parameter file."""
+    return Example(bad={"package.xml": lch013.NEEDED, "config/a.yaml": "a: 1\n", LAUNCH: text}, good={})
+
+
 def elsewhere(package: str, plugin: str) -> Example:
     """Two packages: the launch file of one asks for a component that is in the other, or in none."""
     other = {f"other/{path}": text for path, text in lch011.FILES.items() if not path.startswith("launch")}
@@ -103,7 +129,10 @@ MODULES = (
 
 
 CASES = {
-    "LCH003": (Example(bad={"package.xml": lch013.NEEDED, "config/a.yaml": "a: 1\n", LAUNCH: NO_SLASH}, good={}),),
+    "LCH003": (
+        with_file(NO_SLASH),
+        *(with_file(GIVEN.format(each)) for each in GIVEN_FILES),
+    ),
     "LCH001": (python(IN_COMMENTS),),
     "LCH008": (
         python(NOT_ADDED),

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.argument_defaults import literal_defaults
-from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launch_file import LaunchedNode, LaunchFile
 from ...package.launch.text import LaunchText, Substitution
 from ...source import Span
 from ..fault import Fault
@@ -47,9 +47,15 @@ def relative_parameter_files(scope: LaunchContext) -> Iterator[RelativeParameter
 
 def given_files(file: LaunchFile) -> Iterator[tuple[LaunchText, bool]]:
     """Yield the files among the parameters of nodes, and whether each is the default of an argument."""
+    for node in file.nodes:
+        yield from files_of(file, node)
+
+
+def files_of(file: LaunchFile, node: LaunchedNode) -> Iterator[tuple[LaunchText, bool]]:
+    """Yield those of one node."""
     known = literal_defaults(file.arguments, file.assigned)
     defaults = {each.name.literal: each.default for each in file.arguments if each.name.literal in known}
-    for given in (each for node in file.nodes for each in node.parameters):
+    for given in node.parameters:
         match given.file.parts if given.file else ():
             case (Substitution(name="var", arguments=(name, *inline)),):
                 default = defaults.get(name.literal)
@@ -86,3 +92,14 @@ def is_for_nodes(scope: LaunchContext, missing: MissingReference) -> bool:
     texts = [text.span for text, _ in given_files(scope.file)]
     spans = (missing.span, *missing.other_spans)
     return all(any(text.contains(span) for text in texts) for span in spans)
+
+
+def has_others_beside(scope: LaunchContext, missing: MissingReference) -> bool:
+    """Return whether a node is given more parameter files than a missing one: others set what they hold."""
+    spans = (missing.span, *missing.other_spans)
+    for node in scope.file.nodes:
+        given = {each.file.span for each in node.parameters if each.file is not None}
+        lost = {text.span for text, _ in files_of(scope.file, node) if any(map(text.span.contains, spans))}
+        if lost and len(given) > len(lost):
+            return True
+    return False

@@ -82,7 +82,7 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
 
     ## Why is this bad?
     The build is green, and the launch stops at an included file that can't be opened, and at one that it opens itself
-    or gives to xacro. All others are warnings: a node whose parameter file is missing starts with its defaults
+    or gives to xacro. All others are warnings: a node whose parameter file is missing starts without what it sets
     ("Parameter file path is not a file"), RViz with its default view, a camera without its calibration
     (`camera_info_url`).
 
