@@ -101,8 +101,8 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     of a `.urdf` that only another package may open, perhaps without xacro. It is an info in a robot that no file of the
     workspace opens (none of the package names it, in code or in a command of a page, and no other that names the
     package) or that lies in a folder such as `old/`, and in a macro that nothing here calls. The default of an argument
-    is an info where nothing reads the argument, or where each launch file that opens the robot gives another value.
-    A path without a scheme is one where no launch file opens the robot: KDL and MuJoCo may be all that reads it.
+    is an info where nothing reads the argument, or where each launch file that opens the robot gives another value. A
+    path without a scheme is one where no launch file opens the robot.
     """
     for each in scope.missing():
         again = tuple(Related(scope.robot.path, other.span, also(each, other)) for other in each.others)
