@@ -82,3 +82,27 @@ def test_commands_that_link_what_they_make() -> None:
     test = "find_package(ament_cmake_gtest REQUIRED)\nament_add_gtest(node src/node.cpp)\n"
     assert lint(test + WORD) == [(ERROR, "leave out the keyword, as `ament_add_gtest` takes none", False)]
     assert lint(NODE + "rosidl_target_interfaces(node my_pkg cpp)\n" + WORD)[0][0] is ERROR
+
+
+IN_TARGET = f"{PLAIN}if(TARGET plugins)\n{WORD}endif()\n"
+
+
+@pytest.mark.parametrize(
+    "lines, levels",
+    [
+        (f"if(EXISTS ${{CMAKE_CURRENT_SOURCE_DIR}}/plugins)\n{{}}endif()\n{IN_TARGET}", []),
+        (f"if(EXISTS ${{CMAKE_CURRENT_SOURCE_DIR}}/src)\n{{}}endif()\n{IN_TARGET}", [ERROR]),
+        (f"if(EXISTS ${{CMAKE_CURRENT_SOURCE_DIR}}/plugins)\nelse()\n{{}}endif()\n{IN_TARGET}", [ERROR]),
+        (f"if(WITH_PLUGINS)\n{{}}endif()\n{IN_TARGET}", [WARNING]),
+        (f"if(FALSE)\n{{}}endif()\n{IN_TARGET}".replace("TARGET plugins", "TARGET plugins AND WITH_MORE"), []),
+        (f"if(FALSE)\n{{}}endif()\n{IN_TARGET}".replace("TARGET plugins", "TARGET plugins OR WITH_MORE"), [WARNING]),
+        (f"if(FALSE)\n{{}}endif()\n{IN_TARGET}".replace("TARGET", "NOT TARGET"), [WARNING]),
+        (f"if(FALSE)\n{{}}else()\n  find_package(Plugins)\nendif()\n{IN_TARGET}", [WARNING]),
+        (f"if(FALSE)\n{{}}endif()\ninclude(${{team_DIR}}/plugins.cmake)\n{IN_TARGET}", [WARNING]),
+        (f"if(FALSE)\n{{}}endif()\nteam_plugins(fast)\n{IN_TARGET}", [WARNING]),
+        (IN_TARGET, [WARNING]),
+    ],
+)
+def test_a_branch_for_a_target(lines: str, levels: list[Severity]) -> None:
+    made = lines.replace("{}", "  add_library(plugins SHARED src/node.cpp)\n")
+    assert [level for level, _, _ in lint(NODE + made)] == levels

@@ -13,6 +13,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.workspace import Workspace
 from ...ros.link_targets import link_targets
 from .ament_target_dependencies import KEYWORDS, LINK_KEYWORDS, LINK_PLAINLY, REMOVED
+from .unmade_targets import UnmadeTargets
 
 AUTOMATIC = ("ament_auto_add_gtest", "ament_auto_add_library", "ament_auto_add_executable")
 """Commands that link what `ament_auto_find_build_dependencies` found."""
@@ -69,9 +70,10 @@ class LinkSignatures:
         return not one.call.function and not other.call.function and first[:shorter] == second[:shorter]
 
     def links(self) -> Iterator[SignedLink]:
+        unmade = UnmadeTargets(self.package.cmake)
         for call in self.package.cmake.named(*LINKING):
             word = call.first
-            if word is not None and word.is_known and not word.maybe:
+            if word is not None and word.is_known and not word.maybe and not unmade.silence(call):
                 has_keyword = self.has_keyword(call)
                 if has_keyword is not None:
                     yield SignedLink(word.text, call, has_keyword)

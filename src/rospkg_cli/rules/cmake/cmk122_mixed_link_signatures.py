@@ -71,8 +71,9 @@ def mixed_link_signatures(signatures: LinkSignatures) -> Iterator[Hit]:
     CMake stops: "All uses of target_link_libraries with a target must be either all-keyword or all-plain."
 
     ## When it is quiet
-    In branches that exclude each other, where the libraries of one call can't be evaluated or there are none, and for
-    `ament_target_dependencies()` with packages of which it is unknown whether they bring targets.
+    In branches that exclude each other, in those for a target (`if(TARGET plugins)`) that is only made in a branch that
+    is never taken, as for a file that is not there, where the libraries of one call can't be evaluated or there are
+    none, and for `ament_target_dependencies()` with packages of which it is unknown whether they bring targets.
 
     ## Fix safety
     `PUBLIC` means what a call without a keyword means.
