@@ -22,11 +22,21 @@ class MisplacedLibrary:
     needed_by: TargetUse
 
     @property
+    def fault(self) -> str:
+        return f"the library `{self.word.text}` is installed into `{self.place}`, where no loader looks"
+
+    @property
+    def idle_sentence(self) -> str:
+        """What is said where no program may need the library that is linked with it."""
+        return (
+            f"{self.fault}: `{self.needed_by.name}`, which is linked with it, includes none of its headers; use `lib`"
+        )
+
+    @property
     def sentence(self) -> str:
         is_component = self.needed_by.user == "component"
         user = "the component `{}`" if is_component else "`{}`, which is linked with it,"
-        fault = f"the library `{self.word.text}` is installed into `{self.place}`, where no loader looks"
-        return f'{fault}: {user.format(self.needed_by.name)} ends with "cannot open shared object"; use `lib`'
+        return f'{self.fault}: {user.format(self.needed_by.name)} ends with "cannot open shared object"; use `lib`'
 
 
 @dataclass(frozen=True)

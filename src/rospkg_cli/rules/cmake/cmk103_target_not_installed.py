@@ -10,6 +10,7 @@ from ...checks.cmake.misplaced_libraries import MisplacedLibraries
 from ...checks.cmake.node_programs import NodePrograms
 from ...checks.cmake.target_references import TargetReferences
 from ...checks.cmake.uninstalled_sentences import said_twice, uninstalled
+from ...checks.cpp.dropped_links import DroppedLinks
 from ...edits.cmake_install import install_executable, install_library
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example
@@ -55,12 +56,12 @@ def cmake(lines: str) -> str:
 @rule(
     "CMK103",
     "target-not-installed",
-    over=CMakePackage,
+    over=DroppedLinks,
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "an exported target needs it: CMake stops",
         Severity.INFO: "an executable is no node: its sources leave ROS alone, and nothing starts it by `ros2 run`; or "
-        "a comment has its `install()`",
+        "a comment has its `install()`; or what is linked with a library in another folder includes no header of it",
     },
     examples=(
         Example(
@@ -77,7 +78,7 @@ def cmake(lines: str) -> str:
         ),
     ),
 )
-def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
+def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
     """
     ## What it does
     Finds executables, and shared libraries needed at run time, that are built and not installed.
@@ -93,8 +94,10 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
     ## When it is quiet
     Where an install rule can't be evaluated or runs code. For executables that a test or another command uses, and in
     folders of tests, benchmarks, examples or third parties. For static libraries, with EXCLUDE_FROM_ALL, and for what
-    is linked where the RPATH of what is installed names the build folder.
+    is linked where the RPATH of what is installed names the build folder. A library in another folder is an info where
+    what is linked with it includes no header of it: the linker leaves it out (`--as-needed`).
     """
+    package = dropped.package
     if not package.is_ament:
         return
     misspelt = {each.word.text for each in TargetReferences(package.cmake).broken() if each.call.name == "install"}
@@ -111,7 +114,10 @@ def target_not_installed(package: CMakePackage) -> Iterator[Hit]:
         if each.target.name not in told:
             related = (Related(each.first.path, each.first.span, "it stands here first"),)
             yield Hit(each.word.path, each.word.span, said_twice(each), related=related)
-    yield from (Hit(each.word.path, each.word.span, each.sentence) for each in MisplacedLibraries(package.cmake).all())
+    for misplaced in MisplacedLibraries(package.cmake).all():
+        idle, word = dropped.has(misplaced), misplaced.word
+        text = misplaced.idle_sentence if idle else misplaced.sentence
+        yield Hit(word.path, word.span, text, Severity.INFO if idle else None)
 
 
 def is_left_out(programs: NodePrograms, target: Target) -> bool:
