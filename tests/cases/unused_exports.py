@@ -70,6 +70,7 @@ CASES = {
         package(SET + HEADERS + "target_compile_definitions(core PRIVATE BT_PLUGIN_EXPORT)\n"),
         package(SET + HEADERS + DESCRIBES, DESCRIBED),
         package(SET + HEADERS, DESCRIBED),
+        package(SET + HEADERS + DESCRIBES, DESCRIBED | {"plugins.xml": "<library></class>\n"}),
         package(SET + HEADERS + BASE.format("src/base.cpp"), NODES),
         beside_user(package(SET + HEADERS, NODES)),
         beside_user(package(SET)),

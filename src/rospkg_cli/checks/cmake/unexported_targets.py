@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
+from typing import Annotated
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.targets import Target
@@ -15,6 +16,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.cmake.needed_files import PARAMETERS
 from ...package.plugins.description import PluginDescription
+from ...unreadable import READABLE
 from .missing_export_dependencies import REGISTERS
 from .target_references import EXPORTS, TargetReferences
 
@@ -42,7 +44,7 @@ class UnexportedSet:
 class UnexportedTargets:
     package: CMakePackage
     sources: tuple[CppFile, ...]
-    descriptions: tuple[PluginDescription, ...]
+    descriptions: Annotated[tuple[PluginDescription, ...], READABLE]
 
     def all(self) -> Iterator[UnexportedSet]:
         """Yield each set with a library that others may link, once; nothing where any command may hand it on."""
