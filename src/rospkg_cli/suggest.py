@@ -14,6 +14,9 @@ LONGEST = 200
 ALIKE = 0.75
 """The share of letters in common from which two names are alike."""
 
+MARGIN = 0.05
+"""Of that share, within which one name is as near as another."""
+
 WORDS = regex(r"[^A-Za-z0-9]")
 SLIP = 4
 """Letters of a word from which another one is a slip of it."""
@@ -168,6 +171,21 @@ def is_alike(word: str, letters: Mapping[str, int], name: str) -> bool:
     from difflib import SequenceMatcher
 
     return SequenceMatcher(None, word, name).ratio() >= ALIKE
+
+
+def as_near(word: str, near: str, names: Iterable[str]) -> list[str]:
+    """Return the names that are about as near to a word as the nearest one, and this; one of few edits has no rival."""
+    if near_names(word, [near]):
+        return [near]
+    from difflib import SequenceMatcher
+
+    shares = {}
+    for name in {near, *names} - {word}:
+        Effort.left -= MATCHER_STEPS + len(word) * len(name)
+        if Effort.left < 0:
+            return [near]
+        shares[name] = SequenceMatcher(None, word, name).ratio()
+    return sorted(name for name, share in shares.items() if share >= shares[near] - MARGIN)
 
 
 def did_you_mean(word: str, names: Iterable[str]) -> str:

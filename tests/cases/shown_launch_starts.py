@@ -218,6 +218,23 @@ UNKNOWN_INSIDE = Example(
 LEFT_OVER = Example(bad={**lch015.FILES, "launch/robot.launch.xml": lch015.GIVEN.replace("«ratee»", "world")}, good={})
 
 
+OTHERS = (
+    ("config_mpc_fname",),
+    ("config_mpc_fname", "config_robot_fname"),
+    ("config_mpc_fname", "config_robot_fname", "config_arm_fname", "config_leg_fname"),
+    ("config_mpc_fname", "config_robot_fname", "config_torso_fname", "config_sound_fname"),
+    ("config_file_names", "config_robot_fname"),
+)
+
+
+def beside_others(declared: tuple[str, ...]) -> Example:
+    """An argument that is given under another name, near to some that are declared."""
+    lines = "".join(f'  <arg name="{each}" default="a"/><let name="a" value="$(var {each})"/>\n' for each in declared)
+    given = lch015.GIVEN.replace("«ratee»", "config_file_name")
+    arm = lch015.ARM.replace("</launch>", f"{lines}</launch>")
+    return Example(bad={**lch015.FILES, "launch/arm.launch.xml": arm, "launch/robot.launch.xml": given}, good={})
+
+
 def beside_a_macro(*names: str) -> Example:
     """A CMake package whose programs and files are not all known: what is named is a slip, or may be there."""
     lines = "".join(f'  <node pkg="my_pkg" exec="{name}"/>\n' for name in names)
@@ -258,7 +275,7 @@ CASES = {
         looked_up("    context.launch_configurations.update(unknown)\n"),
     ),
     "LCH014": (SINGLE,),
-    "LCH015": (PATHS, UNKNOWN_INSIDE, LEFT_OVER),
+    "LCH015": (PATHS, UNKNOWN_INSIDE, LEFT_OVER, *map(beside_others, OTHERS)),
     "LCH018": (
         ACTIONS,
         unused("node = Node(package='my_pkg', executable='e')", "more = Node(package='my_pkg', executable=first)"),

@@ -12,7 +12,7 @@ from ...package.launch.launch_file import Include
 from ...package.launch.launch_signature import LaunchSignature
 from ...ros.known_launch_files import known_arguments
 from ...source import Span
-from ...suggest import near_names, nearest
+from ...suggest import as_near, near_names, nearest
 from .missing_references import LaunchContext, MissingReference
 
 SHORTEST = 5
@@ -32,6 +32,8 @@ class ArgumentMismatch:
     """The argument that is meant; of a missing one, the misspelt one that is given."""
     is_sure: bool = True
     """Whether nothing that the file includes may take it."""
+    rivals: tuple[str, ...] = ()
+    """Other arguments that are about as near as the suggestion."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +92,8 @@ class IncludeContext:
                 if near in lacking:
                     instead[near] = argument
                 elif is_all or near:
-                    yield ArgumentMismatch(text.span, name, package, argument, False, near, is_all)
+                    rivals = rivals_of(argument, near, free)
+                    yield ArgumentMismatch(text.span, name, package, argument, False, near, is_all, rivals)
         for argument in sorted(lacking):
             wrong = instead.get(argument)
             yield ArgumentMismatch(given[wrong].span if wrong else include.span, name, package, argument, True, wrong)
@@ -101,3 +104,8 @@ def mistyped(word: str, names: Collection[str]) -> str | None:
     near = [name for name in near_names(word, names, 1) if min(len(word), len(name)) >= SHORTEST]
     near = [name for name in near if DIGITS.sub("", name) != DIGITS.sub("", word)]
     return near[0] if len(near) == 1 else None
+
+
+def rivals_of(word: str, near: str | None, names: Collection[str]) -> tuple[str, ...]:
+    """Return the other names that are about as near to a word as the one that is suggested."""
+    return tuple(each for each in as_near(word, near, names) if each != near) if near else ()

@@ -29,6 +29,8 @@ LACKS = """\
   <«include» file="$(find-pkg-share my_pkg)/launch/arm.launch.xml"/>
 </launch>
 """
+MOST = 3
+"""How many names a hint offers; where more are as near, none."""
 FILES = {
     "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"),
     "launch/arm.launch.xml": ARM,
@@ -87,5 +89,7 @@ def message(mismatch: ArgumentMismatch) -> str:
             f"`{mismatch.file}`{of} declares `{mismatch.suggestion}`, and no `{mismatch.argument}`: unless a file that "
             f"it includes takes that, it has no effect; did you mean `{mismatch.suggestion}`?"
         )
-    hint = f"did you mean `{mismatch.suggestion}`?" if mismatch.suggestion else "remove it, or declare it there"
+    meant = " or ".join(f"`{each}`" for each in (mismatch.suggestion, *mismatch.rivals))
+    is_clear = mismatch.suggestion and len(mismatch.rivals) < MOST
+    hint = f"did you mean {meant}?" if is_clear else "remove it, or declare it there"
     return f"`{mismatch.file}`{of} takes no argument `{mismatch.argument}`: it has no effect; {hint}"
