@@ -51,6 +51,13 @@ CASES = {
             }
         ),
         python({"CMakeLists.txt": f"link_directories(\n  «{HOME}/lib»)\nadd_executable(a {HOME}/src/a.cpp)\n"}),
+        python(
+            {
+                "my_pkg/talker.py": "a = 1  # open('/home/ada/a.txt')\n'''\nopen('/home/ada/b.txt')\n'''\n"
+                "if a:\n    \"see '/home/ada/c.txt'\"\n    open('«/home/ada/d.txt»')\n",
+                "config/a.yaml": "a: 1 # '/home/ada/e.txt'\n",
+            }
+        ),
         python({"cad/draw.py": "save('«/home/ada/ws/src/my_pkg/data/people.txt»')\n", **FILES}),
         python({"rviz/a.rviz": "a:\n  File: «/home/ada/ws/src/my_pkg/data/people.txt»\n", **FILES}),
         python({"my_pkg/talker.py": f"import sys\nsys.path.append('«{HOME}/lib»')\nopen('/home/ada/a.txt')\n"}),

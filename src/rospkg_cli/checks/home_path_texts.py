@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import re
+from itertools import accumulate
+from tokenize import COMMENT, DEDENT, INDENT, NEWLINE, NL, STRING, TokenError, generate_tokens
 
 from ..lazy_regex import regex
 
@@ -20,6 +23,10 @@ IN_CMAKE = regex(rf"(?<![\w./-])(?<!DESTINATION )(?P<path>{PATH})(?![\w*$])")
 COMMENTS = {CPP: regex(r"(?s)/\*.*?\*/|//[^\n]*"), MARKUP: regex(r"(?s)<!--.*?-->")}
 IS_SOUGHT = regex(r"\bsys\.path\b(?:[^\n]*|[^)\]]*)\Z|\blink_directories\s*\([^)]*\Z")
 """Whether what follows is one of the places for modules, or for libraries."""
+OPENING = (NEWLINE, INDENT, DEDENT)
+"""What a statement follows."""
+AFTER_HASH = regex(r"(?m)(?:^|(?<=\s))#[^\n]*")
+BUT_LINES = regex(r"[^\n]")
 ASKS = regex(r"\b(?:exists|isfile|is_file|isdir|is_dir|access)\(")
 
 
@@ -48,5 +55,24 @@ def without_comments(path: str, text: str) -> str:
     for suffixes, pattern in COMMENTS.items():
         if path.endswith(suffixes):
             return pattern.sub(lambda match: " " * len(match[0]), text)
-    lines = (line if not line.lstrip().startswith("#") else " " * len(line) for line in text.split("\n"))
-    return "\n".join(lines)
+    if path.endswith(".py"):
+        return without_remarks(text)
+    return AFTER_HASH.sub(lambda match: " " * len(match[0]), text)
+
+
+def without_remarks(text: str) -> str:
+    """Return Python code without its comments, and without strings that stand alone: code that is switched off."""
+    lines = text.splitlines(keepends=True)
+    starts = [0, *accumulate(map(len, lines))]
+    try:
+        tokens = list(generate_tokens(io.StringIO(text).readline))
+    except (TokenError, SyntaxError):
+        return AFTER_HASH.sub(lambda match: " " * len(match[0]), text)
+    before = NEWLINE
+    for token in tokens:
+        is_alone = token.type == STRING and before in OPENING
+        if token.type == COMMENT or is_alone:
+            start, end = (starts[row - 1] + column for row, column in (token.start, token.end))
+            text = text[:start] + BUT_LINES.sub(" ", text[start:end]) + text[end:]
+        before = before if token.type in (COMMENT, NL) else token.type
+    return text
