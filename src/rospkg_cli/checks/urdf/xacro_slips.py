@@ -9,7 +9,8 @@ from ...languages.xml.parser import Element
 from ...lazy_regex import regex
 from ...package.urdf.expansion.macros import MacroParameter, parameters_of
 from ...source import Span
-from ..fault import Fault
+from ..fault import Fault, softer
+from .element_checks import JOINT_NUMBERS
 
 SURPLUS = regex(r"\$\{[^{}]*\}\}")
 """An expression with a brace behind it that closes nothing."""
@@ -67,9 +68,18 @@ def unread_names(root: Element) -> Iterator[Fault]:
     names = ({"pi"} | arguments | properties) - parameters
     for element in root.walk():
         if not NOT_READ & {element.tag, *element.attributes}:
-            values = [(each.value, each.value_span) for each in element.attributes.values()]
-            for value, span in (*values, (element.text, element.inner)):
-                yield from unread_name(value, span, names, arguments - properties)
+            values = [(each.value, each.value_span, is_number_of(element, name))
+                      for name, each in element.attributes.items()]  # fmt: skip
+            for value, span, is_read in (*values, (element.text, element.inner, True)):
+                for fault in unread_name(value, span, names, arguments - properties):
+                    yield fault if is_read else softer(fault, "info", "but nothing reads it there")
+
+
+def is_number_of(element: Element, name: str) -> bool:
+    """Return whether urdfdom may read an attribute: of parts of a joint it is known which it does."""
+    if element.tag == "mimic" and name == "joint":
+        return True
+    return element.tag not in JOINT_NUMBERS or any(name in names for names in JOINT_NUMBERS[element.tag])
 
 
 def macro_parameters(element: Element) -> Iterator[MacroParameter]:
