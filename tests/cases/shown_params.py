@@ -205,6 +205,11 @@ CASES = {
         talker("rate: 5", given="    x: 1\n    y: 2\n"),
     ),
     "PRM007": (
+        *(Example(on="ament_cmake", good={}, bad={
+            "src/a.cpp": "int main() {return 0;}\n",
+            "src/b.cpp": TALKER.replace("MORE", '    get_parameter("verbos");\n'),
+            "CMakeLists.txt": CMAKE.replace("ament_package", f"add_executable(a {file})\nament_package"),
+        }) for file in ("src/a.cpp", "src/b.cpp")),
         config("controller_server:\n  ros__parameters:\n    goal_checker_plugin: x\n    use_sim_tme: true\n"),
         *(talker(line) for line in ("ratee: 5.0", "rat: 5", "rate: 5.0\n    ratee: 5.0", "gians: 1.0", "gians: [1.0]",
                  "nothing: 1",

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
 from ...package.params.parameter_file import Parameter, ParameterFile
+from ..depends.compiled_sources import HEADERS, own_compiled
 from .declaring_packages import ParameterContext
 from .forgotten_declarations import ForgottenDeclarations
 from .joint_limits import JointLimits, MistypedLimit
@@ -23,6 +25,7 @@ class UnknownParameters:
 
     given: ParameterContext
     reads: ParameterReads
+    cmake: CMake | None
     forgotten: ForgottenDeclarations
     launched: LaunchedNames
     known: KnownNodes
@@ -30,9 +33,12 @@ class UnknownParameters:
     joints: JointLimits
 
     def unknown_reads(self) -> list[UnknownRead]:
-        """Return what code gets and nothing declares, each place once."""
+        """Return what code that is compiled, or Python, gets and nothing declares, each place once."""
         found = [*self.reads.in_cpp(), *self.reads.in_python()]
-        return [*found, *self.forgotten.all({(each.path, each.span.start) for each in found})]
+        found += self.forgotten.all({(each.path, each.span.start) for each in found})
+        compiled = own_compiled(self.cmake, self.reads.cpp) if self.cmake is not None else None
+        sources = {file.path for file in self.reads.cpp if not file.path.endswith(HEADERS)}
+        return [each for each in found if compiled is None or each.path not in sources - compiled]
 
     def repeated_reads(self) -> list[RepeatedRead]:
         """Return what is got twice, the second time in the place of what no code gets."""
