@@ -35,6 +35,12 @@ STRAIGHT = (
     "def main():\n    Talker()\n    print(modes)\n\n\nclass Talker:\n    def __init__(self):\n        while True:\n"
     "            print(mode)\n",
     "def main():\n    while True:\n        print('a')\n    print(modes)\n",
+    "def main(): ...\n\n\ndef draw():\n    corners()\n\n\ndef corners():\n    print(modes)\n",
+    "class Talker:\n    def say(self):\n        print(modes)\n\n\ndef main(): ...\n",
+    "from threading import Thread\n\n\nclass Talker(Thread):\n    def run(self):\n        print(modes)\n\n\n"
+    "def main():\n    Talker().start()\n",
+    "class Talker:\n    def say(self):\n        self._say()\n\n    def _say(self):\n        print(modes)\n\n"
+    "    def _tell(self, mode: Mood):\n        print(moods)\n\n\ndef main():\n    getattr(Talker(), 'say')()\n",
     "class Talker:\n    CENTER = 5\n\n    def __init__(self):\n        self.mode = CENTER\n        say(mode)\n\n"
     "    def say(self): ...\n\n    @staticmethod\n    def still():\n        print(CENTER)\n\n\n"
     "def main():\n    Talker()\n",

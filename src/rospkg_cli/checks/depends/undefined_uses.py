@@ -20,6 +20,7 @@ from ...source import Span
 from ..installed_modules import InstalledModules
 from ..interfaces.uncalled_methods import UncalledMethods
 from ..module_attributes import AbsentAttribute, absent_attributes
+from ..reached_definitions import ReachedDefinitions
 from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
 
@@ -61,6 +62,7 @@ class UndefinedUses:
     installed: InstalledModules
     reached: ReachedModules
     uncalled: UncalledMethods
+    definitions: ReachedDefinitions
 
     @property
     def files(self) -> Iterator[tuple[Role, PythonFile]]:
@@ -129,7 +131,7 @@ class UndefinedUses:
     def is_idle(self, file: PythonFile, span: Span) -> bool:
         """Return whether nothing in the package leads to a place."""
         is_left = self.reached.is_left(file.path) or self.uncalled.has(file.path, span)
-        return is_left or self.is_in_idle_function(file, span)
+        return is_left or not self.definitions.leads_to(file, span) or self.is_in_idle_function(file, span)
 
     def certain_spans(self, file: PythonFile) -> frozenset[Span]:
         """Return where the names stand that a program or a module reads whenever it is started or imported."""

@@ -10,10 +10,10 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import FunctionNode, nodes_of, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...source import Span
+from ..logged_texts import logged_texts
 from ..run_imports import RunImports
 
 NODES = frozenset({"Node", "node.Node", "rclpy.node.Node", "LifecycleNode", "lifecycle.LifecycleNode"})
-LOGS = frozenset("print debug info warn warning error fatal critical exception".split())
 FOR_ROS = frozenset({"destroy_node"})
 """Methods that rclpy calls by itself, with those of a life cycle (`on_configure`)."""
 
@@ -48,18 +48,10 @@ def may_be_called_unseen(method: FunctionNode) -> bool:
 
 
 def names_in(file: PythonFile) -> Iterator[str]:
-    logged = {id(each) for call in nodes_of_kind(file.tree, ast.Call) if is_log(call) for each in nodes_of(call)}
+    logged = logged_texts(file)
     for node in nodes_of(file.tree):
         match node:
             case ast.Attribute(attr=name) | ast.Name(id=name):
                 yield name
             case ast.Constant(value=str(name)) if id(node) not in logged:
                 yield name
-
-
-def is_log(call: ast.Call) -> bool:
-    """Return whether a call says something: `self.get_logger().info(…)`, `print(…)`."""
-    match call.func:
-        case ast.Attribute(attr=name) | ast.Name(id=name):
-            return name in LOGS
-    return False

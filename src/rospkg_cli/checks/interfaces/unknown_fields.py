@@ -14,6 +14,7 @@ from ...ros.interface_fields import ros1_fields
 from ...ros.interfaces import CONSTANT_NAME, KINDS
 from ...source import Span
 from ...suggest import near_names, nearest
+from ..reached_definitions import ReachedDefinitions
 from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
 from .idle_objects import IdleObjects
@@ -47,6 +48,7 @@ class FieldUses:
     known: KnownInterfaces
     run: RunImports
     reached: ReachedModules | None = None
+    definitions: ReachedDefinitions | None = None
 
     def unknown(self) -> Iterator[UnknownField]:
         """Yield the unknown fields of each file, in the order of its text."""
@@ -67,6 +69,11 @@ class FieldUses:
     def is_uncalled(self, use: UnknownField) -> bool:
         """Return whether a use is in a method that no code of the package names."""
         return self.uncalled.has(use.path, use.span)
+
+    def is_unreached(self, use: UnknownField) -> bool:
+        """Return whether no program of the package leads to the function around a use."""
+        file = self.run.modules.at(use.path)
+        return file is not None and self.definitions is not None and not self.definitions.leads_to(file, use.span)
 
     @cached_property
     def idle(self) -> IdleObjects:

@@ -27,13 +27,16 @@ class Listener(rclpy.node.Node):
 """
 TALKER = "from std_msgs.msg import String\n\n\ndef words():\n    msg = String()\n    msg.{} = 'hello'\n    return msg\n"
 
-LEFT = "; nothing starts or imports this module"
-UNCALLED = "; nothing calls this method"
-IDLE = "; its object is made and never used"
-IN_HANDLER = "; it runs after another exception alone"
-CAUGHT = "; who calls it catches that"
-IN_TEST = "; only a test runs it"
-REPLACED = "; the class is defined again below"
+LEFT, IN_TEST = "; nothing starts or imports this module", "; only a test runs it"
+REASONS = (
+    (FieldUses.is_uncalled, "; nothing calls this method"),
+    (FieldUses.is_unreached, "; nothing here leads to this function"),
+    (FieldUses.is_in_handler, "; it runs after another exception alone"),
+    (FieldUses.is_called_with_care, "; who calls it catches that"),
+    (FieldUses.is_replaced, "; the class is defined again below"),
+    (FieldUses.is_idle, "; its object is made and never used"),
+)
+"""Why a use seldom runs, where that is true of all places."""
 
 
 @rule(
@@ -78,9 +81,9 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     annotations often take for it; for packages outside of the workspace, unless the name is near a field or was one in
     ROS 1; under a condition that is for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A module that no
     entry point and no other file of the package names or imports, beside others that start, is a warning, and so is a
-    method of a node whose name no other code of the package has, or of an object that is bound to a name which nothing
-    reads, unless its construction comes to the method, or of a class that the module defines again further down. So
-    is a use in an `except` branch, in a function whose callers catch what it raises, and in a test.
+    function that no program leads to, a method of an object that is bound to a name which nothing reads, unless its
+    construction comes to it, or of a class that is defined again further down. So is a use in an `except` branch, in
+    a function whose callers catch what it raises, and in a test.
 
     ## Fix safety
     The intended field is a guess.
@@ -99,20 +102,10 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
 
 
 def unrun(uses: FieldUses, places: Sequence[UnknownField]) -> str:
-    """Return why none of some places is run; "" where one may be."""
     if uses.is_left(places[0].path):
         return LEFT
-    if all(map(uses.is_uncalled, places)):
-        return UNCALLED
-    if all(map(uses.is_in_handler, places)):
-        return IN_HANDLER
-    if all(map(uses.is_called_with_care, places)):
-        return CAUGHT
-    if role_of(places[0].path) == "test":
-        return IN_TEST
-    if all(map(uses.is_replaced, places)):
-        return REPLACED
-    return IDLE if all(map(uses.is_idle, places)) else ""
+    why = (text for is_so, text in REASONS if all(is_so(uses, each) for each in places))
+    return next(why, IN_TEST if role_of(places[0].path) == "test" else "")
 
 
 def together(uses: Iterable[UnknownField]) -> Iterable[Sequence[Sequence[UnknownField]]]:
