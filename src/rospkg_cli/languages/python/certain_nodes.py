@@ -10,6 +10,8 @@ from .nodes import children_of, nodes_of, nodes_of_kind
 
 LEAVING = STARTERS | {"exit", "_exit", "fail", "skip"}
 """Calls behind which nothing may run: they don't return before the program ends, or at all."""
+ENDED = "is_shutdown"
+"""What a loop asks that goes on for as long as ROS runs: `while not context.is_shutdown()`."""
 
 Definition = ast.FunctionDef | ast.AsyncFunctionDef
 APART = Definition | ast.Lambda | ast.ExceptHandler
@@ -53,7 +55,7 @@ def is_guard(node: ast.If) -> bool:
 
 
 def endless(tree: ast.Module) -> Iterator[ast.FunctionDef | ast.ClassDef]:
-    """Yield the functions and methods with a loop that never ends, and the classes whose objects begin with one."""
+    """Yield the functions and methods with a loop that lasts, and the classes whose objects begin with one."""
     for each in nodes_of_kind(tree, ast.FunctionDef):
         if any(is_endless(loop) for loop in nodes_of_kind(each, ast.While)):
             yield each
@@ -64,7 +66,23 @@ def endless(tree: ast.Module) -> Iterator[ast.FunctionDef | ast.ClassDef]:
 
 
 def is_endless(loop: ast.While) -> bool:
-    return isinstance(loop.test, ast.Constant) and bool(loop.test.value)
+    """Return whether a loop may last until the program is stopped: `while True`, `while rclpy.ok()`."""
+    return lasts(loop.test)
+
+
+def lasts(test: ast.expr) -> bool:
+    """Return whether a condition holds for good, or for as long as a call says; one that waits for a server ends."""
+    match test:
+        case ast.Constant(value=value):
+            return bool(value)
+        case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name)):
+            return not name.startswith("wait")
+        case ast.UnaryOp(op=ast.Not(), operand=ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name))):
+            return name == ENDED
+        case ast.BoolOp(op=ast.And(), values=values):
+            is_waiting = any("wait" in ast.unparse(each) for each in values)
+            return not is_waiting and any(isinstance(each, ast.Call) and lasts(each) for each in values)
+    return False
 
 
 def straight(body: Iterable[ast.stmt], leaving: Collection[str]) -> Iterator[ast.AST]:
