@@ -9,8 +9,9 @@ from typing import Literal
 
 from ...languages.python.branches import is_under_condition
 from ...languages.python.certain_nodes import certain_nodes
+from ...languages.python.constant_truth import unreached_statements
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.nodes import nodes_of, nodes_of_kind
 from ...languages.python.undefined_names import UndefinedName, is_in_branch, undefined_names
 from ...languages.python.unreached_functions import unreached_functions
 from ...light_dataclasses import dataclass
@@ -87,12 +88,14 @@ class UndefinedUses:
         for role, file in self.files:
             for each in absent_attributes(file, self.local):
                 found = UndefinedName(each.name, each.root, frozenset())
-                yield file, each, self.when_in(role, file, found, self.certain_spans(file))
+                if not is_unreached(file, found.span):
+                    yield file, each, self.when_in(role, file, found, self.certain_spans(file))
 
     def of(self, file: PythonFile, role: Role) -> Iterator[UndefinedUse]:
         uses: dict[str, list[UndefinedName]] = {}
         for found in undefined_names(file, everywhere=True):
-            if found.name not in GIVEN and not self.is_for_python_2(file, found):
+            is_told = found.name not in GIVEN and not self.is_for_python_2(file, found)
+            if is_told and not is_unreached(file, found.span):
                 uses.setdefault(found.name, []).append(found)
         if not uses or BUILD_TOOL in uses:
             return
@@ -170,3 +173,8 @@ class UndefinedUses:
             if other is not None and name in other.definitions:
                 return "." * each.level + each.module
         return ""
+
+
+def is_unreached(file: PythonFile, span: Span) -> bool:
+    """Return whether a place is behind a `raise`, or under `if False`; what a switch turns off may be turned on."""
+    return any(file.span(each).holds(span) for each in unreached_statements(nodes_of(file.tree), {}))

@@ -20,7 +20,7 @@ from ...source import Span
 from ...suggest import nearest
 from .handed_out import is_handed_out
 from .own_classes import Line, OwnClass, OwnClasses
-from .undefined_uses import UndefinedUses, When
+from .undefined_uses import UndefinedUses, When, is_unreached
 from .unknown_rclpy_names import UnknownRclpyNames
 
 DYNAMIC = regex(r"__[gs]etattr(?:ibute)?__|__dict__|__slots__|\b(?:vars|setattr|exec|locals)\(")
@@ -64,7 +64,8 @@ class UnsetMembers:
         known |= self.told(file)
         places: dict[str, list[ast.Attribute]] = {}
         for each in reads:
-            if each.attr not in known and not (line.is_node and may_be_of_node(each.attr)):
+            is_known = each.attr in known or (line.is_node and may_be_of_node(each.attr))
+            if not is_known and not is_unreached(file, file.span(each.value)):
                 is_of_node = not line.is_node and each.attr in members_of_nodes()
                 places.setdefault("" if is_of_node else each.attr, []).append(each)
         certain = self.uses.certain_spans(file) if places else ()

@@ -10,6 +10,9 @@ from .nodes import nodes_of
 ROS_VERSION = frozenset({"ROS_VERSION", "ros_version", "get_ros_version"})
 """How the number 1 or 2 is called of the ROS that a file for both runs in: a variable, or a function of the package."""
 
+LEAVING = ast.Return | ast.Raise | ast.Break | ast.Continue
+BLOCKS = ("body", "orelse", "finalbody")
+
 
 def constant_truth(test: ast.expr, names: Mapping[str, bool]) -> bool | None:
     """Return what a condition always is, None where that is unknown: `if False:`; of some names it is known."""
@@ -59,8 +62,22 @@ def is_environ(value: ast.expr) -> bool:
 
 
 def unreached_nodes(body: Iterable[ast.AST], names: Mapping[str, bool]) -> Iterator[int]:
-    """Yield the identity of each node in a branch that is never taken."""
-    for node in body:
+    """Yield the identity of each node in a branch that is never taken, or behind what leaves its block."""
+    for each in unreached_statements(body, names):
+        yield from map(id, nodes_of(each))
+
+
+def unreached_statements(nodes: Iterable[ast.AST], names: Mapping[str, bool]) -> Iterator[ast.stmt]:
+    """Yield the outer statements of branches that are never taken, and those behind a `raise` of the same block."""
+    for node in nodes:
         if isinstance(node, ast.If) and (always := constant_truth(node.test, names)) is not None:
-            never = node.orelse if always else node.body
-            yield from (id(inner) for each in never for inner in nodes_of(each))
+            yield from node.orelse if always else node.body
+        for block in BLOCKS:
+            statements = getattr(node, block, ())
+            if isinstance(statements, list):  # a lambda has a body, too
+                yield from behind_leaving(statements)
+
+
+def behind_leaving(block: list[ast.stmt]) -> list[ast.stmt]:
+    ends = (number for number, each in enumerate(block, start=1) if isinstance(each, LEAVING))
+    return block[next(ends, len(block)) :]
