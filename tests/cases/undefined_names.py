@@ -35,6 +35,8 @@ STRAIGHT = (
     "def main():\n    Talker()\n    print(modes)\n\n\nclass Talker:\n    def __init__(self):\n        while True:\n"
     "            print(mode)\n",
     "def main():\n    while True:\n        print('a')\n    print(modes)\n",
+    "def main():\n    for each in ('a', 'b'):\n        getattr(here, f'say_{each}')()\n\n\n"
+    "def say_a():\n    print(modes)\n",
     "def main(): ...\n\n\ndef draw():\n    corners()\n\n\ndef corners():\n    print(modes)\n",
     "class Talker:\n    def say(self):\n        print(modes)\n\n\ndef main(): ...\n",
     "from threading import Thread\n\n\nclass Talker(Thread):\n    def run(self):\n        print(modes)\n\n\n"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
 from ..languages.python.file import PythonFile
@@ -66,14 +66,14 @@ class ReachedDefinitions:
         waiting = [each for name in self.entries for each in every.get(name, ())]
         waiting += [each for found in every.values() for each in found if self.is_start(each)]
         names = {name for _, file in self.run.files for name in own_names(file, file.tree)}
-        waiting += [each for name in names for each in every.get(name, ())]
+        waiting += [each for name in names for each in meant(name, every)]
         found: set[int] = set()
         while waiting:
             each = waiting.pop()
             if id(each.node) not in found:
                 found.add(id(each.node))
                 waiting += each.by_others
-                waiting += [one for name in each.names for one in every.get(name, ())]
+                waiting += [one for name in each.names for one in meant(name, every)]
         return frozenset(found)
 
     def is_start(self, each: Named) -> bool:
@@ -81,6 +81,13 @@ class ReachedDefinitions:
         has_programs = bool(self.entries) or any(True for _ in self.table.of("executable"))
         name = each.node.name
         return bool(each.node.decorator_list) or name.startswith(("test", "Test")) or not has_programs
+
+
+def meant(name: str, every: Mapping[str, Sequence[Named]]) -> Iterator[Named]:
+    """Yield the definitions that a name or text may mean: `do_` is the beginning of one that is put together."""
+    yield from every.get(name, ())
+    if name.endswith("_") and name.strip("_"):
+        yield from (each for full, found in every.items() if full.startswith(name) for each in found)
 
 
 def definitions(file: PythonFile) -> Iterator[Named]:

@@ -19,6 +19,7 @@ from ...package.file_role import Role, is_set_aside, role_of
 from ...package.install_table import InstallTable
 from ...source import Span
 from ..installed_modules import InstalledModules
+from ..interfaces.seldom_run import is_in_handler
 from ..interfaces.uncalled_methods import UncalledMethods
 from ..module_attributes import AbsentAttribute, absent_attributes
 from ..reached_definitions import ReachedDefinitions
@@ -26,8 +27,8 @@ from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
 
 When = Literal["certainly", "maybe", "branch", "never", "aside"]
-"""When a name is used: at every start or import, in some runs, under a condition, where nothing leads, in what nothing
-installs."""
+"""When a name is used: at every start or import, in some runs, under a condition or after another failure, where
+nothing leads, in what nothing installs."""
 
 ORDER: tuple[When, ...] = ("certainly", "maybe", "branch", "never", "aside")
 OF_LAUNCH = frozenset({"generate_launch_description", "generate_test_description"})
@@ -124,7 +125,9 @@ class UndefinedUses:
     def when(self, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
         if found.span in certain and not (found.is_annotation or found.is_caught):
             return "certainly"
-        return "never" if self.is_idle(file, found.span) else "maybe"
+        if self.is_idle(file, found.span):
+            return "never"
+        return "branch" if is_in_handler(file, found.span) else "maybe"
 
     def of_attribute(self, role: Role, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
         """Return when an attribute is read of an object, of which less is known than of a name."""
