@@ -38,7 +38,7 @@ class UnknownParameters:
         found += self.forgotten.all({(each.path, each.span.start) for each in found})
         compiled = own_compiled(self.cmake, self.reads.cpp) if self.cmake is not None else None
         sources = {file.path for file in self.reads.cpp if not file.path.endswith(HEADERS)}
-        return [each for each in found if compiled is None or each.path not in sources - compiled]
+        return [each for each in found if not compiled or each.path not in sources - compiled]
 
     def repeated_reads(self) -> list[RepeatedRead]:
         """Return what is got twice, the second time in the place of what no code gets."""
