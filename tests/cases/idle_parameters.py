@@ -7,6 +7,10 @@ from rospkg_cli.example import CMAKE, Example, manifest
 INSTALL = CMAKE.replace(
     "ament_package", "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package"
 )
+TALKER_BUILD = INSTALL.replace(
+    "install(DIRECTORY config",
+    "add_executable(talker src/talker.cpp)\ninstall(TARGETS talker DESTINATION lib/${PROJECT_NAME})\ninstall(DIRECTORY",
+)
 LAUNCH = "<launch>{}</launch>\n"
 NAMES = LAUNCH.format('<let name="f" value="$(find-pkg-share my_pkg)/config/robot.yaml"/>')
 STARTS = LAUNCH.format(
@@ -135,6 +139,36 @@ UNUSED = (
     (f'f"x{{{CONFIGURED}}}"', "name"),
     (f"{CONFIGURED} + 'x'", "'a'"),
 )
+STARTED = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.conditions import IfCondition
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    given = [{VALUES}]
+    one = Node(package='PACKAGE', executable='PROGRAM', parameters=given, condition=CONDITION)
+    two = Node(package='PACKAGE', executable='PROGRAM', parameters=given)
+    return LaunchDescription([DeclareLaunchArgument('a', default_value='false'), ADDED])
+"""
+
+
+def started(package: str, program: str, values: str, added: str, condition: str = "None") -> Example:
+    """A Python launch file that makes two nodes, and may add none of them; with values for both."""
+    text = STARTED.replace("PACKAGE", package).replace("PROGRAM", program).replace("VALUES", values)
+    text = text.replace("ADDED", added).replace("CONDITION", condition)
+    files = {"CMakeLists.txt": TALKER_BUILD, "launch/a.launch.py": text, "src/talker.cpp": CODE}
+    return Example(on="ament_cmake", bad=files, good={})
+
+
+IF = "IfCondition(LaunchConfiguration('a'))"
+ADDED = (("", "None"), ("one", IF), ("two", "None"), ("one, two", IF))
+ROTATED = ("image_rotate", "image_rotate", "'target_x': '-1.5', 'target_fram_id': ''")
+TALKED = ("my_pkg", "talker", "'rate': 1, 'port': 'a', 'globalframe': 'a', 'use_sim_tme': True")
+IDLE = tuple(started(*each, *added) for each in (ROTATED, TALKED) for added in ADDED)
+PUBLISHED = tuple(started("robot_state_publisher", "robot_state_publisher", "'rate': 1.0", *each) for each in ADDED)
 CASES = {
     "LCH002": (
         *(below(each, {"launch/a.launch.xml": REMOVED}) for each in (*PAGES, *GALACTIC)),
@@ -165,8 +199,9 @@ CASES = {
         below(PAGES[0], {"launch/a.launch.xml": OLD_XML}),
         below("", {"launch/a.launch.py": NEVER_ADDED}),
     ),
-    "PRM006": (*BOTH, *(below(each, {**VALUES, "launch/a.launch.xml": NAMES}) for each in PAGES)),
-    "PRM007": (*BOTH, given("a:\n  ros__parameters: {}\n", FRAMES)),
+    "PRM006": (*BOTH, *IDLE, *(below(each, {**VALUES, "launch/a.launch.xml": NAMES}) for each in PAGES)),
+    "PRM008": PUBLISHED,
+    "PRM007": (*BOTH, *IDLE, given("a:\n  ros__parameters: {}\n", FRAMES)),
     "LCH014": (
         *(below(each, {"launch/a.launch.py": LIFECYCLE}) for each in PAGES),
         *(below("", {"launch/a.launch.py": NAMED.format(*each)}) for each in UNUSED),

@@ -17,6 +17,7 @@ from ...ros.known_nodes import KnownParameter, known_nodes, known_parameters, re
 from ...ros.well_known import packages_with_plugin
 from ...source import Span
 from .declaring_packages import given_type, is_its_own
+from .idle_nodes import Start, start_of
 from .launch_parameters import LaunchParameters, NodeArguments
 from .mistyped_blocks import MANAGER, TYPE, WILD, last
 
@@ -57,6 +58,8 @@ class KnownGroup:
     """The file that gives them; None for a launch file."""
     is_certain: bool = True
     """Whether the node is certainly of one of the packages, and started: not by its name alone."""
+    start: Start | None = None
+    """Where a launch file starts the node; None for a file."""
 
     @cached_property
     def declared(self) -> tuple[KnownParameter, ...]:
@@ -86,7 +89,8 @@ class KnownNodes:
             if package and self.is_known(package):
                 entries = (pair for entry in each.node.parameters for pair in entry.values)
                 values = tuple(found for name, value in entries for found in launch_value(each.launch, name, value))
-                yield KnownGroup(each.launch.path, "node", (package,), values)
+                start = start_of(each.launch, each.node)
+                yield KnownGroup(each.launch.path, "node", (package,), values, start=start)
         for file in self.launched.files:
             kinds = dict(controller_types(file))
             for block in file.blocks:

@@ -13,6 +13,7 @@ from ...ros.known_nodes import KnownParameter
 from ...source import Span
 from ...suggest import near_names, same_words
 from .declaring_packages import ENOUGH, is_its_own
+from .idle_nodes import Start, start_of
 from .known_given import GivenValue, KnownGroup, KnownNodes
 from .launch_parameters import LaunchParameters, NodeArguments
 from .mistyped_blocks import last
@@ -46,6 +47,19 @@ class LaunchedName:
     is_certain: bool = True
     others: tuple[Span, ...] = ()
     """Where other names are that the same release took away."""
+    start: Start | None = None
+    """Where a launch file starts the node; None for a parameter file."""
+
+
+@dataclass(frozen=True, slots=True)
+class StrangeName:
+    """A name that is no parameter of any node, and what may be meant."""
+
+    path: str
+    span: Span
+    name: str
+    meant: str
+    start: Start | None
 
 
 @dataclass(frozen=True)
@@ -79,7 +93,8 @@ class LaunchedNames:
                 near = bare or near_names(name, free, 2 if others else 1) or same_words(name, free)
                 near = near or with_another_word(name, free)
                 if len(near) == 1 and DIGITS.sub("", near[0]) != DIGITS.sub("", name):
-                    yield LaunchedName(each.launch.path, text.span, facts.name, name, near[0])
+                    start = start_of(each.launch, each.node)
+                    yield LaunchedName(each.launch.path, text.span, facts.name, name, near[0], start=start)
 
 
 def with_dots(name: str, names: Collection[str]) -> list[str]:
@@ -94,26 +109,28 @@ def with_another_word(name: str, names: Iterable[str]) -> list[str]:
     return [each for each, words in before.items() if len(name) >= WORDY and SMALL.issuperset(words.split("_"))]
 
 
-def given_names(launched: LaunchParameters) -> Iterator[tuple[str, Span, str]]:
-    """Yield path, place and name of what launch files and parameter files give."""
+def given_names(launched: LaunchParameters) -> Iterator[tuple[str, Span, str, Start | None]]:
+    """Yield path, place, name and start of what launch files and parameter files give."""
     for each in launched.node_arguments:
         for entry in each.node.parameters:
-            yield from ((each.launch.path, name.span, name.literal) for name, _ in entry.values if name.literal)
+            names = [name for name, _ in entry.values if name.literal]
+            start = start_of(each.launch, each.node)
+            yield from ((each.launch.path, name.span, name.literal or "", start) for name in names)
     for file in launched.files:
-        yield from ((file.path, each.key.span, each.name) for block in file.blocks for each in block.parameters)
+        yield from ((file.path, each.key.span, each.name, None) for block in file.blocks for each in block.parameters)
 
 
-def strange_names(launched: LaunchParameters) -> Iterator[tuple[str, Span, str, str]]:
+def strange_names(launched: LaunchParameters) -> Iterator[StrangeName]:
     """Yield path, place and name of what no package here declares, and what may be meant.
 
     That is nearly `use_sim_time`, or has the sign of the command line at its end, `rate:=`, or slashes for dots.
     """
     packages = launched.workspace.packages
-    for path, span, name in given_names(launched):
+    for path, span, name, start in given_names(launched):
         is_time = name == f"/{SIM_TIME}" or bool(near_names(name, [SIM_TIME]))
         meant = SIM_TIME if is_time else name.rstrip(SIGNS) if SIGN.search(name) else ""
         if meant and not any(each.fits(name) for facts in packages for each in facts.parameters):
-            yield path, span, name, meant
+            yield StrangeName(path, span, name, meant, start)
     yield from slashed_names(launched)
 
 
@@ -124,7 +141,7 @@ def why_dropped(name: str, meant: str) -> str:
     return "slashes are of ROS 1" if "/" in name else "`:=` is for the command line alone"
 
 
-def slashed_names(launched: LaunchParameters) -> Iterator[tuple[str, Span, str, str]]:
+def slashed_names(launched: LaunchParameters) -> Iterator[StrangeName]:
     """Yield path, place and name of what a parameter file gives with slashes, and this package or one that it needs
     declares with dots.
     """
@@ -139,7 +156,7 @@ def slashed_names(launched: LaunchParameters) -> Iterator[tuple[str, Span, str, 
                     continue
                 declared = [one for facts in owners for one in facts.parameters]
                 if any(one.name == dotted for one in declared) and not any(one.fits(each.name) for one in declared):
-                    yield file.path, each.key.span, each.name, dotted
+                    yield StrangeName(file.path, each.key.span, each.name, dotted, None)
 
 
 def unknown_to_known(nodes: KnownNodes) -> Iterator[LaunchedName]:
@@ -160,10 +177,8 @@ def unknown_of(group: KnownGroup) -> Iterator[LaunchedName]:
         is_removed = any(one.fits(each.name) for one in group.removed)
         near = list(meant(each, group)) if is_owner or is_removed or "/" in each.name else []
         if len(near) == 1:
-            names = each.name, near[0], is_removed
-            yield LaunchedName(
-                group.path, each.key, group.packages[0], *names, file=group.file, is_certain=group.is_certain
-            )
+            names = each.name, near[0], is_removed, group.file, group.is_certain
+            yield LaunchedName(group.path, each.key, group.packages[0], *names, start=group.start)
 
 
 def may_fit(known: KnownParameter, name: str) -> bool:

@@ -9,6 +9,7 @@ from ...package.params.parameter_file import ParameterFile
 from ...source import Span
 from ..older_distribution import OlderDistribution
 from .declaring_packages import ParameterContext
+from .idle_nodes import Start, hardest
 from .known_given import GivenValue, KnownNodes, PartKind
 from .parameter_file_use import ParameterFileUses
 
@@ -24,6 +25,7 @@ class MistypedValue:
     is_certain: bool = True
     how: str = ""
     """The argument whose default it is, `perform()` for a text that this returns, "" for what is written there."""
+    start: Start | None = None
 
 
 @dataclass(frozen=True)
@@ -45,11 +47,14 @@ class MistypedValues:
 
 def mistyped_known(nodes: KnownNodes) -> Iterator[MistypedValue]:
     """Yield the values whose type differs from that of all declarations of the name; each place once."""
-    seen = set()
+    return iter(hardest(((each.path, each.value), each) for each in all_mistyped(nodes)))
+
+
+def all_mistyped(nodes: KnownNodes) -> Iterator[MistypedValue]:
     for group in nodes.groups():
         for each in group.values:
             wanted = group.wanted_type(each.name) if each.type else ""
-            if wanted and each.type != wanted and (group.path, each.value) not in seen:
-                seen.add((group.path, each.value))
+            if wanted and each.type != wanted:
                 owner = next(name for name in group.packages if group.is_declared_by(name, each.name))
-                yield MistypedValue(group.path, each, wanted, owner, group.kind, group.file, group.is_certain)
+                about = owner, group.kind, group.file, group.is_certain
+                yield MistypedValue(group.path, each, wanted, *about, start=group.start)

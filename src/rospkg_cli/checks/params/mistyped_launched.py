@@ -16,6 +16,7 @@ from ...package.params.scalar_types import DOUBLE
 from ...source import Span
 from ..launch.idle_actions import conditional
 from .declaring_packages import ENOUGH, is_its_own
+from .idle_nodes import hardest, level_of, start_of
 from .known_given import GivenValue, is_cast_behind, launch_value, type_of_text
 from .launch_parameters import LaunchParameters, NodeArguments
 from .mistyped_known import MistypedValue
@@ -29,17 +30,19 @@ TEXT, PERFORM = "string", "perform()"
 
 def mistyped_launched(launched: LaunchParameters) -> Iterator[MistypedValue]:
     """Yield the values whose type differs from that of all declarations of the name in the package of the node."""
-    seen = set()
+    return iter(hardest(((each.path, each.value.value), each) for each in all_mistyped(launched)))
+
+
+def all_mistyped(launched: LaunchParameters) -> Iterator[MistypedValue]:
     for each in launched.node_arguments:
         package = each.node.package.literal if each.node.package else None
         facts = launched.workspace.named(package) if package else None
         for value, how in given_values(each) if facts is not None and is_owner(each, facts) else ():
-            found = declared(each, facts, value.name) if facts is not None else []
-            wanted = type_named(found, value.name)
-            is_new = (each.launch.path, value.value) not in seen
-            if wanted and value.type and value.type != wanted and is_new:
-                seen.add((each.launch.path, value.value))
-                yield MistypedValue(each.launch.path, value, wanted, found[0].path, "node", how=how)
+            places = declared(each, facts, value.name) if facts is not None else []
+            wanted = type_named(places, value.name)
+            if wanted and value.type and value.type != wanted:
+                path, start = each.launch.path, start_of(each.launch, each.node)
+                yield MistypedValue(path, value, wanted, places[0].path, "node", how=how, start=start)
 
 
 def is_owner(each: NodeArguments, facts: PackageFacts) -> bool:
@@ -115,7 +118,7 @@ def what_stops(each: MistypedValue) -> str:
     what = f"the default of `{each.how}` is {kind}, which" if each.how else kind
     what = "`perform` returns a string, which" if each.how == PERFORM else what
     start = f"`{each.value.name}` is declared as {each.wanted} in `{each.package}`"
-    return f"{start}: {what} stops the node when it starts; write {article(each.wanted)}"
+    return f"{start}: {what} stops the node when it starts{level_of(each.start)[1]}; write {article(each.wanted)}"
 
 
 def article(kind: str) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.params.declaring_packages import given_type
 from ...checks.params.differing_numbers import differing_numbers
+from ...checks.params.idle_nodes import level_of, may_start
 from ...checks.params.mistyped_known import MistypedValues, mistyped_known
 from ...checks.params.mistyped_launched import article, mistyped_launched, what_stops
 from ...edits.double_numbers import INTEGERS, as_double, known_as_double
@@ -54,8 +55,8 @@ def example(bad: str, good: str, fix: Safety | None = None) -> Example:
     over=MistypedValues,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "nothing names the file, the block is one of a well-known node by its name alone, or another "
-        "file has a double"
+        Severity.INFO: "nothing names the file or adds the action, the block is one of a well-known node by its name "
+        "alone, or another file has a double"
     },
     examples=(
         example("rate: «50»", "rate: 50.0", Safety.SAFE),
@@ -90,9 +91,9 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
     three names. Where declarations differ, a type is not known, or a launch file or script fills the value in, nothing
     is said. So it is where the releases of a well-known package differ. Where pages and scripts name Foxy alone, which
-    takes any type, only what well-known packages declare is told, as an info. Where nothing names the file, and where
-    only the name of a block tells which well-known package is meant, it is an info; nav2's nodes are known by several
-    blocks together.
+    takes any type, only what well-known packages declare is told, as an info. Where nothing names the file, or nothing
+    adds the action that starts the node, and where only the name of a block tells which well-known package is meant, it
+    is an info; nav2's nodes are known by several blocks together.
     """
     told, is_old = set(), scope.distribution.is_named_alone
     for group in () if is_old else scope.given.groups():
@@ -111,12 +112,14 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
             fix = known_as_double(each) if (each.value.type, each.wanted) in INTEGERS else None
             given = f"{article(each.value.type)} stops the {each.kind} when it starts"
             is_idle = each.file is not None and scope.uses.of(each.file).is_unnamed
-            given += ", but not in Foxy" if is_old else ""
-            level = Severity.INFO if is_idle or is_old or not each.is_certain else None
+            given += ", but not in Foxy" if is_old else level_of(each.start)[1]
+            is_mild = is_idle or is_old or not each.is_certain or not may_start(each.start)
+            level = Severity.INFO if is_mild else None
             yield Hit(each.path, each.value.value, f"{message}: {given}; write {article(each.wanted)}", level, fix=fix)
     for each in () if is_old else mistyped_launched(scope.known.launched):
         fix = known_as_double(each) if (each.value.type, each.wanted) in INTEGERS and not each.how else None
-        yield Hit(each.path, each.value.value, what_stops(each), fix=fix)
+        level = None if may_start(each.start) else Severity.INFO
+        yield Hit(each.path, each.value.value, what_stops(each), level, fix=fix)
     if not is_old:
         for file, several in differing_numbers(scope.given.files, set(scope.with_types())):
             yield unequal(file, several)

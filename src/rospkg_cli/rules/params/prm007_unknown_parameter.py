@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
+from ...checks.params.idle_nodes import hardest, level_of
 from ...checks.params.launched_names import strange_names, unknown_to_known, why_dropped
 from ...checks.params.unknown_parameters import UnknownParameters, repeated, undeclared, unread
 from ...edits.parameter_names import renamed
@@ -11,6 +12,7 @@ from ...edits.plain_names import only_plain_names
 from ...example import Example, manifest
 from ...finding import Hit, Related, Safety, Severity
 from ...rule import rule
+from ...source import Span
 
 NODE = """\
 class Talker : public rclcpp::Node
@@ -51,7 +53,8 @@ talker:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code gets a parameter that is not declared, and nothing may catch what it throws",
-        Severity.INFO: "older releases had it, nothing names the file, or only the block's name tells the node",
+        Severity.INFO: "older releases had it, nothing names the file or adds the action, or only the block's name "
+        "tells the node",
     },
     examples=(
         Example(
@@ -112,21 +115,26 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         message = f"`{scope.given.package.name}` declares no parameter `{parameter.name}`: the value is dropped"
         level = Severity.INFO if scope.is_idle(file) else None
         yield Hit(file.path, parameter.key.span, f"{message}; `{other}` has `{meant}` in its place", level)
-    for named in (*scope.launched.unknown(), *unknown_to_known(scope.known)):
-        more = " any more" if named.is_removed else ""
-        level = Severity.INFO if more or not named.is_certain or scope.is_idle(named.file) else None
-        message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped"
-        others = tuple(Related(named.path, span, "and this one") for span in named.others)
+    names = (*scope.launched.unknown(), *unknown_to_known(scope.known))
+    for named in hardest(((each.path, each.span, each.meant), each) for each in names):
+        more, (softer, why) = " any more" if named.is_removed else "", level_of(named.start)
+        is_mild = more or softer == "info" or not named.is_certain or scope.is_idle(named.file)
+        message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped{why}"
+        others, level = also(named.path, named.others), Severity.INFO if is_mild else None
         yield Hit(named.path, named.span, f"{message}; did you mean `{named.meant}`?", level, others)
-    for path, span, name, meant in strange_names(scope.known.launched):
-        what = f"the value is dropped, and {why_dropped(name, meant)}"
-        yield Hit(path, span, f"no node has a parameter `{name}`: {what}; write `{meant}`")
+    for each in hardest(((one.path, one.span), one) for one in strange_names(scope.known.launched)):
+        softer, why = level_of(each.start)
+        what = f"the value is dropped, and {why_dropped(each.name, each.meant)}{why}; write `{each.meant}`"
+        yield Hit(each.path, each.span, f"no node has a parameter `{each.name}`: {what}", Severity(softer or "warning"))
     for limit in scope.joints.mistyped():
         others = tuple(Related(limit.path, span, "and here") for span in limit.others)
         yield Hit(limit.path, limit.span, unread(limit), related=others)
     for read in scope.unknown_reads():
-        others = tuple(Related(read.path, span, "and this one") for _, span in read.more)
         level = Severity.ERROR if read.throws and read.suggestion else None
-        yield Hit(read.path, read.span, undeclared(read), level, others)
+        yield Hit(read.path, read.span, undeclared(read), level, also(read.path, (span for _, span in read.more)))
     for again in scope.repeated_reads():
         yield Hit(again.path, again.span, repeated(again))
+
+
+def also(path: str, spans: Iterable[Span]) -> tuple[Related, ...]:
+    return tuple(Related(path, span, "and this one") for span in spans)

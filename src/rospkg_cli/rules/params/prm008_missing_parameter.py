@@ -60,6 +60,7 @@ FILES = {
     "missing-parameter",
     over=MissingParameters,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "nothing adds the action that starts the node"},
     examples=(
         Example(
             on="ament_cmake",

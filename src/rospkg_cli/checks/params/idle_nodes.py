@@ -1,0 +1,55 @@
+"""Nodes that a plain `ros2 launch` does not start: what is given to them does less harm, or none."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable
+from typing import Protocol, TypeVar
+
+from ...package.launch.launch_file import LaunchedNode, LaunchFile
+from ...source import Span
+from ..fault import Level
+from ..launch.idle_actions import level_at
+
+Start = tuple[LaunchFile, Span]
+"""A launch file, and where it starts a node."""
+MILDER: tuple[Level | None, ...] = (None, "warning", "info")
+
+
+class Given(Protocol):
+    """What a node is given."""
+
+    @property
+    def start(self) -> Start | None: ...
+
+
+GivenT = TypeVar("GivenT", bound=Given)
+
+
+def start_of(launch: LaunchFile, node: LaunchedNode) -> Start:
+    started = node.executable or node.plugin
+    return launch, started.span if started is not None else node.span
+
+
+def level_of(start: Start | None) -> tuple[Level | None, str]:
+    """Return the level of what a node is given, None for the rule's own, and the end of the sentence."""
+    level, why = level_at(*start) if start is not None else (None, "")
+    return level, f"{why and ', '}{why}"
+
+
+def may_start(start: Start | None) -> bool:
+    """Return whether something may start a node: nothing does where its action is never added."""
+    return level_of(start)[0] != "info"
+
+
+def hardest(found: Iterable[tuple[Hashable, GivenT]]) -> Iterable[GivenT]:
+    """Return one for each place: of nodes that share a value, that which is started most certainly."""
+    kept: dict[Hashable, GivenT] = {}
+    for place, each in found:
+        before = kept.setdefault(place, each)
+        if before is not each and rank(each.start) < rank(before.start):
+            kept[place] = each
+    return kept.values()
+
+
+def rank(start: Start | None) -> int:
+    return MILDER.index(level_of(start)[0])
