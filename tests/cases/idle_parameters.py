@@ -154,6 +154,16 @@ def generate_launch_description():
     return LaunchDescription([DeclareLaunchArgument('a', default_value='false'), ADDED])
 """
 
+REFUSED = tuple(
+    below("ros\n", {"launch/a.launch.xml": LAUNCH.format(outside + inside)})
+    for inside in (
+        '<node pkg="robot_state_publisher" exec="robot_state_publisher" name="a"/>',
+        '<node pkg="image_rotate" exec="image_rotate"><param name="target_x" value="1"/></node>',
+        '<node pkg="tf2_ros" exec="a"><param name="/use_sim_time" value="true"/></node>',
+    )
+    for outside in ('<param name="a" value="b"/>', '<let name="a" value="$(find my_pkg)"/>', "")
+)
+
 
 def started(package: str, program: str, values: str, added: str, condition: str = "None") -> Example:
     """A Python launch file that makes two nodes, and may add none of them; with values for both."""
@@ -199,9 +209,9 @@ CASES = {
         below(PAGES[0], {"launch/a.launch.xml": OLD_XML}),
         below("", {"launch/a.launch.py": NEVER_ADDED}),
     ),
-    "PRM006": (*BOTH, *IDLE, *(below(each, {**VALUES, "launch/a.launch.xml": NAMES}) for each in PAGES)),
-    "PRM008": PUBLISHED,
-    "PRM007": (*BOTH, *IDLE, given("a:\n  ros__parameters: {}\n", FRAMES)),
+    "PRM006": (*BOTH, *IDLE, *REFUSED, *(below(each, {**VALUES, "launch/a.launch.xml": NAMES}) for each in PAGES)),
+    "PRM008": (*PUBLISHED, *REFUSED),
+    "PRM007": (*BOTH, *IDLE, *REFUSED, given("a:\n  ros__parameters: {}\n", FRAMES)),
     "LCH014": (
         *(below(each, {"launch/a.launch.py": LIFECYCLE}) for each in PAGES),
         *(below("", {"launch/a.launch.py": NAMED.format(*each)}) for each in UNUSED),

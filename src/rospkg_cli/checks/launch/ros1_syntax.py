@@ -40,6 +40,11 @@ def ros1_syntax(file: LaunchFile) -> Iterator[Fault]:
             yield Fault(each.span, message(f"`{old}`", new), repair=repair)
 
 
+def is_refused(file: LaunchFile) -> bool:
+    """Return whether ROS 2 does not read a file for what it still has of ROS 1: no node of it starts."""
+    return any(ros1_syntax(file))
+
+
 def ros1_entities(entity: Entity) -> Iterator[Fault]:
     for child in entity.children:
         new = ROS1_ENTITIES.get(child.name)

@@ -84,7 +84,7 @@ class KnownNodes:
 
     def groups(self) -> Iterator[KnownGroup]:
         """Yield what launch files and parameter files give."""
-        for each in self.launched.node_arguments:
+        for each in self.launched.started:
             package = each.node.package.literal if each.node.package else None
             if package and self.is_known(package):
                 entries = (pair for entry in each.node.parameters for pair in entry.values)

@@ -19,6 +19,7 @@ from ...package.workspace import Workspace
 from ...ros.known_nodes import known_nodes
 from ...suggest import near_names
 from ...unreadable import READABLE, Unreadable
+from ..launch.ros1_syntax import is_refused
 from .declaring_packages import ParameterContext, is_its_own
 from .handed_on import may_hand_on
 from .mistyped_blocks import WILD, MistypedBlock, last, mistyped_blocks
@@ -96,6 +97,11 @@ class LaunchParameters:
         return tuple(
             self.arguments_of(launch, node) for launch in self.launches if not launch.is_ros1 for node in launch.nodes
         )
+
+    @cached_property
+    def started(self) -> tuple[NodeArguments, ...]:
+        """Those of launch files that ROS 2 reads; what is said of another file comes first (LCH006)."""
+        return tuple(each for each in self.node_arguments if not is_refused(each.launch))
 
     def is_read_by_python(self, file: ParameterFile) -> bool:
         """Return whether a launch file here gives a file to a component: then PyYAML reads it, not rcl."""
@@ -208,7 +214,7 @@ class LaunchParameters:
 
     def missing(self) -> Iterator[tuple[NodeArguments, list[DeclaredParameter]]]:
         """Yield each node with the parameters that its code declares without a default and that are not set."""
-        for each in self.node_arguments:
+        for each in self.started:
             package = each.node.package.literal if each.node.package else None
             facts = self.workspace.named(package) if package else None
             started = each.node.executable or each.node.plugin

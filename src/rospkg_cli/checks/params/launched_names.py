@@ -72,7 +72,7 @@ class LaunchedNames:
 
         The node is not given that one, and most of the other names that it is given are declared.
         """
-        for each in self.launched.node_arguments:
+        for each in self.launched.started:
             package = each.node.package.literal if each.node.package else None
             facts = self.workspace.named(package) if package else None
             if facts is not None and facts.parameters:
@@ -111,7 +111,7 @@ def with_another_word(name: str, names: Iterable[str]) -> list[str]:
 
 def given_names(launched: LaunchParameters) -> Iterator[tuple[str, Span, str, Start | None]]:
     """Yield path, place, name and start of what launch files and parameter files give."""
-    for each in launched.node_arguments:
+    for each in launched.started:
         for entry in each.node.parameters:
             names = [name for name, _ in entry.values if name.literal]
             start = start_of(each.launch, each.node)

@@ -34,7 +34,7 @@ def mistyped_launched(launched: LaunchParameters) -> Iterator[MistypedValue]:
 
 
 def all_mistyped(launched: LaunchParameters) -> Iterator[MistypedValue]:
-    for each in launched.node_arguments:
+    for each in launched.started:
         package = each.node.package.literal if each.node.package else None
         facts = launched.workspace.named(package) if package else None
         for value, how in given_values(each) if facts is not None and is_owner(each, facts) else ():

@@ -18,7 +18,7 @@ def needed_faults(scope: LaunchParameters) -> Iterator[tuple[str, Fault]]:
     """Yield where each node is started; none where a launch file here gives parameters to all nodes."""
     if any(SETS.search(launch.source.text) for launch in scope.launches):
         return
-    for each in scope.node_arguments:
+    for each in scope.started:
         needed = needed_by(each, scope) if each.has_all and each.launch.has_entry_point else None
         started = each.node.executable or each.node.plugin
         if needed is None or started is None or {needed.name, needed.instead} & each.names():

@@ -93,7 +93,8 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     is said. So it is where the releases of a well-known package differ. Where pages and scripts name Foxy alone, which
     takes any type, only what well-known packages declare is told, as an info. Where nothing names the file, or nothing
     adds the action that starts the node, and where only the name of a block tells which well-known package is meant, it
-    is an info; nav2's nodes are known by several blocks together.
+    is an info; nav2's nodes are known by several blocks together. Launch files that ROS 2 refuses for what they have of
+    ROS 1 (LCH006) are left alone.
     """
     told, is_old = set(), scope.distribution.is_named_alone
     for group in () if is_old else scope.given.groups():

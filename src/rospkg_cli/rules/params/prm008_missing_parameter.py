@@ -96,7 +96,8 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
 
     ## When it is quiet
     A node that is given values which can't be evaluated, or a file that is not here, may have all that it needs. So may
-    one whose declaration lies behind a condition, or has a default. Lists of plugins in a file that is called as being
+    one whose declaration lies behind a condition, or has a default. A launch file that
+    ROS 2 refuses for what it has of ROS 1 starts no node (LCH006). Lists of plugins in a file that is called as being
     for Foxy or another unsupported distribution had other names there.
     """
     if not scope.launched.is_whole:
