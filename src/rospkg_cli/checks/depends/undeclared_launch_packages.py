@@ -22,6 +22,7 @@ from ...ros.names import NameKind
 from ...suggest import begins_alike, is_misspelt, nearest
 from ...unreadable import READABLE
 from ..launch.idle_actions import never_added
+from ..launch.launched_programs import is_program
 from ..launch.package_references import NAME, PackageReference, package_references
 from .brought_dependencies import brought_by
 from .compiled_sources import named_sources
@@ -222,7 +223,8 @@ class LaunchDependencies:
 
         The imports of a launch file among the Python modules are DEP101's.
         """
-        if role_of(file.path) == "run" or (not file.has_entry_point and not self.is_imported(file)):
+        is_launched = file.has_entry_point and not is_program(file)
+        if role_of(file.path) == "run" or (not is_launched and not self.is_imported(file)):
             return
         own = own_modules(self.files)
         for each in file.imports:
