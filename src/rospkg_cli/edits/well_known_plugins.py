@@ -41,5 +41,8 @@ def well_known(every: Sequence[WrongPlugin]) -> Hit:
     better = {each.wrong.better for each in every}
     edits = tuple(Edit(each.user.at(each.use.path), each.use.span, each.wrong.better or "") for each in every)
     fix = None if "" in better or None in better else Fix(f"write `{wrong.better}`", edits, Safety.UNSAFE)
-    level = Severity.INFO if wrong.is_removed else None
+    if unknown.is_guess:
+        message = f"`{use.name}` is no well-known plugin: loading it fails, unless another package describes it{hint}"
+        return Hit(path, use.span, f"{message} if that is meant", Severity.INFO, places)
+    level = Severity.INFO if wrong.is_removed or not any(each.use.is_listed for each in every) else None
     return Hit(path, use.span, message, level, places, only_plain_names(fix, *map(str, better)) if fix else None)

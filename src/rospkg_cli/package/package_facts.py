@@ -56,6 +56,8 @@ class PluginUse:
     name: str
     path: str
     span: Span
+    is_listed: bool = True
+    """False where lists of plugins stand beside it, and none names its block: nothing loads it."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -37,6 +37,8 @@ class WrongPlugin:
     user: PackageFacts
     use: PluginUse
     wrong: WrongName
+    is_guess: bool = False
+    """Whether only the class is known: a package that is not here may describe plugins of that first name."""
 
 
 @dataclass(frozen=True)
@@ -92,26 +94,36 @@ class PluginReferences:
         for user, use in uses(self.selected):
             first = SEPARATOR.split(use.name)[0]
             is_here = self.workspace.named(first) is not None or self.is_owned(first)
-            wrong = None if is_here or self.is_described(use.name) else wrong_plugin(use.name) or self.slip(user, use)
+            if is_here or self.is_described(use.name):
+                continue
+            wrong = wrong_plugin(use.name)
             if wrong is not None:
                 yield WrongPlugin(user, use, wrong)
+            elif not self.is_known(user, first, use.name):
+                yield from self.slips(user, use)
 
-    def slip(self, user: PackageFacts, use: PluginUse) -> WrongName | None:
-        """Return the name of a plugin with the package that its user depends on, where only that one is near.
+    def is_known(self, user: PackageFacts, first: str, name: str) -> bool:
+        """Return whether the first name of a plugin is that of a package, or the user's own."""
+        is_package = self.workspace.kind_of(first) in (NameKind.PACKAGE, NameKind.KEY)
+        return is_package or first in (user.name, name) or first in {each.name for each in user.dependencies}
+
+    def slips(self, user: PackageFacts, use: PluginUse) -> Iterator[WrongPlugin]:
+        """Yield the name of a plugin with the package that its user depends on, where only that one is near.
 
         Else that of the only well-known plugin of the class whose package is near, or has all words of the first name.
         """
         first, rest = SEPARATOR.split(use.name)[0], use.name.partition("/")[2]
-        needed = {each.name for each in user.dependencies}
-        kind = self.workspace.kind_of(first)
-        if first in needed or kind in (NameKind.PACKAGE, NameKind.KEY) or first in (user.name, use.name):
-            return None
-        near = [each for each in near_names(first, needed, 1) if re.sub(r"\d", "", each) != re.sub(r"\d", "", first)]
+        names = near_names(first, {each.name for each in user.dependencies}, 1)
+        near = [each for each in names if re.sub(r"\d", "", each) != re.sub(r"\d", "", first)]
         if rest and len(near) == 1:
-            return WrongName(f"{near[0]}/{rest}", False)
+            yield WrongPlugin(user, use, WrongName(f"{near[0]}/{rest}", False))
+            return
         same = plugins_of_class(use.name)
         found = [each for each in same if ("::" in each) == ("::" in use.name)] or same
-        return WrongName(found[0], False) if len(found) == 1 else None
+        if len(found) == 1:
+            whole = SEPARATOR.split(found[0])[0]
+            is_part = whole.startswith(f"{first}_") or bool(near_names(first, {whole}, 1))
+            yield WrongPlugin(user, use, WrongName(found[0], False), is_guess=not is_part)
 
     def is_owned(self, first: str) -> bool:
         """Return whether the name of a described plugin begins with a piece."""

@@ -15,6 +15,7 @@ from ...source import Span
 from ...unreadable import UnreadableError
 from ..file_role import role_of
 from ..package_facts import PluginUse
+from .unlisted_blocks import is_unlisted
 
 NAME = r"(?P<name>[A-Za-z_]\w*(?:/|::)\w+(?:(?:/|::)\w+)*)"
 KEY = r"""(["']?)(?:\w*plugin(?:_name)?|plugin_type|(?:[\w/]+\.)*type|Class)\1"""
@@ -45,7 +46,8 @@ def uses_in(files: PackageFiles, path: str) -> Iterator[PluginUse]:
         text = without_comments(text)
     for match in pattern.finditer(text):
         group = "name" if match["name"] else "value"
-        yield PluginUse(match[group], path, Span(*match.span(group)))
+        is_listed = pattern is not YAML or not is_unlisted(text, match.start(group))
+        yield PluginUse(match[group], path, Span(*match.span(group)), is_listed)
 
 
 def without_comments(text: str) -> str:

@@ -51,7 +51,10 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
     "unknown-plugin",
     over=Workspace,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "an old distribution had the plugin, or no distribution has it and another package may"},
+    levels={
+        Severity.INFO: "an old distribution had the plugin, none has it and another package may, or no list of plugins "
+        "names its block, so that nothing loads it"
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -102,17 +105,18 @@ def same_names(found: Iterable[UnknownPlugin]) -> Iterable[list[UnknownPlugin]]:
 def at_use(unknown: UnknownPlugin, others: Iterable[UnknownPlugin]) -> Hit:
     use, owner, meant = unknown.use, unknown.owner, unknown.suggestion
     path = unknown.user.at(use.path)
+    level = None if any(each.use.is_listed for each in (unknown, *others)) else Severity.INFO
     again = [(unknown.user.at(other.use.path), other.use.span) for other in others]
     places = tuple(Related(*place, "here too") for place in again)
     if meant is None:
         known = ", ".join(f"`{plugin.name}`" for plugin in owner.plugins[:5])
         message = f"`{owner.name}` describes no plugin `{use.name}`: loading it fails; it has {known}"
-        return Hit(path, use.span, message, related=places)
+        return Hit(path, use.span, message, level, places)
     message = f"no plugin is called `{use.name}`: loading it fails; write `{meant.name}`, as `{owner.name}` has it"
     related = (Related(owner.at(meant.path), meant.span, "described here"), *places)
     edits = tuple(Edit(*place, meant.name) for place in ((path, use.span), *again))
     fix = Fix(f"write `{meant.name}`", edits, Safety.UNSAFE)
-    return Hit(path, use.span, message, related=related, fix=only_plain_names(fix, meant.name))
+    return Hit(path, use.span, message, level, related, fix=only_plain_names(fix, meant.name))
 
 
 def at_description(unknown: UnknownPlugin) -> Hit:
