@@ -116,7 +116,7 @@ class ShareLookups:
         """Return the package that is intended by the name of none; None where it is one, or near to none or several."""
         known = {*self.workspace.names, *(each.name for each in self.facts.dependencies), self.facts.name}
         is_own = name == self.facts.name.lower().replace("-", "_")  # what its name should be: XML101
-        if is_own or name in known or self.workspace.is_available(name):
+        if is_own or name in known or self.workspace.is_available(name) or self.workspace.is_listed(name):
             return None
         if self.workspace.index.kind_of(name) is NameKind.PACKAGE:
             return None

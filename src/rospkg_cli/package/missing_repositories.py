@@ -31,6 +31,15 @@ def may_hold(repositories: Iterable[str], package: str) -> bool:
     return any(are_alike(one, other) for each in every for one in telling_words(each) for other in wanted)
 
 
+def is_called(repositories: Iterable[str], package: str) -> bool:
+    """Return whether one of some repositories has the name of a package, which it then holds."""
+    return any(spelt(each.rpartition("/")[2]) == spelt(package) for each in repositories)
+
+
+def spelt(name: str) -> str:
+    return name.lower().replace("-", "_")
+
+
 def telling_words(name: str) -> set[str]:
     return {word for word in WORD.findall(name.lower()) if word.rstrip("0123456789") not in COMMON}
 

@@ -14,7 +14,7 @@ from ..ros.names import BUILT_IN, NameKind, Names
 from ..ros.plugins import LOADED_FROM
 from .launch.included_arguments import IncludedArguments
 from .launch.workspace_launch_files import WorkspaceLaunchFiles
-from .missing_repositories import may_hold
+from .missing_repositories import is_called, may_hold
 from .package_facts import PackageFacts, Plugin
 from .params.parameter_index import ParameterIndex
 
@@ -242,6 +242,10 @@ class Workspace:
     def may_lack(self, name: str) -> bool:
         """Return whether a repository that is listed and not here may hold a package, as far as they are known."""
         return bool(self.missing_repositories) and may_hold(self.missing_repositories, name)
+
+    def is_listed(self, name: str) -> bool:
+        """Return whether a repository that is listed and not here is called like a package, which is no slip then."""
+        return is_called(self.missing_repositories, name)
 
     @cached_property
     def _loading(self) -> dict[str, set[str]]:

@@ -200,7 +200,7 @@ class MistypedPackages:
     def is_known(self, name: str) -> bool:
         """Return whether a name is that of a package or of a rosdep key, or is declared, which DEP001 judges."""
         known = self.workspace.kind_of(name) in (NameKind.PACKAGE, NameKind.KEY)
-        return known or name in self.declared or self.workspace.is_available(name)
+        return known or name in self.declared or self.workspace.is_available(name) or self.workspace.is_listed(name)
 
     @cached_property
     def found(self) -> frozenset[str]:

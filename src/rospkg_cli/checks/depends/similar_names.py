@@ -28,7 +28,11 @@ class SimilarNames:
 
     def with_family_prefix(self, name: str) -> str | None:
         """Return the only package of the workspace that has the name after a family prefix: `acme_arm` for `arm`."""
-        matching = [each for each in self.workspace.names if each.endswith(f"_{name}")]
+        matching = (
+            []
+            if self.workspace.is_listed(name)
+            else [each for each in self.workspace.names if each.endswith(f"_{name}")]
+        )
         if len(matching) != 1:
             return None
         prefix = matching[0].removesuffix(name)
@@ -37,7 +41,7 @@ class SimilarNames:
 
     def renamed(self, name: str) -> str | None:
         """Return the only package of the workspace with the same last words that no other one declares, else None."""
-        words = name.split("_")
+        words = name.split("_") if not self.workspace.is_listed(name) else []
         for count in range(len(words) - 1, 0, -1):
             ending = "_" + "_".join(words[-count:])
             alike = [each for each in self.workspace.names - {name} if each.endswith(ending)]
@@ -50,7 +54,8 @@ class SimilarNames:
         """Return the only name that differs in case, hyphens and underscores alone, or by one typo; else None."""
         known = self.workspace.index_of(MeantNames)
         if name not in known:
-            groups = self.groups(name) if len(name) >= MIN_LETTERS else iter(())
+            may_be_slip = len(name) >= MIN_LETTERS and not self.workspace.is_listed(name)
+            groups = self.groups(name) if may_be_slip else iter(())
             alike = next(filter(None, groups), [])
             known[name] = alike[0] if len(alike) == 1 else None
             if Effort.left < 0:

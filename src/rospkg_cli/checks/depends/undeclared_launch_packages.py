@@ -119,7 +119,7 @@ class LaunchDependencies:
 
         Another word makes another package: one of the same vendor, which is not here. A variable's `_dir` makes none.
         """
-        if not self.is_unknown_package(name):
+        if not self.is_unknown_package(name) or self.declared.workspace.is_listed(name):
             return None
         near = nearest(name, self.known_names)
         is_same = near is not None and (is_misspelt(name, near) or OF_VARIABLES.sub("", name) == near)

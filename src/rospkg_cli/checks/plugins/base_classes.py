@@ -122,7 +122,8 @@ class PluginBases:
         for loader in self.loaders.loaders if self.facts.is_ament else ():
             package, base = loader.names
             known = self.workspace.kind_of(package)
-            if known is NameKind.PACKAGE or self.workspace.is_available(package) or package == self.facts.name:
+            is_around = self.workspace.is_available(package) or self.workspace.is_listed(package)
+            if known is NameKind.PACKAGE or is_around or package == self.facts.name:
                 continue
             served = {each for plugin in self.workspace.plugins_of(base) for each in plugin.packages}
             if package not in served and (served or known is NameKind.UNKNOWN):

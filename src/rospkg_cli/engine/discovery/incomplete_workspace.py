@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from ...absent_paths import MAX_SUBMODULES, SUBMODULE
 from ...disk_trace import is_file, is_folder, names_in, read_limited, scan
+from ...lazy_regex import regex
 from ...leftovers import is_never_source
 from ...light_dataclasses import dataclass
 from ...unreadable import UnreadableError
@@ -15,6 +17,8 @@ from ...unreadable import UnreadableError
 LISTS = (".repos", ".rosinstall")
 MAX_BYTES = 1_000_000
 """The largest .gitmodules or list that is read."""
+
+URL = regex(r"^[ \t]*url[ \t]*=[ \t]*(\S+?)/?[ \t]*$", re.MULTILINE)
 
 MAX_NAMED = 3
 """Repositories that a sentence names."""
@@ -67,7 +71,7 @@ def missing_below(folder: Path, top: Path) -> Iterator[MissingPackages]:
     empty = [path for path in paths[:MAX_SUBMODULES] if is_empty(folder / path)]
     if empty:
         why = f"the submodule `{empty[0]}` is empty; `git submodule update --init` fills it"
-        yield MissingPackages(why, frozenset(empty))
+        yield MissingPackages(why, frozenset((*empty, *addresses(folder / ".gitmodules", empty))))
 
 
 def missing_of_list(path: Path, top: Path) -> MissingPackages:
@@ -103,6 +107,17 @@ def submodules(path: Path) -> list[str]:
     """Return the folders that a .gitmodules names; raises OSError."""
     data = read_limited(path)[1] if is_file(path) else None
     return SUBMODULE.findall(data.decode("utf-8", "replace")) if data and len(data) <= MAX_BYTES else []
+
+
+def addresses(path: Path, wanted: Sequence[str]) -> Iterator[str]:
+    """Yield the last parts of the URLs of some submodules, where their folders are called otherwise; raises OSError."""
+    text = read_limited(path)[1] or b""
+    for section in text.decode("utf-8", "replace").split("[submodule")[1:]:
+        folders = [each for each in SUBMODULE.findall(section) if each in wanted]
+        for url in URL.findall(section) if folders else ():
+            name = url.removesuffix(".git").rpartition("/")[2].rpartition(":")[2]
+            if name and all(each.rpartition("/")[2] != name for each in folders):
+                yield name
 
 
 def is_empty(folder: Path) -> bool:

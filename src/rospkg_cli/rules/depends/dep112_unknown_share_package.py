@@ -61,8 +61,9 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     The build is green, and the node ends with PackageNotFoundError.
 
     ## When it is quiet
-    Where the name is near none of the workspace, of the dependencies and of the known packages; where the exception is
-    caught; in files that nothing installs. Launch files have rules of their own (DEP103).
+    Where the name is near none of the workspace, of the dependencies and of the known packages; where a submodule or a
+    listed repository that is not here is called like that; where the exception is caught; in files that nothing
+    installs. Launch files have rules of their own (DEP103).
 
     ## Fix safety
     The intended package is a guess.
