@@ -72,10 +72,11 @@ class ReachedModules:
             return False
         if self.is_library and self.installed.names[path] in self.started:
             return False
-        name = path.rpartition("/")[2]
+        name, module = re.escape(path.rpartition("/")[2]), re.escape(self.installed.names[path])
+        word = re.compile(rf"(?<!\w)(?:{name}|{module})(?!\w)")  # `my_pkg.dot` is not named by `my_pkg.dot_qt`
         pages = (each for each in self.installed.files.paths if each.endswith((*PAGES, *NAMING)))
         texts = (self.installed.files.readable_text(each) for each in pages if each != path)
-        return not any(name in text or self.installed.names[path] in text for text in texts)
+        return not any(map(word.search, texts))
 
     def is_for_launch(self, path: str) -> bool:
         """Return whether a file is a module that only launch files import or name, at first or second hand."""
