@@ -2,9 +2,28 @@
 
 from __future__ import annotations
 
+from .setups import python
 from .undefined_names import talker
 
+HEAD = "import rclpy\nfrom rclpy.node import Node\n\n\n"
 BROKEN = "def draw():\n    print(modes)\n"
+START = "\n\ndef main():\n    Talker().say()\n"
+
+
+def node(*methods: str, start: str = "self.on = False", more: str = "", end: str = START) -> str:
+    """A node with methods; each may begin with its name and a colon, behind which its only line stands."""
+    bodies = (each.partition(": ") for each in methods)
+    text = "".join(f"\n    def {name}(self):\n        {line}\n" for name, _, line in bodies)
+    first = f"    def __init__(self):\n        super().__init__('talker')\n        {start}\n"
+    return f"{HEAD}class Talker(Node):\n{more}{first}{text}{end}"
+
+
+OTHER = "\n\nclass Other(Node):\n    def go(self):\n        self.stop()\n\n    def stop(self): ...\n"
+HEIR = OTHER.replace("(Node)", "(Talker)").replace("    def stop(self): ...\n", "")
+MAIN = "\n\ndef main():\n    Talker().say(), Other('a').go()\n"
+TEST = ("say: if self.on: self.probe()", "probe: print(modes)")
+
+LIBRARY = "class Words:\n    def say({0}):\n        print(modes)\n\n\n"
 
 CASES = {
     "DEP117": (
@@ -13,5 +32,24 @@ CASES = {
             my_pkg__dot=BROKEN,
             my_pkg__dot_qt="GREETING = 1\n",
         ),
+        talker(node(*TEST)),
+        talker(node(*TEST, start="self.on = True")),
+        talker(node(*TEST, "start: self.on = True")),
+        talker(node(*TEST, start="pass", more="    on = False\n\n")),
+        talker(node(*TEST, more="    on = False\n\n")),
+        talker(node(*TEST, "start: setattr(self, 'on', True)")),
+        talker(node("say: print(modes) if self.on else 1")),
+        talker(node("say: if self.on: print(modes)")),
+        talker("ON = False\n" + node("say: if ON: self.probe()", "probe: print(modes)")),
+        talker(
+            "ON = False\n" + node("say: if ON: self.probe()", "probe: print(modes)"), my_pkg__b="import a\na.ON = 1\n"
+        ),
+        talker(node("say: pass", "stop: print(modes)", end=OTHER + MAIN)),
+        talker(node("say: pass", "stop: print(modes)", end=HEIR + MAIN)),
+        talker(node("say: pass", "stop: print(modes)", end=START.replace(".say", ".stop"))),
+        talker(node("say: pass", "stop: print(modes)", end=OTHER + MAIN).replace("r(Node)", "r(object)")),
+        python({"my_pkg/words.py": LIBRARY.format("")}),
+        python({"my_pkg/words.py": LIBRARY.format("self")}),
+        python({"my_pkg/words.py": LIBRARY.format("") + "Words.say()\n"}),
     ),
 }

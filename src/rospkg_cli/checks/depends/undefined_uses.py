@@ -127,7 +127,8 @@ class UndefinedUses:
             return "certainly"
         if self.is_idle(file, found.span):
             return "never"
-        return "branch" if is_in_handler(file, found.span) else "maybe"
+        is_seldom = is_in_handler(file, found.span) or self.definitions.is_turned_off(file, found.span)
+        return "branch" if is_seldom else "maybe"
 
     def of_attribute(self, role: Role, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
         """Return when an attribute is read of an object, of which less is known than of a name."""

@@ -10,6 +10,7 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import FunctionNode, nodes_of, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...source import Span
+from ..class_families import class_families, is_of_self
 from ..logged_texts import logged_texts
 from ..run_imports import RunImports
 
@@ -25,22 +26,48 @@ class UncalledMethods:
     def has(self, path: str, span: Span) -> bool:
         """Return whether a place lies in a method of a plain node whose name stands nowhere else in the code."""
         file = self.run.modules.at(path)
-        spans = {each.name: file.span(each) for each in methods(file)} if file is not None else {}
-        return any(each.holds(span) for name, each in spans.items() if name not in self.named)
+        found = methods(file) if file is not None else ()
+        return any(
+            file is not None and file.span(each).holds(span) and not self.is_named(owner, each.name)
+            for owner, each in found
+        )
+
+    def is_named(self, owner: str, name: str) -> bool:
+        """Return whether code names a method of a class; `self.name` does where it stands in one of its family."""
+        return name in self.named or (self.families.get(owner, ""), name) in self.named_of_self
+
+    @cached_property
+    def families(self) -> dict[str, str]:
+        return class_families(file for _, file in self.run.files)
+
+    @cached_property
+    def named_of_self(self) -> frozenset[tuple[str, str]]:
+        """The members that methods name by `self`, each with the family of the class around."""
+        owners = ((each, file) for _, file in self.run.files for each in nodes_of_kind(file.tree, ast.ClassDef))
+        found = (
+            (owner.name, node.attr)
+            for owner, _ in owners
+            for node in nodes_of_kind(owner, ast.Attribute)
+            if is_of_self(node)
+        )
+        return frozenset((self.families[owner], name) for owner, name in found)
 
     @cached_property
     def named(self) -> frozenset[str]:
-        """Every name and every string in the code of the package's files; a comment or a log names nothing."""
+        """Every name and every string in the code of the package's files, but for members of `self` in a class.
+
+        A comment or a log names nothing.
+        """
         return frozenset(name for _, file in self.run.files for name in names_in(file))
 
 
-def methods(file: PythonFile) -> Iterator[FunctionNode]:
+def methods(file: PythonFile) -> Iterator[tuple[str, FunctionNode]]:
     """Yield the methods of classes that are a Node and nothing else, but for those that others may call unseen."""
     for owner in nodes_of_kind(file.tree, ast.ClassDef):
         is_plain = bool(owner.bases) and all(ast.unparse(each) in NODES for each in owner.bases)
         for each in owner.body if is_plain else ():
             if isinstance(each, FunctionNode) and not may_be_called_unseen(each):
-                yield each
+                yield owner.name, each
 
 
 def may_be_called_unseen(method: FunctionNode) -> bool:
@@ -49,7 +76,9 @@ def may_be_called_unseen(method: FunctionNode) -> bool:
 
 def names_in(file: PythonFile) -> Iterator[str]:
     logged = logged_texts(file)
-    for node in nodes_of(file.tree):
+    owners = nodes_of_kind(file.tree, ast.ClassDef)
+    of_self = {id(node) for owner in owners for node in nodes_of_kind(owner, ast.Attribute) if is_of_self(node)}
+    for node in (each for each in nodes_of(file.tree) if id(each) not in of_self):
         match node:
             case ast.Attribute(attr=name) | ast.Name(id=name):
                 yield name

@@ -21,6 +21,8 @@ def constant_truth(test: ast.expr, names: Mapping[str, bool]) -> bool | None:
             return bool(value)
         case ast.Name(id=name):
             return names.get(name)
+        case ast.Attribute(value=ast.Name(id="self"), attr=name) if f"self.{name}" in names:
+            return names[f"self.{name}"]
         case ast.Compare(left=asked, ops=[ast.Eq() | ast.NotEq() as operator], comparators=[ast.Constant(value=value)]):
             is_equal = str(value) == "2"
             return (

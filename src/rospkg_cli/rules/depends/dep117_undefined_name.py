@@ -55,8 +55,8 @@ WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function or a branch that may not run, in a test, or in an annotation",
-        Severity.INFO: "nothing in the package calls the function, imports the module, or installs the file, or an "
-        "attribute is read under a condition",
+        Severity.INFO: "nothing in the package calls the function, imports the module, or installs the file, a switch "
+        "turns it off that nothing throws, or an attribute is read under a condition",
     },
     examples=(
         Example(

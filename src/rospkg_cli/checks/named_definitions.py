@@ -1,0 +1,61 @@
+"""The functions, methods and classes of a file, each with what it leads to by names."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Collection, Iterator
+
+from ..languages.python.file import PythonFile
+from ..languages.python.nodes import FunctionNode, nodes_of
+from ..light_dataclasses import dataclass
+from .own_names import own_names
+
+Definition = FunctionNode | ast.ClassDef
+OF_NODES = frozenset({"Node", "LifecycleNode"})
+EMPTY = frozenset({"object", "ABC", "Protocol"})
+CALLED_BY_ROS = ("__", "on_", "destroy_node", "generate_")
+"""How methods and functions begin that Python or ROS calls by itself."""
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A definition, and what it leads to where something leads to it."""
+
+    node: Definition
+    names: frozenset[str]
+    """That its own code mentions, without the definitions in it."""
+    by_others: tuple[Named, ...]
+    """The methods of a class that code of others may call by their names, once there is an object."""
+    owner: str
+    """The class that it is a member of; "" for none."""
+    around: str
+    """The class whose object `self` is in it."""
+
+
+def definitions(file: PythonFile, off: Collection[int]) -> Iterator[Named]:
+    """Yield the definitions of a file, wherever they stand."""
+    found: dict[int, Named] = {}
+    nodes = [each for each in nodes_of(file.tree) if isinstance(each, Definition)]
+    owners = [each for each in nodes if isinstance(each, ast.ClassDef)]
+    owned = {id(inner): each.name for each in owners for inner in each.body}
+    around = {id(inner): each.name for each in owners for inner in nodes_of(each)}  # the innermost one comes last
+    for node in reversed(nodes):
+        called: tuple[Named, ...] = ()
+        if isinstance(node, ast.ClassDef):
+            inner = [found[id(each)] for each in node.body if id(each) in found]
+            called = tuple(each for each in inner if is_open(node) or each.node.name.startswith(CALLED_BY_ROS))
+        names, here = frozenset(own_names(file, node, off)), (owned.get(id(node), ""), around.get(id(node), ""))
+        found[id(node)] = Named(node, names, called, *here)
+    yield from found.values()
+
+
+def takes_no_object(each: Named) -> bool:
+    """Return whether this is a method without `self`: who has an object can't call it."""
+    node = each.node
+    return bool(each.owner) and isinstance(node, FunctionNode) and not ast.unparse(node.args)
+
+
+def is_open(node: ast.ClassDef) -> bool:
+    """Return whether code of others may call the methods of a class: it has a base of theirs, but for a node's."""
+    last = {ast.unparse(base).rpartition(".")[2] for base in node.bases}
+    return bool(last - OF_NODES - EMPTY) or bool(node.keywords)
