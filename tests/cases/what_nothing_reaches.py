@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from .setups import python
+from .shown_fields import SERVE, code
+from .shown_fields import node as node_of
 from .undefined_names import talker
 
 HEAD = "import rclpy\nfrom rclpy.node import Node\n\n\n"
@@ -25,7 +27,18 @@ TEST = ("say: if self.on: self.probe()", "probe: print(modes)")
 
 LIBRARY = "class Words:\n    def say({0}):\n        print(modes)\n\n\n"
 
+MEANT = node_of("", "def serve(self, request: Status, response: Status) -> Status:\n    response.{} = request.{}\n")
+RESPONSE = MEANT.replace("def __init__(self):\n", f"def __init__(self):\n        {SERVE}")
+IN_FUNCTION = "def main():\n    {}\n\n\ndef idle():\n    from std_msgs.msg import Sting\n    print(Sting)\n"
+HOME = "def main():\n    {}\n\n\ndef idle():\n    open('/home/ada/ws/src/my_pkg/my_pkg/a.txt')\n"
+
 CASES = {
+    "IDL010": (
+        code(RESPONSE.format("success", "mode")),
+        code(RESPONSE.format("succes", "battery")),
+    ),
+    "IDL011": tuple(talker(IN_FUNCTION.format(each)) for each in ("pass", "idle()")),
+    "DEP118": tuple(talker(HOME.format(each)) for each in ("pass", "idle()")),
     "DEP117": (
         talker(
             "from my_pkg.dot_qt import GREETING\n\n\ndef main(): ...\n",

@@ -16,6 +16,7 @@ from ..package.workspace import Workspace
 from ..source import Span
 from .home_accounts import is_of_container, is_of_many
 from .home_path_texts import ASKS, CPP, IS_SOUGHT, MARKUP, YAML, is_in_handler, patterns, without_comments
+from .reached_definitions import ReachedDefinitions
 from .yaml_elsewhere import is_named_yaml, is_of_another
 
 FOR_CODE = ("launch", "src", "scripts", "script", "nodes", "node", "bin")
@@ -39,6 +40,8 @@ class HomePath:
     is_seldom_read: bool
     """Whether RViz, a script in a folder of its own or YAML that is not installed, or that nothing names, has it, which
     few start; or it is one of several places for modules."""
+    is_unreached: bool = False
+    """Whether it is in a function of Python that nothing leads to."""
 
 
 @dataclass(frozen=True)
@@ -47,6 +50,7 @@ class HomePaths:
     facts: PackageFacts
     workspace: Workspace
     table: InstallTable | None = None
+    definitions: ReachedDefinitions | None = None
 
     @cached_property
     def found(self) -> tuple[HomePath, ...]:
@@ -79,7 +83,13 @@ class HomePaths:
             place, home = Span(*match.span("path")), self.home_of(named)
             is_seldom_read = self.is_seldom_read(path) or IS_SOUGHT.search(bare, 0, match.start()) is not None
             is_seldom_read = is_seldom_read or (path.endswith(YAML) and not is_image and not self.is_used(path))
-            yield HomePath(path, place, named, *home, is_image, may_be_there, is_seldom_read)
+            flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
+            yield HomePath(path, place, named, *home, *flags)
+
+    def is_unreached(self, path: str, place: Span) -> bool:
+        """Return whether no program of the package leads to the function around a place."""
+        file = self.definitions.run.modules.at(path) if self.definitions and path.endswith(".py") else None
+        return file is not None and self.definitions is not None and not self.definitions.leads_to(file, place)
 
     def halves(self, path: str) -> Iterator[str]:
         """Yield a file and, of C++, the header or the source of its name: one may ask for what the other one names."""

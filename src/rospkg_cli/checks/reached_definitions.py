@@ -85,8 +85,8 @@ class ReachedDefinitions:
     def is_start(self, each: Named) -> bool:
         """Return whether a definition counts as called: by a decorator, a framework, or who imports the package."""
         has_programs = bool(self.entries) or any(True for _ in self.table.of("executable"))
-        is_test = each.node.name.startswith(("test", "Test"))
-        return bool(each.node.decorator_list) or is_test or not (has_programs or takes_no_object(each))
+        is_called = each.node.name.startswith(("test", "Test", "generate_"))  # by pytest, by ros2 launch
+        return bool(each.node.decorator_list) or is_called or not (has_programs or takes_no_object(each))
 
 
 def meant(name: str, every: Mapping[str, Sequence[Named]]) -> Iterator[Named]:

@@ -11,6 +11,7 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.interfaces import KINDS
 from ...source import Span
+from ..reached_definitions import ReachedDefinitions
 from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
 from .known_interfaces import KnownInterfaces
@@ -33,6 +34,8 @@ class WrongInterfaceImport:
     is_left: bool
     """Whether it is in a module that nothing starts or imports, beside programs."""
     is_uninstalled: bool = False
+    is_unreached: bool = False
+    """Whether it is in a function that nothing of the package leads to."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +44,7 @@ class InterfaceImports:
     run: RunImports
     workspace: Workspace
     reached: ReachedModules | None = None
+    definitions: ReachedDefinitions | None = None
 
     def wrong(self) -> Iterator[WrongInterfaceImport]:
         for file, each in self.run.certain:
@@ -107,7 +111,9 @@ class InterfaceImports:
         self, file: PythonFile, each: Import, span: Span, package: str, kind: str, name: str, meant: str
     ) -> WrongInterfaceImport:
         is_left = self.reached is not None and self.reached.is_left(file.path)
-        return WrongInterfaceImport(file.path, span, package, kind, name, meant, each.is_local, is_left)
+        is_led_to = self.definitions is None or not each.is_local or self.definitions.leads_to(file, each.span)
+        found = WrongInterfaceImport(file.path, span, package, kind, name, meant, each.is_local, is_left)
+        return found if is_led_to else replace(found, is_unreached=True)
 
 
 def makes(facts: PackageFacts, kind: str) -> bool:

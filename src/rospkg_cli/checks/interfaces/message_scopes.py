@@ -86,13 +86,14 @@ class Signatures:
     def parameters(self, function: FunctionNode, owner: str) -> dict[str, str]:
         """Return the parameters that hold a message: by what the function is registered for, or by annotation.
 
-        Annotations count where the file does not call the function: a caller may pass what they don't say.
+        What registers it decides. Annotations count where the file does not call the function: a caller may pass what
+        they don't say.
         """
         every = [*function.args.posonlyargs, *function.args.args]
         types = self.callbacks.get((owner, function.name), ()) if not function.decorator_list else ()
         found = {each.arg: kind for each, kind in zip(every[bool(owner) :], types, strict=False)}
         for each in [*every, *function.args.kwonlyargs]:
-            if each.annotation is not None:
+            if each.annotation is not None and each.arg not in found:
                 found[each.arg] = self.classes.message(each.annotation) if function.name not in self.called else ""
         return {name: kind for name, kind in found.items() if kind}
 

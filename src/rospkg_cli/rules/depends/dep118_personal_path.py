@@ -25,6 +25,7 @@ SHARE = "from ament_index_python.packages import get_package_share_path\n"
 SETUP = SETUP_PY_FOR_ALL.replace(
     "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
 )
+UNREACHED = "; nothing here leads to this function"
 FILES = {
     "package.xml": manifest(
         "  <exec_depend>ament_index_python</exec_depend>\n"
@@ -45,7 +46,7 @@ FILES = {
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "the file is not of the workspace, many have an account of that name, code asks first, nothing "
-        "installs or names the YAML, or it is one of the places for modules"
+        "installs or names the YAML, nothing leads to the function, or it is one of the places for modules"
     },
     examples=(
         Example(
@@ -80,8 +81,8 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     Tests, comments, what a substitution fills in, and paths below the home of an account that robots, containers and
     examples have (`/home/ubuntu`), of one that a Dockerfile of the repository names, or in code that asks whether
     something exists or tries something else first, unless they lead into the workspace: then they are an info. So is
-    what an RViz config or YAML that nothing names has, or a script in a folder that is none for code. Robots and worlds
-    are URD002's, what setup.py installs is SET205's.
+    what an RViz config or YAML that nothing names has, a script in a folder that is none for code, or a function that
+    no program leads to. Robots and worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
     others = [each for each in paths.found if each.of_package is None and not each.may_be_there]
@@ -94,7 +95,7 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
 
 
 def is_mild(found: HomePath) -> bool:
-    return found.may_be_there or found.is_seldom_read
+    return found.may_be_there or found.is_seldom_read or found.is_unreached
 
 
 def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
@@ -103,7 +104,8 @@ def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
     more = f" and {len(others)} more" if others else ""
     verb, them = ("are", "they are") if others else ("is", "it is")
     message = f"`{first.text}`{more} {verb} on one machine: elsewhere {them} missing; {how}"
-    return Hit(first.path, first.span, message, level, again)
+    why = UNREACHED if all(each.is_unreached for each in found) else ""
+    return Hit(first.path, first.span, f"{message}{why}", level, again)
 
 
 def advice(found: HomePath) -> str:

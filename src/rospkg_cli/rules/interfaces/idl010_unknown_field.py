@@ -28,9 +28,10 @@ class Listener(rclpy.node.Node):
 TALKER = "from std_msgs.msg import String\n\n\ndef words():\n    msg = String()\n    msg.{} = 'hello'\n    return msg\n"
 
 LEFT, IN_TEST = "; nothing starts or imports this module", "; only a test runs it"
+NEVER = UNCALLED, UNREACHED = "; nothing calls this method", "; nothing here leads to this function"
 REASONS = (
-    (FieldUses.is_uncalled, "; nothing calls this method"),
-    (FieldUses.is_unreached, "; nothing here leads to this function"),
+    (FieldUses.is_uncalled, UNCALLED),
+    (FieldUses.is_unreached, UNREACHED),
     (FieldUses.is_in_handler, "; it runs after another exception alone"),
     (FieldUses.is_called_with_care, "; who calls it catches that"),
     (FieldUses.is_replaced, "; the class is defined again below"),
@@ -45,8 +46,9 @@ REASONS = (
     over=FieldUses,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "nothing starts or imports the module, calls the method, or comes to the place as a rule, "
-        "who calls it catches that, or only a test runs it"
+        Severity.WARNING: "nothing starts or imports the module, or comes to the place as a rule, who calls it "
+        "catches that, or only a test runs it",
+        Severity.INFO: "nothing calls the method, or leads to the function",
     },
     examples=(
         Example(
@@ -81,9 +83,9 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     annotations often take for it; for packages outside of the workspace, unless the name is near a field or was one in
     ROS 1; under a condition that is for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A module that no
     entry point and no other file of the package names or imports, beside others that start, is a warning, and so is a
-    function that no program leads to, a method of an object that is bound to a name which nothing reads, unless its
-    construction comes to it, or of a class that is defined again further down. So is a use in an `except` branch, in
-    a function whose callers catch what it raises, and in a test.
+    method of an object that is bound to a name which nothing reads, unless its construction comes to it, or of a class
+    that is defined again further down. So is a use in an `except` branch, in a function whose callers catch what it
+    raises, and in a test. A function that no program leads to is an info.
 
     ## Fix safety
     The intended field is a guess.
@@ -97,7 +99,7 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
         related = tuple(Related(each.path, each.span, "and here") for each in others)
         names = [field[0].name for field in fields]
         end = unrun(uses, (first, *others))
-        level = Severity.WARNING if end else None
+        level = Severity.INFO if end in NEVER else Severity.WARNING if end else None
         yield Hit(first.path, first.span, f"{message(first, names)}{end}", level, related, fix)
 
 
