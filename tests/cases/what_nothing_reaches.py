@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from rospkg_cli.example import Example
+
 from .setups import python
+from .shown_cmake import package
 from .shown_fields import SERVE, code
 from .shown_fields import node as node_of
 from .undefined_names import talker
@@ -32,7 +35,39 @@ RESPONSE = MEANT.replace("def __init__(self):\n", f"def __init__(self):\n       
 IN_FUNCTION = "def main():\n    {}\n\n\ndef idle():\n    from std_msgs.msg import Sting\n    print(Sting)\n"
 HOME = "def main():\n    {}\n\n\ndef idle():\n    open('/home/ada/ws/src/my_pkg/my_pkg/a.txt')\n"
 
+LAUNCH_TEST = """\
+import os
+
+import launch_ros
+from ament_index_python import get_package_share_directory
+
+
+def generate_test_description():
+    return launch_ros, os.path.join(get_package_share_directory('my_pkg'), 'config', 'robt.yaml')
+"""
+TESTED = "install(DIRECTORY config DESTINATION share/${{PROJECT_NAME}})\nif(BUILD_TESTING)\n  {}\nendif()\n"
+REGISTERED = (
+    "# add_launch_test(test/test_talk.py)",
+    "add_launch_test(test/test_talk.py)",
+    "add_launch_test(${WHICH})",
+    "ament_add_pytest_test(talk test)",
+    "my_tests(a/test_talk.py)",
+)
+
+
+def registered(lines: str, path: str = "test/test_talk.py") -> Example:
+    files = {path: LAUNCH_TEST, "config/robot.yaml": "a: 1\n"}
+    return package(TESTED.format(lines), files=files, needs=("ament_index_python",))
+
+
 CASES = {
+    "DEP102": (
+        *map(registered, REGISTERED),
+        registered("", "launch/talk.launch.py"),
+        python({"test/talk.launch.py": LAUNCH_TEST}),
+        python({"test/test_talk.launch.py": LAUNCH_TEST}),
+    ),
+    "DEP113": tuple(map(registered, REGISTERED)),
     "IDL010": (
         code(RESPONSE.format("success", "mode")),
         code(RESPONSE.format("succes", "battery")),

@@ -32,6 +32,7 @@ from .depends.compiled_sources import harm_in
 from .install_faults import InstallFaults
 from .reached_modules import ReachedModules
 from .run_imports import RunImports
+from .unrun_tests import is_never_run
 
 LOOKUPS = SHARE | {"get_package_prefix"}
 CATCHES = frozenset({"PackageNotFoundError", "KeyError", "LookupError", "Exception", "BaseException"})
@@ -86,6 +87,11 @@ class ShareLookups:
         if not path.endswith(".py"):
             return self.cmake is not None and harm_in(self.cmake, self.sources, path) == "error"
         return self.reached is None or not self.reached.is_left(path)
+
+    def is_never_run(self, path: str) -> bool:
+        """Return whether a file is a test that `colcon test` does not run."""
+        is_test = path.endswith(".py") and role_of(path) == "test"
+        return is_test and is_never_run(path, self.files, self.cmake, self.facts.build_type)
 
     @property
     def modules(self) -> Iterator[PythonFile]:

@@ -7,12 +7,14 @@ from functools import cached_property
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role
 from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_TESTS, LAUNCH, implied_by
 from ...source import Span
 from ..reached_modules import ReachedModules
 from ..ros1_import import ROS1, ros1_import
+from ..unrun_tests import is_never_run
 from .brought_dependencies import COLCON, ROSDEP, Bringer
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers, undeclared_provider
@@ -52,6 +54,12 @@ class ImportDependencies:
     python: PackageImports
     files: PackageFiles
     reached: ReachedModules | None = None
+    cmake: CMake | None = None
+
+    def are_never_run(self, places: Iterable[ImportUse]) -> bool:
+        """Return whether all places are in tests that `colcon test` does not run."""
+        build_type = self.declared.facts.build_type
+        return all(is_never_run(path, self.files, self.cmake, build_type) for path in {each.path for each in places})
 
     def is_for_pip(self, missing: UndeclaredImport) -> bool:
         """Return whether the requirements or a Dockerfile of the repository have pip install it."""

@@ -11,6 +11,8 @@ from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule
 
+NEVER_RUN = "; `colcon test` does not run this file today"
+
 
 @rule(
     "DEP102",
@@ -19,7 +21,7 @@ from ...rule import rule
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency or colcon brings or may bring it, package.xml has it in a comment, "
-        "or setup.py does not ask for pytest"
+        "setup.py does not ask for pytest, or `colcon test` does not run the file"
     },
     examples=(
         Example(
@@ -44,7 +46,8 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
     What a declared dependency certainly installs can't be missing, nor can pytest, which colcon needs itself: that is
     one info, which names who brings it. What may come with a declared one is another: with a package that is neither
     here nor in the table of what is installed with what, anything may come. It is an info, too, where setup.py does not
-    ask for pytest: `colcon test` runs unittest then. Left out are optional imports, helpers that no test uses,
+    ask for pytest: `colcon test` runs unittest then; and for a launch test that CMake does not register, or whose name
+    pytest does not look for. Left out are optional imports, helpers that no test uses,
     launch_ros and launch_testing where a declared dependency certainly brings them, and what installed code imports as
     well (DEP101).
 
@@ -70,8 +73,10 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
             f"`{missing.name}` is imported by tests and not declared: {where} "
             f"{fails} fails with ModuleNotFoundError; {advice(declared, 'test_depend', missing.name)}{others}"
         )
+        end = NEVER_RUN if imports.are_never_run(missing.places) else ""
         places = related((place.path, place.span) for place in missing.places)
-        level = Severity.INFO if is_left_out(declared, missing.name) or not imports.has_pytest else None
+        is_mild = bool(end) or is_left_out(declared, missing.name) or not imports.has_pytest
+        level = Severity.INFO if is_mild else None
         fix = declaration(declared, "test_depend", missing.name)
-        yield Hit(first.path, first.span, message, level, places, fix)
+        yield Hit(first.path, first.span, f"{message}{end}", level, places, fix)
     yield from left_to_others(declared, brought, "imported by tests")

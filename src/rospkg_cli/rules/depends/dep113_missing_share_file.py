@@ -28,7 +28,10 @@ PEOPLE = {**NEEDS, "names/people.txt": "Ada\n", "my_pkg/talker.py": MODULE.forma
     "missing-share-file",
     over=ShareLookups,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "C++ names it, the package does not have it, or nothing starts or imports the module"},
+    levels={
+        Severity.WARNING: "C++ names it, the package does not have it, or nothing starts or imports the module",
+        Severity.INFO: "it is in a test that `colcon test` does not run",
+    },
     examples=(
         Example(bad={**PEOPLE, "setup.py": SETUP_PY}, good={"setup.py": INSTALLED}),
         Example(
@@ -61,4 +64,7 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
         else:
             message = f"`{found.package}` installs no file `{found.file}`; did you mean `{found.near}`?"
         is_certain = found.is_here and found.path.endswith(".py") and lookups.is_run(found.path)
-        yield Hit(found.path, found.span, message, None if is_certain else Severity.WARNING)
+        level = None if is_certain else Severity.WARNING
+        if lookups.is_never_run(found.path):
+            level, message = Severity.INFO, f"{message}; `colcon test` does not run this file today"
+        yield Hit(found.path, found.span, message, level)
