@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import Example
+from rospkg_cli.example import Example, manifest
 
 from .setups import python
 from .shown_cmake import package
@@ -60,7 +60,26 @@ def registered(lines: str, path: str = "test/test_talk.py") -> Example:
     return package(TESTED.format(lines), files=files, needs=("ament_index_python",))
 
 
+MAIN_CPP = "int main() { return 0; }\n"
+TYPED = f"#include <geometry_msgs/msg/pose_stamped.hpp>\nstd_msgs::msg::Header header;\n{MAIN_CPP}"
+FOR_ROS1 = f"#include <nav_msgs/Path.h>\n{MAIN_CPP}"
+
+
+def compiled(lines: str, text: str, needs: str = "") -> Example:
+    files = {"src/a.cpp": text, "package.xml": manifest(needs, "ament_cmake")}
+    return package("add_executable(b src/b.cpp)", lines, files={"src/b.cpp": MAIN_CPP, **files})
+
+
+ONLY_ROS1 = '  <depend condition="$ROS_VERSION == 1">nav_msgs</depend>\n'
+
 CASES = {
+    "DEP105": (
+        compiled("add_executable(a src/a.cpp)", TYPED),
+        compiled("add_executable(a src/a.cpp)", TYPED.replace("#include", "//")),
+        compiled("if(WITH_A)\n  add_executable(a src/a.cpp)\nendif()", FOR_ROS1, ONLY_ROS1),
+        compiled("if(WITH_A)\n  add_executable(a src/a.cpp)\nendif()", FOR_ROS1),
+        compiled("add_executable(a src/a.cpp)", FOR_ROS1, ONLY_ROS1),
+    ),
     "DEP102": (
         *map(registered, REGISTERED),
         registered("", "launch/talk.launch.py"),

@@ -84,6 +84,12 @@ def compiled_on_demand(cmake: CMake, sources: Iterable[CppFile]) -> set[str]:
     return (known.own | known.tests) - always
 
 
+def certainly_compiled(cmake: CMake, sources: Iterable[CppFile]) -> set[str]:
+    """Return the files that every build of the package opens, or that every run of its tests does."""
+    known, _ = sources_by_use(cmake, sources)
+    return known.certain | known.certain_tests
+
+
 def as_built(role: Role) -> Role:
     return "run" if role == "launch" else role
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -24,7 +24,13 @@ from ...ros.libraries import is_named_among, keys_of_header, stem
 from ...ros.names import NameKind
 from ...source import Source, Span
 from .brought_dependencies import Bringer, brought_by
-from .compiled_sources import compiled_on_demand, compiled_sources, only_under_conditions, own_compiled
+from .compiled_sources import (
+    certainly_compiled,
+    compiled_on_demand,
+    compiled_sources,
+    only_under_conditions,
+    own_compiled,
+)
 from .declared_dependencies import DeclaredDependencies
 from .required_by_cmake import required_modules, required_packages
 from .undeclared_find_package import FindPackageDependencies
@@ -168,6 +174,16 @@ class IncludeDependencies:
         is_sought = is_sought or bool(names and self.find_packages.matching_names(each.cmake, names))
         return is_sought and self.are_optional(each)
 
+    def are_for_ros1(self, each: IncludedPackage) -> bool:
+        """Return whether it is declared under a condition that does not hold, and no build is sure to need it."""
+        declared = {one.name for one in self.declared.manifest.dependencies if one.condition}
+        is_left = declared.intersection(each.names) and not self.declared.has(each.names)
+        return bool(is_left) and self.certain.isdisjoint(use.path for use in each.uses)
+
+    @cached_property
+    def certain(self) -> set[str]:
+        return certainly_compiled(self.cmake, self.sources)
+
     def may_be_submodule(self, each: IncludedPackage) -> bool:
         """Return whether it is a library that a submodule may hold, which CMake looks into and which is not here."""
         return self.opens_submodule and all(keys_of_header(use.header) for use in each.uses)
@@ -244,7 +260,17 @@ class IncludeDependencies:
 
     @cached_property
     def _undeclared(self) -> tuple[IncludedPackage, ...]:
-        return tuple(self.lacking())
+        return tuple(self.without_brought_types(self.lacking()))
+
+    def without_brought_types(self, found: Iterable[IncludedPackage]) -> Iterator[IncludedPackage]:
+        """Yield some packages, but for types alone whose package certainly comes with another one of them."""
+        every = list(found)
+        for each in every:
+            others = (one for one in every if not one.uses[0].is_type and one.role in ("run", each.role))
+            first = {one.names[0] for one in others}
+            is_brought = each.uses[0].is_type and each.names[0] in brought_by(sorted(first), self.declared.workspace)
+            if not is_brought:
+                yield each
 
     def lacking(self) -> Iterator[IncludedPackage]:
         """Yield what `undeclared` returns, found out anew."""
@@ -255,6 +281,7 @@ class IncludeDependencies:
             is_reported = each.cmake in reported or not named.isdisjoint(each.names)
             is_reported = is_reported or bool(named and self.find_packages.matching_names(each.cmake, named))
             is_settled = is_reported or bool(there.intersection(each.names)) or self.are_found_quietly(each)
+            is_settled = is_settled or self.are_for_ros1(each)
             if not is_settled and not self.is_declared(each):
                 reported.update(each.names)
                 yield each

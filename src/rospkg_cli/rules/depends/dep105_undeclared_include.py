@@ -61,7 +61,10 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     all others include under it, neighbours whose folder CMake names (`include_directories(../other/include)`), what
     CMake fetches, and packages that `find_package()` names as well (DEP104) are left alone. So are libraries that a git
     submodule is named after, checked out or not, and those that CMake looks for without need, where only what includes
-    them waits for it. What an empty submodule that CMake looks into may hold is an info.
+    them waits for it, what is declared under a condition that does not hold (`$ROS_VERSION == 1`), where no build is
+    sure to compile what includes it, and types whose package comes with another undeclared one. What an empty
+    submodule that CMake looks
+    into may hold is an info.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
