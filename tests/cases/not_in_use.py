@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import Example
+from rospkg_cli.example import CMAKE, Example, manifest
 
 VIEWER = """\
 import rclpy
@@ -40,8 +40,47 @@ LISTS = (
     '"static_layer",\n                "voxel_layer"',
 )
 
+ON_REQUEST = """\
+import rclpy.node
+from std_srvs.srv import Empty
+
+
+class Talker(rclpy.node.Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('rate', 10.0)
+        self.create_service(Empty, 'load', self.load)
+
+    def {}(self, request, response):
+        self.rate = self.get_parameter('rat').value
+        return response
+"""
+NODES = """\
+add_library(talker SHARED src/talker.cpp)
+ament_target_dependencies(talker rclcpp rclcpp_components)
+rclcpp_components_register_nodes(talker PLUGIN "my_pkg::Talker"{})
+install(TARGETS talker DESTINATION lib)
+ament_package"""
+COMPONENT = """\
+#include <rclcpp_components/register_node_macro.hpp>
+RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::Talker)
+"""
+
 
 CASES = {
+    "CMK108": tuple(
+        Example(
+            bad={
+                "CMakeLists.txt": CMAKE.replace("ament_package", NODES.format(more)),
+                "package.xml": manifest("  <depend>rclcpp_components</depend>\n", "ament_cmake"),
+                "src/talker.cpp": COMPONENT,
+            },
+            good={},
+            on="ament_cmake",
+        )
+        for more in ("", " EXECUTABLE talker_node")
+    ),
+    "PRM007": tuple(Example(bad={"my_pkg/talker.py": ON_REQUEST.format(name)}, good={}) for name in ("load", "loads")),
     "PLG003": tuple(Example(bad={"config/nav2.yaml": COSTMAP.format(names)}, good={}, on="config") for names in LISTS),
     "DEP103": tuple(Example(bad={"launch/a.py": text}, good={}) for text in (VIEWER, BY_HAND)),
 }

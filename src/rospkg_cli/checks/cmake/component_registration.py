@@ -73,10 +73,14 @@ class ComponentRegistration:
             if all(word.is_known and not word.maybe for word in words) and not component.call.maybe:
                 yield component
 
-    def misread_keywords(self) -> Iterator[Word]:
-        """Yield the first keyword of one node in each command that takes classes alone."""
+    def misread_keywords(self) -> Iterator[tuple[Word, bool]]:
+        """Yield the first keyword of one node in each command that takes classes alone; whether it asks for a program.
+
+        Without one, the class that stands behind is registered all the same.
+        """
         for call in self.package.cmake.named("rclcpp_components_register_nodes"):
-            yield from [word for word in call.words if word.text in OF_ONE_NODE][:1]
+            words = {word.text for word in call.words}
+            yield from [(word, "EXECUTABLE" in words) for word in call.words if word.text in OF_ONE_NODE][:1]
 
     def without_target(self) -> Iterator[Component]:
         """Yield the components of a target that does not exist."""
@@ -157,7 +161,9 @@ def name_of(argument: CppArgument) -> str:
     return "".join(argument.text.split())
 
 
-def misread_keyword(word: Word) -> str:
-    """Return the sentence of a keyword that is taken for a class."""
+def misread_keyword(word: Word, asks: bool) -> str:
+    """Return the sentence of a keyword that is taken for a class; whether the command asks for a program."""
     why = f"`{word.text}` is no class: `rclcpp_components_register_nodes` takes classes alone"
+    if not asks:
+        return f"{why}: what stands behind is registered, and `{word.text}` as well, which nothing loads; remove it"
     return f"{why}, and makes no executable; write `rclcpp_components_register_node`"

@@ -19,6 +19,7 @@ from ...package.workspace import Workspace
 from ...source import Source, Span
 from ...suggest import near_names, nearest, slips
 from .declaring_packages import is_its_own
+from .on_request import parts_on_request
 
 ALLOWED = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
 """Options of a node that has parameters which no code declares."""
@@ -44,6 +45,8 @@ class UnknownRead:
     is_python: bool = False
     has_others: bool = False
     """Whether the file declares all others that it gets."""
+    on_request: bool = False
+    """Whether only a request to a service or an action comes to it."""
     more: tuple[tuple[str, Span], ...] = ()
     """Other names of the file of which the same is true, and where they stand."""
 
@@ -113,8 +116,11 @@ class ParameterReads:
                 if is_its_own(read.name) and not self.is_declared(read):
                     suggestion = nearest(read.name, unread) or next(iter(slips(read.name, unread_here)), None)
                     if suggestion is not None:
+                        is_asked_for = any(each.holds(span) for each in parts_on_request(file))
                         throws = throws and not MILD.search(file.source.text)
-                        yield UnknownRead(file.source.path, span, read.name, suggestion, throws, True)
+                        yield UnknownRead(
+                            file.source.path, span, read.name, suggestion, throws, True, on_request=is_asked_for
+                        )
 
     def unread(self, path: str, reads: Collection[DeclaredParameter]) -> set[str]:
         """Return the names that a file declares and no code of the package gets."""

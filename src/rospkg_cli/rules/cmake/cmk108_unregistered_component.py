@@ -58,7 +58,8 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
         Severity.WARNING: "a source registers a class, no call of CMake does, and no launch file here loads it; or "
         "the keywords of one node are taken for classes; or it is registered of a program that nothing here loads, or "
         "of a library without it and of another one",
-        Severity.INFO: "a source registers a class, and the package links its library itself",
+        Severity.INFO: "a source registers a class, and the package links its library itself, or the "
+        "keyword of one node stands before its class, which is registered too",
     },
     examples=(
         Example(
@@ -115,8 +116,8 @@ def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
     for each in components.without_target():
         yield Hit(each.target.path, each.target.span, unknown_target(components, each))
     yield from of_libraries(components)
-    for word in components.misread_keywords():
-        yield Hit(word.path, word.span, misread_keyword(word), Severity.WARNING)
+    for word, asks in components.misread_keywords():
+        yield Hit(word.path, word.span, misread_keyword(word, asks), Severity.WARNING if asks else Severity.INFO)
     for each in components.without_source():
         yield Hit(each.plugin.path, each.plugin.span, unknown_class(components, each), related=meant(components, each))
     left = components.without_cmake()

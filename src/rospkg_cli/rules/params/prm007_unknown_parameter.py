@@ -130,7 +130,7 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         others = tuple(Related(limit.path, span, "and here") for span in limit.others)
         yield Hit(limit.path, limit.span, unread(limit), related=others)
     for read in scope.unknown_reads():
-        level = Severity.ERROR if read.throws and read.suggestion else None
+        level = Severity.ERROR if read.throws and read.suggestion and not read.on_request else None
         yield Hit(read.path, read.span, undeclared(read), level, also(read.path, (span for _, span in read.more)))
     for again in scope.repeated_reads():
         yield Hit(again.path, again.span, repeated(again))
