@@ -20,12 +20,42 @@ GENERATES = regex(
     r"(?!generate_(?:parameter_|export_))generate_\w+|protobuf_\w+|grpc_\w+|flatbuffers_\w+|swig_\w+|qt\d?_wrap_\w+"
 )
 PLACE = "include/"
+EXPORTED = regex(r"(?:^|[:;/])include/([\w./-]+)")
 RUNS = ("execute_process", "add_custom_command", "add_custom_target")
 
 
 def header_files(reading: ReaderInput) -> frozenset[str]:
-    """Return the headers below the `include/` folders of a package, relative to them."""
-    return frozenset(below_include(reading.files))
+    """Return the headers of a package as others may include them.
+
+    They lie below its `include/` folders, or elsewhere once installed.
+    """
+    below, cmake = frozenset(below_include(reading.files)), reading.parts(CMake).only
+    return below if cmake is None else below.union(renamed_headers(cmake, below))
+
+
+def renamed_headers(cmake: CMake, below: frozenset[str]) -> Iterator[str]:
+    """Yield the paths that headers get when they are installed a folder deeper, or when a deeper folder is exported.
+
+    Those of `include/my_pkg/my_pkg/` are found by the paths that they have here.
+    """
+    scope, exported = f"{cmake.project_name}/", exported_folders(cmake)
+    for path in installed_headers(cmake):
+        rest = path.removeprefix(scope)
+        if rest in below and not rest.startswith(scope):
+            yield path
+        short = (path.removeprefix(folder) for folder in exported if path.startswith(folder))
+        yield from (each for each in short if "/" in each)
+
+
+def exported_folders(cmake: CMake) -> frozenset[str]:
+    """Return the folders below include/ that others are told of, relative to it."""
+    told = [text for call in cmake.named("ament_export_include_directories") for text in call.texts]
+    words = (text for call in cmake.named("target_include_directories") for text in call.texts)
+    told += (text for text in words if "INSTALL_INTERFACE" in text)
+    for call in cmake.named("install"):
+        told += call.texts[call.texts.index("INCLUDES") :] if "INCLUDES" in call.texts else ()
+    found = (EXPORTED.search(text) for text in told)
+    return frozenset(f"{each[1].rstrip('/')}/" for each in found if each is not None)
 
 
 def has_other_headers(reading: ReaderInput) -> bool:
@@ -33,7 +63,7 @@ def has_other_headers(reading: ReaderInput) -> bool:
     cmake = reading.parts(CMake).only
     if cmake is None:
         return is_built_with_cmake(reading)
-    known, scope = header_files(reading), f"{cmake.project_name}/"
+    known, scope = frozenset(below_include(reading.files)), f"{cmake.project_name}/"
     others = (path for path in installed_headers(cmake) if not {path, path.removeprefix(scope)} & known)
     return may_make_headers(cmake) or bool(made_header_names(cmake)) or next(others, None) is not None
 

@@ -1,0 +1,74 @@
+"""What a build never reaches, or reaches in another way: headers that move, libraries that no linker sees."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest
+
+MAIN = "int main() {return 0;}\n"
+PROGRAM = "add_executable(talker src/talker.cpp)\ninstall(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n"
+OLD = "#include <ros/ros.h>\n"
+SOME = "#include <my_pkg/wrds.hpp>\n"
+HEADERS = {"include/my_pkg/words.hpp": "int words();\n"}
+REACHED = "include_directories(include)\n"
+CORE = {"src/core.cpp": "int core() {return 1;}\n"}
+LINKED = "add_library(core {}src/core.cpp)\ntarget_link_libraries(core SHARED m)\n"
+
+
+def package(lines: str, files: dict[str, str], body: str = "") -> Example:
+    text = CMAKE.replace("ament_package", lines + "ament_package")
+    files = {"package.xml": manifest(body, "ament_cmake"), **files}
+    return Example(bad={"CMakeLists.txt": text, **files}, good={}, on="ament_cmake")
+
+
+def opened(header: str, *, guarded: bool) -> Example:
+    """Return a program that includes a header, which includes another one."""
+    include = '#include "old.hpp"\n'
+    files = {
+        "src/talker.cpp": '#include "all.hpp"\n' + MAIN,
+        "src/all.hpp": f"#ifdef WITH_OLD\n{include}#endif\n" if guarded else include,
+        "src/old.hpp": '#include "older.hpp"\n',
+        "src/older.hpp": header,
+    }
+    return package(REACHED + PROGRAM, files | HEADERS)
+
+
+def used(lines: str) -> Example:
+    """Return a package that includes a header of another one, which installs it into a folder of its own name."""
+    core = CMAKE.replace("(my_pkg)", "(core)").replace("ament_package", lines + "ament_package")
+    user = CMAKE.replace("ament_package", "find_package(core REQUIRED)\n" + PROGRAM + "ament_package")
+    files = {
+        "core/package.xml": manifest("", "ament_cmake").replace("<name>my_pkg", "<name>core"),
+        "core/CMakeLists.txt": core,
+        "core/include/common/words.hpp": "int words();\n",
+        "core/include/core/core.hpp": "int core();\n",
+        "my_pkg/package.xml": manifest("  <depend>core</depend>\n", "ament_cmake"),
+        "my_pkg/CMakeLists.txt": user,
+        "my_pkg/src/talker.cpp": "#include <core/common/words.hpp>\n" + MAIN,
+    }
+    return Example(bad=files, good={}, on="")
+
+
+TO = "install(DIRECTORY include/ DESTINATION include{})\nament_export_include_directories({})\n"
+CASES = {
+    "CMK201": (
+        used(TO.format("", "include")),
+        used(TO.format("/${PROJECT_NAME}", "include")),
+        used(TO.format("/deep/core", "include/deep")),
+        opened(OLD, guarded=True),
+        opened(OLD, guarded=False),
+        opened(SOME, guarded=True),
+        opened(SOME, guarded=False),
+    ),
+    "IDL012": (
+        opened("#include <std_msgs/msg/strin.hpp>\n", guarded=True),
+        opened("#include <std_msgs/msg/strin.hpp>\n", guarded=False),
+    ),
+    "CMK123": (
+        package(LINKED.format(""), CORE),
+        package(LINKED.format("STATIC "), CORE),
+        package("set(BUILD_SHARED_LIBS ON)\n" + LINKED.format(""), CORE),
+        package("find_package(ament_cmake_ros REQUIRED)\n" + LINKED.format(""), CORE),
+        package(LINKED.format("") + PROGRAM + "target_link_libraries(talker core)\n", CORE | {"src/talker.cpp": MAIN}),
+        package(PROGRAM + "target_link_libraries(talker SHARED m)\n", {"src/talker.cpp": MAIN}),
+    ),
+}
