@@ -56,7 +56,7 @@ class ForeignHeaders:
         if not package.is_ament or not ROS_1.isdisjoint(each.name for each in package.cmake.packages):
             return
         for source, role in compiled_sources(package.cmake, sources):
-            if role == "aside" or "__has_include" in source.source.text:
+            if role == "aside" or "__has_include" in source.source.text or source.path in self.headers.guarded:
                 continue
             found = [
                 foreign

@@ -15,7 +15,7 @@ from ...package.interfaces.generated_types import generated_types
 from ...ros.link_targets import MESSAGES
 from ...source import Span
 from ...suggest import near_names
-from ..depends.compiled_sources import compiled_sources, harm_in
+from ..depends.compiled_sources import compiled_sources, harm_in, only_under_conditions
 from ..fault import Level
 from ..interfaces.known_interfaces import KnownInterfaces, base_name
 
@@ -56,7 +56,10 @@ class InterfacesInCpp:
 
     def wrong(self) -> Iterator[WrongInterface]:
         """Yield each interface once a file: at its header, else where its type is first named."""
+        guarded = only_under_conditions(self.sources)
         for source, role in compiled_sources(self.cmake, self.sources):
+            if source.path in guarded:
+                continue  # the compiler may never see it
             seen: set[tuple[str, str, str]] = set()
             for each in (*self.headers(source), *self.types(source)) if role != "aside" else ():
                 key = (each.package, each.kind, each.header_name)

@@ -15,7 +15,7 @@ from ...package.workspace import Workspace
 from ...ros.interfaces import KINDS
 from ...source import Span
 from ...suggest import near_names, nearest
-from ..depends.compiled_sources import compiled_sources, harm_in, own_compiled
+from ..depends.compiled_sources import compiled_sources, harm_in, only_under_conditions, own_compiled
 from ..fault import Level
 
 SHORT = 10
@@ -44,7 +44,8 @@ class MissingHeaders:
     def all(self) -> Iterator[MissingHeader]:
         """Yield each include of a missing header in what is compiled or installed, for ROS 2."""
         for source, role in compiled_sources(self.package.cmake, self.sources):
-            if role == "aside" or "__has_include" in source.source.text or is_for_ros1(source):
+            is_open = role == "aside" or "__has_include" in source.source.text or is_for_ros1(source)
+            if is_open or source.path in self.guarded:
                 continue
             for each in source.includes:
                 if not each.is_conditional and self.is_header(each.path) and (found := self.missing(source, each)):
@@ -150,6 +151,11 @@ class MissingHeaders:
 
     def harm_in(self, path: str) -> Level:
         return harm_in(self.package.cmake, self.sources, path)
+
+    @cached_property
+    def guarded(self) -> frozenset[str]:
+        """The files that others include under a condition alone: the compiler may never see them."""
+        return only_under_conditions(self.sources)
 
     @cached_property
     def compiled(self) -> set[str]:

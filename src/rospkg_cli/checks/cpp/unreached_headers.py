@@ -44,7 +44,7 @@ class UnreachedHeaders:
         if not is_known or finds_itself or any(OTHERWISE.search(file.source.text) for file in cmake.files):
             return
         for source in self.headers.sources:
-            if source.path in self.headers.compiled:
+            if source.path in self.headers.compiled - self.headers.guarded:
                 found = next(self.within(source), None)
                 if found is not None:
                     yield found

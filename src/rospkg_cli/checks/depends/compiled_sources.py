@@ -95,14 +95,26 @@ def as_built(role: Role) -> Role:
 
 
 def only_under_conditions(sources: Iterable[CppFile]) -> frozenset[str]:
-    """Return the files that others of the package include, each of them between `#if` and `#endif`."""
+    """Return the files that others of the package include, and the preprocessor may never open: each way has an `#if`.
+
+    It begins at the files that no other includes.
+    """
     files = {source.path: source for source in sources}
-    certain, guarded = set[str](), set[str]()
     by_name = paths_by_name(files)
-    for source in files.values():
+    certain: dict[str, set[str]] = {path: set() for path in files}
+    included = set[str]()
+    for path, source in files.items():
         for each in source.includes:
-            (guarded if each.is_conditional else certain).update(included_paths(each.path, by_name))
-    return frozenset(guarded - certain)
+            meant = {other for other in included_paths(each.path, by_name) if other != path}
+            included |= meant
+            certain[path] |= set() if each.is_conditional else meant
+    opened, waiting = set[str](), sorted(files.keys() - included)
+    while waiting:
+        path = waiting.pop()
+        if path not in opened:
+            opened.add(path)
+            waiting += certain[path]
+    return frozenset(included - opened)
 
 
 def paths_by_name(files: Iterable[str]) -> Mapping[str, list[str]]:
