@@ -10,6 +10,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.install_rules import ARTIFACTS
+from .linker_runs import runs_linker
 
 SCOPED = frozenset({
     "target_include_directories", "target_compile_definitions", "target_compile_options", "target_compile_features",
@@ -38,6 +39,7 @@ COUNTS = {
 }
 """How many arguments a command wants at least, and which."""
 
+STOPS = "the linker stops"
 LONGEST = 60
 """Characters of an argument that a message shows."""
 
@@ -48,6 +50,8 @@ class RefusedArgument:
     word: Word | None
     """The argument at fault; None where one lacks."""
     message: str
+    is_idle: bool = False
+    """Whether nothing fails as the package is built by default."""
 
 
 def refused_calls(cmake: CMake) -> Iterator[RefusedArgument]:
@@ -118,10 +122,10 @@ def linked_keywords(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedArg
             )
             yield RefusedArgument(call, word, message)
         if word.text in NOT_LINKED and not word.quoted and cmake.target(word.text) is None:
-            start = f"`{word.text}` is no keyword of `target_link_libraries`"
-            yield RefusedArgument(
-                call, word, f"{start}: it links `-l{word.text}`, and the linker stops; remove the word"
-            )
+            start = f"`{word.text}` is no keyword of `target_link_libraries`: it links `-l{word.text}`"
+            is_idle = not runs_linker(cmake, call.texts[0])
+            why = "no linker runs for a static library, but one stops where it is shared" if is_idle else STOPS
+            yield RefusedArgument(call, word, f"{start}, and {why}; remove the word", is_idle)
 
 
 def too_few(call: EvaluatedCommand) -> Iterator[RefusedArgument]:

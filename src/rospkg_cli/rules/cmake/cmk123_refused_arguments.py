@@ -45,7 +45,7 @@ def cmake(lines: str) -> str:
     levels={
         Severity.WARNING: "under a condition that can't be evaluated, or CMake goes on with another value, or a "
         "condition compares what is empty for some",
-        Severity.INFO: "what it compares is set wherever ROS is set up",
+        Severity.INFO: "what it compares is set wherever ROS is set up, or no linker runs for what is linked",
     },
     examples=(
         Example(
@@ -90,11 +90,13 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
     Where an argument is a variable that can't be evaluated, for a command that the package defines itself, and for a
     target, file or folder that is called like the keyword. For an operand that a file sets or asks for
     (`if(DEFINED ENV{NAME})`), and one of ROS where package.xml names ros_environment.
+    `target_link_libraries(x SHARED …)` is an info for a static library with which nothing is linked here:
+    `add_library(x …)` makes one, unless ament_cmake_ros or BUILD_SHARED_LIBS says otherwise.
     """
     for each in (*refused_calls(package.cmake), *source_includes(package.cmake)):
         place = each.word.span if each.word else each.call.command.name_span
         level = Severity.WARNING if each.call.maybe or (each.word and each.word.maybe) else None
-        yield Hit(each.call.path, place, each.message, level)
+        yield Hit(each.call.path, place, each.message, Severity.INFO if each.is_idle else level)
     for value in WrittenSlips(package.cmake).all():
         yield Hit(value.call.path, value.span, value.message, Severity.WARNING)
     for operand in EmptyOperands(package).all():
