@@ -37,6 +37,8 @@ class UnmatchedPattern:
     """The files that are meant, most likely."""
     is_installed: bool
     """Whether another rule installs them all."""
+    is_harmless: bool = False
+    """Whether a rule beside it takes some of them, or it stands in a function, which others call for other folders."""
 
 
 def unmatched_patterns(cmake: CMake) -> Iterator[UnmatchedPattern]:
@@ -54,7 +56,18 @@ def unmatched_patterns(cmake: CMake) -> Iterator[UnmatchedPattern]:
                 copies = [copy for each in others for copy in copied_files(each, cmake.package_files)]
                 there = {copy.source for copy in copies}
                 if not any(copy.rule.matching and copy.source in found for copy in copies):
-                    yield UnmatchedPattern(item, rule, path, texts, tuple(found), there.issuperset(found))
+                    harmless = bool(rule.call.function) or any(takes(cmake, each, path, found) for each in others)
+                    yield UnmatchedPattern(item, rule, path, texts, tuple(found), there.issuperset(found), harmless)
+
+
+def takes(cmake: CMake, rule: InstallRule, folder: str, wanted: Sequence[str]) -> bool:
+    """Return whether a rule with patterns takes files of a folder to wherever."""
+    if rule.kind != "DIRECTORY" or not rule.matching:
+        return False
+    items = (item for item in rule.items if path_in_package(item.text, rule.call.folder) == folder)
+    return any(
+        not {c.source for c in folder_copies(rule, i, folder, cmake.package_files)}.isdisjoint(wanted) for i in items
+    )
 
 
 def meant(cmake: CMake, rule: InstallRule, item: Word, folder: str, endings: Sequence[str]) -> list[str]:

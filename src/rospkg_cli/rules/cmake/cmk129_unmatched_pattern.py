@@ -20,7 +20,7 @@ LAUNCH = "<launch/>\n"
     "unmatched-pattern",
     over=CMakePackage,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "another rule installs these files"},
+    levels={Severity.INFO: "another rule installs these files, or some of them, or it is in a function"},
     examples=(
         Example(
             bad={
@@ -49,12 +49,16 @@ def unmatched_pattern(package: CMakePackage) -> Iterator[Hit]:
     ## When it is quiet
     For other patterns than `*.ending` and for REGEX, where another rule with FILES_MATCHING takes the files, where git
     ignores or the build makes such files, for folders that are not there (CMK102), and below a condition that can't be
-    evaluated.
+    evaluated. It is an info in a function or a macro, which others may call for other folders, and where a pattern
+    beside it takes files of the folder to a place that is not known.
     """
     for each in unmatched_patterns(package.cmake):
         names = in_ticks(each.patterns)
         start = f"no file of `{each.folder}` fits {names} (`{each.others[0]}` does not): nothing is installed here"
         if each.is_installed:
             yield Hit(each.item.path, each.item.span, f"{start}; another rule does so, remove this one", Severity.INFO)
+        elif each.is_harmless:
+            advice = "remove the rule where no folder has such files"
+            yield Hit(each.item.path, each.item.span, f"{start}; {advice}", Severity.INFO)
         else:
             yield Hit(each.item.path, each.item.span, f"{start}; correct the pattern")
