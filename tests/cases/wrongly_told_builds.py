@@ -49,7 +49,35 @@ def used(lines: str) -> Example:
 
 
 TO = "install(DIRECTORY include/ DESTINATION include{})\nament_export_include_directories({})\n"
+BESIDE = """\
+add_library(core SHARED src/core.cpp)
+add_library(plugin {} src/plugin.cpp)
+target_link_libraries(plugin core)
+install(TARGETS core DESTINATION lib/my_pkg)
+install(TARGETS plugin DESTINATION {})
+"""
+DYNAMIC = """\
+add_library(core SHARED src/core.cpp)
+add_executable(talker src/talker.cpp)
+target_link_libraries(talker core)
+install(TARGETS core talker DESTINATION lib/my_pkg)
+"""
+USE = '#include "core.hpp"\n'
+USED = {"src/core.cpp": USE, "src/core.hpp": "int core();\n", "src/plugin.cpp": USE}
+BUILT = "add_executable(talker src/talker.cpp)\n"
+NODE = "#include <rclcpp/rclcpp.hpp>\nint main() {rclcpp::init(0, nullptr);}\n"
+STARTS = ("./talker", "build/my_pkg/talker", "ros2 run my_pkg talker", "talker", "./talker.sh")
+HPP = {"include/my_pkg/core.h": "int core();\n"}
+MATCHING = 'install(DIRECTORY include/ DESTINATION {} FILES_MATCHING PATTERN "{}")\n'
 CASES = {
+    "CMK103": (
+        package(BESIDE.format("SHARED", "lib"), USED),
+        package(BESIDE.format("SHARED", "lib/my_pkg"), USED),
+        package(BESIDE.format("MODULE", "lib"), USED),
+        package(DYNAMIC, USED | {"src/talker.cpp": f"#ifndef PLUGIN\n{USE}#endif\n{MAIN}"}),
+        *(package(BUILT, {"src/talker.cpp": NODE, "README.md": f"Start `{line}`.\n"}) for line in STARTS),
+        package(DYNAMIC, USED | {"src/core.cpp": "int core() {return 1;}\n", "src/talker.cpp": USE + MAIN}),
+    ),
     "CMK201": (
         used(TO.format("", "include")),
         used(TO.format("/${PROJECT_NAME}", "include")),
@@ -62,6 +90,12 @@ CASES = {
     "IDL012": (
         opened("#include <std_msgs/msg/strin.hpp>\n", guarded=True),
         opened("#include <std_msgs/msg/strin.hpp>\n", guarded=False),
+    ),
+    "CMK129": (
+        package(MATCHING.format("include", "*.hpp"), HPP),
+        package(f"function(give)\n{MATCHING.format('include', '*.hpp')}endfunction()\ngive()\n", HPP),
+        package(MATCHING.format("include", "*.hpp") + MATCHING.format("include", "*.h"), HPP),
+        package(MATCHING.format("include", "*.hpp") + MATCHING.format("include/${WHERE}", "*.h"), HPP),
     ),
     "CMK123": (
         package(LINKED.format(""), CORE),

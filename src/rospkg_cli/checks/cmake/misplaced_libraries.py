@@ -33,6 +33,11 @@ class MisplacedLibrary:
         )
 
     @property
+    def open_sentence(self) -> str:
+        """What is said where it is not certain that anything needs it when it starts."""
+        return f"{self.fault}: `{self.needed_by.name}`, which is linked with it, may not find it; use `lib`"
+
+    @property
     def sentence(self) -> str:
         is_component = self.needed_by.user == "component"
         user = "the component `{}`" if is_component else "`{}`, which is linked with it,"

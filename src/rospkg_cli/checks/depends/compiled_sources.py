@@ -134,17 +134,22 @@ def included_paths(header: str, by_name: Mapping[str, list[str]]) -> Iterator[st
 class Inclusions:
     """Which files of a package include which."""
 
-    def __init__(self, files: Mapping[str, CppFile], *, only_certain: bool = False) -> None:
+    def __init__(
+        self, files: Mapping[str, CppFile], *, only_certain: bool = False, unconditional: bool = False
+    ) -> None:
         self.files = files
         self.only_certain = only_certain
         """Whether an include that may mean one of several files counts as none."""
+        self.unconditional = unconditional
+        """Whether an include inside of `#if` counts as none."""
         self.by_name = paths_by_name(files)
         self.known: dict[str, list[str]] = {}
 
     def included_by(self, path: str) -> list[str]:
         """Return the files of the package that one includes, wherever they lie."""
         if path not in self.known:
-            self.known[path] = [other for each in self.files[path].includes for other in self.meant(path, each)]
+            counted = (each for each in self.files[path].includes if not (self.unconditional and each.is_conditional))
+            self.known[path] = [other for each in counted for other in self.meant(path, each)]
         return self.known[path]
 
     def meant(self, path: str, each: IncludeDirective) -> list[str]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.commented_installs import CommentedInstalls
 from ...checks.cmake.doubled_names import DoubledNames
+from ...checks.cmake.idle_programs import is_idle_program
 from ...checks.cmake.misplaced_libraries import MisplacedLibraries
 from ...checks.cmake.node_programs import NodePrograms
 from ...checks.cmake.target_references import TargetReferences
@@ -15,7 +15,6 @@ from ...edits.cmake_install import install_executable, install_library
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...languages.cmake.targets import Target
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.uninstalled_targets import UninstalledTarget, UninstalledTargets
 from ...rule import rule
@@ -61,7 +60,8 @@ def cmake(lines: str) -> str:
     levels={
         Severity.ERROR: "an exported target needs it: CMake stops",
         Severity.INFO: "an executable is no node: its sources leave ROS alone, and nothing starts it by `ros2 run`; or "
-        "a comment has its `install()`; or what is linked with a library in another folder includes no header of it",
+        "a comment has its `install()`, or a page starts it where it is built; or it is not certain that a program "
+        "needs a library in another folder",
     },
     examples=(
         Example(
@@ -95,7 +95,8 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
     Where an install rule can't be evaluated or runs code. For executables that a test or another command uses, and in
     folders of tests, benchmarks, examples or third parties. For static libraries, with EXCLUDE_FROM_ALL, and for what
     is linked where the RPATH of what is installed names the build folder. A library in another folder is an info where
-    what is linked with it includes no header of it: the linker leaves it out (`--as-needed`).
+    what is linked with it does not surely include a header of it: the linker leaves it out (`--as-needed`); or where
+    that is a MODULE, or lies beside it: a host loads these. So is a program that a README starts as `./talker`.
     """
     package = dropped.package
     if not package.is_ament:
@@ -107,29 +108,23 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
         if near_names(word.text, misspelt):
             continue  # the install rule that means it is CMK110's
         fix = only_plain_names(Fix(f"install `{word.text}`", (edit(package, forgotten),)), word.text)
-        severity = Severity.INFO if is_left_out(programs, forgotten.target) else level(forgotten, programs)
         told.add(word.text)
-        yield Hit(word.path, word.span, uninstalled(package, forgotten), severity, fix=fix)
+        yield Hit(word.path, word.span, uninstalled(package, forgotten), level(forgotten, programs), fix=fix)
     for each in DoubledNames(package.cmake).all():
         if each.target.name not in told:
             related = (Related(each.first.path, each.first.span, "it stands here first"),)
             yield Hit(each.word.path, each.word.span, said_twice(each), related=related)
     for misplaced in MisplacedLibraries(package.cmake).all():
         idle, word = dropped.has(misplaced), misplaced.word
-        text = misplaced.idle_sentence if idle else misplaced.sentence
+        unsure = misplaced.idle_sentence if idle and dropped.includes_nothing(misplaced) else misplaced.open_sentence
+        text = unsure if idle else misplaced.sentence
         yield Hit(word.path, word.span, text, Severity.INFO if idle else None)
 
 
-def is_left_out(programs: NodePrograms, target: Target) -> bool:
-    """Return whether a comment installs an executable that nothing starts: that was taken back on purpose."""
-    is_idle = target.is_executable and target.name not in programs.started
-    return is_idle and CommentedInstalls(programs.package.cmake).has(target)
-
-
 def level(forgotten: UninstalledTarget, programs: NodePrograms) -> Severity | None:
-    if forgotten.stops:
-        return Severity.ERROR
-    return Severity.INFO if forgotten.target.is_executable and not programs.is_run(forgotten.target) else None
+    if is_idle_program(programs, forgotten.target):
+        return Severity.INFO
+    return Severity.ERROR if forgotten.stops else None
 
 
 def edit(package: CMakePackage, forgotten: UninstalledTarget) -> Edit:
