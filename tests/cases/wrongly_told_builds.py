@@ -91,6 +91,11 @@ CASES = {
         opened("#include <std_msgs/msg/strin.hpp>\n", guarded=True),
         opened("#include <std_msgs/msg/strin.hpp>\n", guarded=False),
     ),
+    "CMK116": (
+        package(
+            'function(add_ros_isolated_launch_test path)\n  add_launch_test("${path}" ${ARGN})\nendfunction()\n', {}
+        ),
+    ),
     "CMK129": (
         package(MATCHING.format("include", "*.hpp"), HPP),
         package(f"function(give)\n{MATCHING.format('include', '*.hpp')}endfunction()\ngive()\n", HPP),

@@ -47,8 +47,9 @@ def redefined_command(package: CMakePackage) -> Iterator[Hit]:
     Names are compared without regard to case, as CMake does.
 
     ## Why is this bad?
-    From then on every call runs the function, also those in files of other packages that are found or included. One
-    whose body calls the command calls itself: CMake stops with "Maximum recursion depth of 1000 exceeded".
+    From then on every call of this run of CMake runs the function, also those in files that packages install and that
+    are found or included here; other packages are built in runs of their own. One whose body calls the command calls
+    itself: CMake stops with "Maximum recursion depth of 1000 exceeded".
 
     ## When it is quiet
     Inside of an `if`, which may ask whether the command exists, and where the body calls the former command by the name
@@ -59,5 +60,6 @@ def redefined_command(package: CMakePackage) -> Iterator[Hit]:
         if each.calls_itself:
             message = f"{start}: it calls itself until CMake stops; give it another name"
         else:
-            message = f"{start}: every later call runs this one, in files of other packages too; give it another name"
+            whose = "every later call in the build of this package runs this one, in files that it finds too"
+            message = f"{start}: {whose}; give it another name"
         yield Hit(each.path, each.span, message, Severity.ERROR if each.calls_itself else None)
