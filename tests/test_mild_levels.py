@@ -177,13 +177,14 @@ CONFIG = {"setup.py": GLOB, "config/a.yaml": "a: 1\n"}
     ("files", "level"),
     [
         ({"config/view.rviz": "Panels: []\n"}, "info"),
-        ({"config/b.yml": "a: 1\n"}, "warning"),
-        ({"config/view.rviz": "Panels: []\n", "config/b.yml": "a: 1\n"}, "warning"),
+        ({"config/b.yml": "a: 1\n"}, "info"),
+        ({"config/b.yml": "a: 1\n", "my_pkg/a.py": "x = 'b.yml'\n"}, "warning"),
+        ({"config/view.rviz": "Panels: []\n", "config/b.yml": "a: 1\n", "README.md": "Change b.yml\n"}, "warning"),
         ({"config/view.rviz": "Panels: []\n", "launch/a.launch.py": "x = 'view.rviz'\n"}, "warning"),
         ({"config/view.rviz": "Panels: []\n", "README.md": "Open view.rviz\n"}, "warning"),
     ],
 )
-def test_a_file_of_another_kind_that_nothing_names(files: dict[str, str], level: str) -> None:
+def test_a_file_that_nothing_names(files: dict[str, str], level: str) -> None:
     assert levels("SET207", PYTHON, {**CONFIG, **files}) == [level]
 
 

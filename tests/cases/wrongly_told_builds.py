@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import CMAKE, Example, manifest
+from rospkg_cli.example import CMAKE, Example, manifest, setup_py
 
 MAIN = "int main() {return 0;}\n"
 PROGRAM = "add_executable(talker src/talker.cpp)\ninstall(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n"
@@ -69,6 +69,18 @@ NODE = "#include <rclcpp/rclcpp.hpp>\nint main() {rclcpp::init(0, nullptr);}\n"
 STARTS = ("./talker", "build/my_pkg/talker", "ros2 run my_pkg talker", "talker", "./talker.sh")
 HPP = {"include/my_pkg/core.h": "int core();\n"}
 MATCHING = 'install(DIRECTORY include/ DESTINATION {} FILES_MATCHING PATTERN "{}")\n'
+ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
+GLOB = "        ('share/' + package_name + '/config', glob('config/*.yaml')),\n"
+SETUP = "from glob import glob\n" + setup_py().replace(ENTRY, ENTRY + GLOB)
+CONFIG = {"setup.py": SETUP, "config/a.yaml": "a: 1\n", "config/b.yml": "b: 1\n"}
+
+
+def configured(**files: str) -> Example:
+    """Return a Python package that installs a folder without one of its files."""
+    more = {path.replace("__", "/").replace("_DOT_", "."): text for path, text in files.items()}
+    return Example(bad=CONFIG | more, good={})
+
+
 CASES = {
     "CMK103": (
         package(BESIDE.format("SHARED", "lib"), USED),
@@ -95,6 +107,12 @@ CASES = {
         package(
             'function(add_ros_isolated_launch_test path)\n  add_launch_test("${path}" ${ARGN})\nendfunction()\n', {}
         ),
+    ),
+    "SET207": (
+        configured(),
+        configured(config__a_DOT_yaml="file: b.yml\n"),
+        configured(config__a_DOT_yaml="file: /ws/src/my_pkg/config/b.yml\n"),
+        configured(config__a_DOT_yaml="file: b.yml\n", config__b_DOT_yml=""),
     ),
     "CMK129": (
         package(MATCHING.format("include", "*.hpp"), HPP),

@@ -47,8 +47,10 @@ class ShareUses:
         return started is not None and any(started.search(text) for text in self.readmes)
 
     def names_file(self, name: str) -> bool:
-        """Return whether code or a README names a file; a path in somebody's home folder opens the source."""
-        named = re.compile(rf"(?<![^\s\"'])(?!/home/|~/)[^\s\"']*{re.escape(name)}")
+        """Return whether code or a README names a file; a path in a home folder or through src/ opens the source."""
+        named = re.compile(
+            rf"(?<![^\s\"'])(?!/home/|~/|/(?:[^\s\"'/]{{1,{REACH}}}/){{0,9}}src/)[^\s\"']*{re.escape(name)}"
+        )
         return any(named.search(text) for text in (*self.code, *self.readmes) if name in text)
 
     def names_folder(self, name: str) -> bool:

@@ -9,7 +9,6 @@ from functools import cached_property
 
 from ...languages.python.evaluate.sandbox_filesystem import MAGIC
 from ...languages.python.evaluate.values import GlobResult
-from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import is_set_aside
 from ...package.setup.data_files import DataEntry, DataFile
@@ -19,9 +18,6 @@ from ...suggest import nearest
 from ..share_uses import ShareUses
 from ..started_files import is_started
 from .python_package import PythonPackage
-
-OLD_MODEL = regex(r"model-\d+_\d+\.sdf")
-"""The versions of a model of Gazebo for older ones, beside the newest: `model.sdf`."""
 
 
 @dataclass(frozen=True)
@@ -159,14 +155,22 @@ class ShareFiles:
         return tuple(found.values())
 
     def is_wanted(self, missed: UninstalledNeighbour) -> bool:
-        """Return whether a file is of the kind of its installed neighbours, or code or a README names it."""
-        path, kinds = missed.path, {kind_of(each) for each in missed.glob.matches}
+        """Return whether something opens a file: launch files are started, code or a README names others."""
+        path, files = missed.path, self.package.files
         name, folder = posixpath.basename(path), posixpath.dirname(path)
+        if name and not files.readable_text(path).strip():
+            return False
         if folder != folder_of(missed.glob.pattern) and name and not LAUNCH.fullmatch(name):
             return self.uses.names_folder(posixpath.basename(folder))
-        if not name or LAUNCH.fullmatch(name) or (kind_of(path) in kinds and not OLD_MODEL.fullmatch(name)):
+        if not name or LAUNCH.fullmatch(name):
             return True
-        return self.uses.names_file(name)
+        return self.uses.names_file(name) or self.is_named_elsewhere(name)
+
+    def is_named_elsewhere(self, name: str) -> bool:
+        """Return whether another package names a YAML file."""
+        stem, ending = posixpath.splitext(name)
+        others = self.package.workspace.needing(self.package.name) if ending in (".yaml", ".yml") else ()
+        return any(stem in facts.named_yaml for facts in others)
 
     def uninstalled_folders(self) -> Iterator[tuple[str, UninstalledNeighbour]]:
         """Yield folders of which nothing is installed, where at least two folders next to them have a glob each."""
@@ -191,11 +195,6 @@ class ShareFiles:
             fits = path not in self.covered and pattern.fullmatch(path.rpartition("/")[2])
             if fits and not is_set_aside(path) and not self.package.files.absent.is_ignored(path):
                 yield path
-
-
-def kind_of(path: str) -> str:
-    """Return the kind of a file, by its suffix."""
-    return posixpath.splitext(path)[1].replace(".yml", ".yaml")
 
 
 def folder_of(pattern: str) -> str:

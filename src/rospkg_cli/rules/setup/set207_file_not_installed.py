@@ -27,7 +27,7 @@ def launch(pattern: str) -> str:
     "file-not-installed",
     over=ShareFiles,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where they are of another kind than their neighbours, and nothing names them"},
+    levels={Severity.INFO: "where nothing names them, and they are no launch files"},
     examples=(
         Example(
             bad={**FILES, "setup.py": launch("«glob('launch/*.launch.xml')»")},
@@ -49,8 +49,8 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     ## When it is quiet
     Where `data_files` can't be evaluated, where setup.py may write files, for files that git ignores, and for those of
     other kinds than the folder is for, and those that are laid aside (`old/`). All files that one glob misses are one
-    finding. It is an info where no code and no README names them and the glob is for another kind (`robot.rviz` next to
-    `*.yaml`), where they are in folders that none names, and for a model's versions for older ones of Gazebo.
+    finding. It is an info where no code, no YAML and no README names them or their folder, or only by an absolute path
+    to the source, unless they are launch files, and for empty files.
 
     ## Fix safety
     A wider glob may install more than is wanted.
