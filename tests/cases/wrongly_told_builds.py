@@ -81,6 +81,7 @@ def configured(**files: str) -> Example:
     return Example(bad=CONFIG | more, good={})
 
 
+INNER = manifest().replace("<name>my_pkg</name>", "<name>my_driver</name>")
 CASES = {
     "CMK103": (
         package(BESIDE.format("SHARED", "lib"), USED),
@@ -113,6 +114,15 @@ CASES = {
         configured(config__a_DOT_yaml="file: b.yml\n"),
         configured(config__a_DOT_yaml="file: /ws/src/my_pkg/config/b.yml\n"),
         configured(config__a_DOT_yaml="file: b.yml\n", config__b_DOT_yml=""),
+    ),
+    "WSP005": tuple(
+        Example(bad={"control/driver/package.xml": INNER, "README.md": text}, good={})
+        for text in (
+            "colcon build\n",
+            "cd ~/robot/control\ncolcon build\n",
+            "cd ~/robot\ncolcon build\ncd control\n",
+            "colcon build --base-paths control\n",
+        )
     ),
     "CMK129": (
         package(MATCHING.format("include", "*.hpp"), HPP),

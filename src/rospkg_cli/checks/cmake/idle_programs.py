@@ -6,7 +6,7 @@ import re
 
 from ...files import PackageFiles
 from ...languages.cmake.targets import Target
-from ..setup.linked_build import build_files
+from ..setup.linked_build import build_texts
 from .commented_installs import CommentedInstalls
 from .node_programs import NodePrograms
 
@@ -33,5 +33,4 @@ def is_started_where_built(files: PackageFiles, program: str) -> bool:
     """Return whether a page or a script of the repository says `./talker` or `build/my_pkg/talker`."""
     start = rf"(?<![\w./~-])(?:\./|[\w./~${{}}-]{{0,{REACH}}}\bbuild/(?:[\w.-]{{1,{REACH}}}/)?)"
     pattern = re.compile(rf"{start}{re.escape(program)}(?![\w./-])")
-    texts = (whole.readable_text(path) for whole, path in build_files(files) if whole.exists(path))
-    return any(program in text and pattern.search(text) for text in texts)
+    return any(program in text and pattern.search(text) for text in build_texts(files))

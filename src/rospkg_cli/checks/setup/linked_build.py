@@ -48,6 +48,11 @@ def build_files(files: PackageFiles) -> Iterator[tuple[PackageFiles, str]]:
         yield from ((whole, path) for path in building(whole, above))
 
 
+def build_texts(files: PackageFiles) -> Iterator[str]:
+    """Yield what these files say; those of packages, too."""
+    yield from (whole.readable_text(path) for whole, path in build_files(files) if whole.has_file(path))
+
+
 def building(whole: PackageFiles, above: str) -> Iterator[str]:
     """Yield the files in the folders of scripts below a folder."""
     for folder in FOLDERS:

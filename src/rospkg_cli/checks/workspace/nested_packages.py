@@ -16,6 +16,7 @@ from ...package.file_role import is_set_aside, role_of
 from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
+from .built_places import is_built_from
 
 MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 COPIES = frozenset("fixtures resource resources example examples thirdparty 3rdparty external extern".split())
@@ -62,6 +63,10 @@ class NestedPackages:
         name = NAME.search(text)
         is_copy = name is not None and name[1] in self.workspace.names
         return not is_for_ros1 and not is_copy and not any(part.startswith(".") for part in path.split("/"))
+
+    def is_built_apart(self, path: str) -> bool:
+        """Return whether pages start colcon in a folder around a package, below the outer one: that finds it."""
+        return is_built_from(self.files, posixpath.dirname(path))
 
     def is_built_here(self, path: str) -> bool:
         """Return whether the CMake of the outer package builds the folder of a package.xml, or one inside of it."""

@@ -20,7 +20,7 @@ INNER = manifest().replace("<name>my_pkg</name>", "<name>my_driver</name>")
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "all of them are for ROS 1, in a hidden folder, or built by the outer one, so that nobody means "
-        "colcon to build them"
+        "colcon to build them, or a README has it started below the outer one"
     },
     examples=(
         Example(
@@ -42,15 +42,17 @@ def nested_package(nested: NestedPackages) -> Iterator[Hit]:
     Folders with an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE), those that git ignores, those of tests,
     templates, examples and third parties, and a package.xml that is installed as data, are left alone. Packages for
     ROS 1, those in hidden folders, and those whose name a package has that colcon finds are an info. So are those that
-    the outer package builds itself (`add_subdirectory`, `ExternalProject_Add`): only their package.xml is not read.
+    colcon finds where a README or a script starts it (`cd driver && colcon build`), and those that the outer package
+    builds itself (`add_subdirectory`, `ExternalProject_Add`): only their package.xml is not read.
 
     ## References
     colcon/colcon-recursive-crawl: package_discovery/recursive_crawl.py
     """
     built: list[str] = []
+    apart: list[str] = []
     left: list[str] = []
     for path in nested.manifests():
-        (built if nested.is_built_here(path) else left).append(path)
+        (built if nested.is_built_here(path) else apart if nested.is_built_apart(path) else left).append(path)
     outer = nested.package.name
     if left:
         message = (
@@ -58,6 +60,12 @@ def nested_package(nested: NestedPackages) -> Iterator[Hit]:
             f"move it next to `{outer}`, or remove its package.xml"
         )
         yield of_all(left, message, None if any(map(nested.may_be_meant, left)) else Severity.INFO)
+    if apart:
+        message = (
+            f"is a package inside of `{outer}`: colcon finds it only where it is started below `{outer}`, as a page or "
+            f"a script does here; move it next to `{outer}`"
+        )
+        yield of_all(apart, message, Severity.INFO)
     if built:
         message = (
             f"is a package inside of `{outer}`, which builds it itself: nothing fails, but colcon and rosdep read no "
