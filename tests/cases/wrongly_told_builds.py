@@ -82,6 +82,7 @@ def configured(**files: str) -> Example:
 
 
 INNER = manifest().replace("<name>my_pkg</name>", "<name>my_driver</name>")
+INCLUDED = "find_package(std_msgs REQUIRED)\ninclude_directories(${STD_MSGS_INCLUDE_DIRS})\n"
 CASES = {
     "CMK103": (
         package(BESIDE.format("SHARED", "lib"), USED),
@@ -122,6 +123,16 @@ CASES = {
             "cd ~/robot/control\ncolcon build\n",
             "cd ~/robot\ncolcon build\ncd control\n",
             "colcon build --base-paths control\n",
+        )
+    ),
+    "CMK115": tuple(
+        package(INCLUDED + PROGRAM + line, {"src/talker.cpp": MAIN})
+        for line in (
+            "",
+            "ament_target_dependencies(talker std_msgs)\n",
+            "target_link_libraries(talker std_msgs::std_msgs)\n",
+            "target_include_directories(talker PRIVATE ${std_msgs_INCLUDE_DIRS})\n",
+            "ament_target_dependencies(talker std_srvs)\n",
         )
     ),
     "CMK129": (

@@ -109,6 +109,18 @@ class UnsetVariables:
         yield from self.of_loops()
         yield from self.of_targets()
 
+    def brings(self, each: UnsetVariable) -> bool:
+        """Return whether targets get the package of a variable in another way: by its name, or the right variable."""
+        found = OF_PACKAGE.fullmatch(each.near)
+        if found is None or package_of(each.name) != package_of(each.near) or each.call.name not in ADDING:
+            return False
+        given = {text for call in self.cmake.named("ament_target_dependencies") for text in call.texts[1:]}
+        linked = (text for call in self.cmake.named("target_link_libraries") for text in call.texts[1:])
+        is_linked = found[1] in given or any(text.startswith(f"{found[1]}::") for text in linked)
+        adding = (call for call in self.cmake.named(*ADDING) if call is not each.call)
+        arguments = (argument.text for call in adding for argument in call.command.arguments[1:])
+        return is_linked or any(f"${{{each.near}}}" in text for text in arguments)
+
     def of_the_project(self) -> Iterator[UnsetVariable]:
         """Yield slips of PROJECT_NAME in what is installed; no file of the package has the name elsewhere."""
         for call in (each for each in self.cmake.calls if each.name == "install"):

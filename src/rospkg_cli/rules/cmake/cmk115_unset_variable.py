@@ -32,7 +32,7 @@ def cmake(lines: str) -> str:
     levels={
         Severity.ERROR: "it says what is installed, or where",
         Severity.INFO: "it would name targets to install, and no other variable is near; or the intended one stands "
-        "beside it",
+        "beside it, or targets get the package by its name",
     },
     examples=(
         Example(
@@ -66,11 +66,11 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     a macro of another one is called. In `message()`. Under an unknown condition only names near to those of CMake are
     told, as warnings; where a file is included that can't be read, those near to PROJECT_NAME in `install()`, and those
     beside a variable that nothing reads. A variable of a package in other letters is an info where the right one stands
-    in the same command, as nothing is lost.
+    in the same command, as nothing is lost, and where targets get the package by its name or by the right one.
     """
     for each in (*variables.all(), *UnreadTwins(variables).all()):
         is_sure = each.call.name == "install" and not each.call.maybe and not variables.cmake.reads_unknown_files
-        is_lost = bool(each.beside) or (not each.near and each.call.name == "install")
+        is_lost = bool(each.beside) or variables.brings(each) or (not each.near and each.call.name == "install")
         level = Severity.INFO if is_lost else Severity.ERROR if is_sure else None
         yield Hit(each.call.path, each.span, message(each), level)
     for lost in UnreadLists(variables.cmake).all():
