@@ -83,6 +83,12 @@ def configured(**files: str) -> Example:
 
 INNER = manifest().replace("<name>my_pkg</name>", "<name>my_driver</name>")
 INCLUDED = "find_package(std_msgs REQUIRED)\ninclude_directories(${STD_MSGS_INCLUDE_DIRS})\n"
+FLAT = "install(PROGRAMS {} DESTINATION lib/${{PROJECT_NAME}})\n"
+PYTHON = {
+    "src/talk.py": "#!/usr/bin/env python3\nfrom words.hello import HELLO\n\nprint(HELLO)\n",
+    "src/words/__init__.py": "",
+    "src/words/hello.py": "HELLO = 'hello'\n",
+}
 CASES = {
     "CMK103": (
         package(BESIDE.format("SHARED", "lib"), USED),
@@ -134,6 +140,10 @@ CASES = {
             "target_include_directories(talker PRIVATE ${std_msgs_INCLUDE_DIRS})\n",
             "ament_target_dependencies(talker std_srvs)\n",
         )
+    ),
+    "CMK109": (
+        package('file(GLOB_RECURSE all "src/*.py")\n' + FLAT.format("${all}"), PYTHON),
+        package(FLAT.format("src/talk.py"), PYTHON),
     ),
     "CMK129": (
         package(MATCHING.format("include", "*.hpp"), HPP),

@@ -23,6 +23,16 @@ class LeftModule:
     """Of the script in the install rule."""
     imported: Span
     """Of the import in the script."""
+    installed_as: str = ""
+    """Where a rule installs it all the same, without its folder; "" where none does."""
+
+    @property
+    def sentence(self) -> str:
+        where = f"installed as `{self.installed_as}`" if self.installed_as else "not installed"
+        fails = f"`{self.script}` imports `{self.source}`, which is {where}: the script ends with ModuleNotFoundError"
+        if self.installed_as:
+            return f"{fails}; install it next to the script, with its folder (`install(DIRECTORY …)`)"
+        return f"{fails}; add it to the `install(PROGRAMS …)`"
 
 
 def modules_left_behind(packages: PythonPackages) -> Iterator[LeftModule]:
@@ -40,7 +50,8 @@ def modules_left_behind(packages: PythonPackages) -> Iterator[LeftModule]:
             source = source_of(packages, row, each)
             if source and source not in seen:
                 seen.add(source)
-                yield LeftModule(source, row.source, row.path, row.span, each.span)
+                flat = next((other.destination for other in table.rows if other.source == source), "")
+                yield LeftModule(source, row.source, row.path, row.span, each.span, flat)
 
 
 def source_of(packages: PythonPackages, row: InstalledFile, each: Import) -> str:

@@ -127,12 +127,7 @@ def installing(packages: PythonPackages, name: str) -> Fix | None:
 
 
 def beside(packages: PythonPackages, left: LeftModule) -> Hit:
-    message = (
-        f"`{left.script}` imports `{left.source}`, which is not installed: the script ends with ModuleNotFoundError; "
-        "add it to the `install(PROGRAMS …)`"
-    )
-    fix = only_plain_names(
-        Fix(f"install `{left.source}`", (install_script(packages.package.cmake, left.source),)), left.source
-    )
+    script = install_script(packages.package.cmake, left.source) if not left.installed_as else None
+    fix = only_plain_names(Fix(f"install `{left.source}`", (script,)), left.source) if script else None
     related = Related(left.script, left.imported, "it is imported here")
-    return Hit(left.path, left.span, message, Severity.WARNING, (related,), fix)
+    return Hit(left.path, left.span, left.sentence, Severity.WARNING, (related,), fix)
