@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.doubled_names import DoubledNames
-from ...checks.cmake.idle_programs import is_idle_program
 from ...checks.cmake.misplaced_libraries import MisplacedLibraries
 from ...checks.cmake.node_programs import NodePrograms
 from ...checks.cmake.target_references import TargetReferences
 from ...checks.cmake.uninstalled_sentences import said_twice, uninstalled
 from ...checks.cpp.dropped_links import DroppedLinks
+from ...checks.cpp.idle_programs import is_idle_program
 from ...edits.cmake_install import install_executable, install_library
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example

@@ -6,9 +6,9 @@ import re
 
 from ...files import PackageFiles
 from ...languages.cmake.targets import Target
+from ..cmake.commented_installs import CommentedInstalls
+from ..cmake.node_programs import NodePrograms
 from ..setup.linked_build import build_texts
-from .commented_installs import CommentedInstalls
-from .node_programs import NodePrograms
 
 REACH = 200
 """The most characters of the path before a program's name."""
