@@ -27,10 +27,15 @@ class LeftModule:
     """Where a rule installs it all the same, without its folder; "" where none does."""
 
     @property
+    def needs_folder(self) -> bool:
+        """Whether it helps nobody as a file of its own: a package is its folder."""
+        return bool(self.installed_as) or self.source.endswith("/__init__.py")
+
+    @property
     def sentence(self) -> str:
         where = f"installed as `{self.installed_as}`" if self.installed_as else "not installed"
         fails = f"`{self.script}` imports `{self.source}`, which is {where}: the script ends with ModuleNotFoundError"
-        if self.installed_as:
+        if self.needs_folder:
             return f"{fails}; install it next to the script, with its folder (`install(DIRECTORY …)`)"
         return f"{fails}; add it to the `install(PROGRAMS …)`"
 

@@ -127,7 +127,7 @@ def installing(packages: PythonPackages, name: str) -> Fix | None:
 
 
 def beside(packages: PythonPackages, left: LeftModule) -> Hit:
-    script = install_script(packages.package.cmake, left.source) if not left.installed_as else None
+    script = install_script(packages.package.cmake, left.source) if not left.needs_folder else None
     fix = only_plain_names(Fix(f"install `{left.source}`", (script,)), left.source) if script else None
     related = Related(left.script, left.imported, "it is imported here")
     return Hit(left.path, left.span, left.sentence, Severity.WARNING, (related,), fix)
