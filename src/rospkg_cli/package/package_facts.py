@@ -126,9 +126,7 @@ class PackageFacts:
     headers: frozenset[str] = frozenset()
     """The folders below its `include/` folders that hold headers: `rclcpp/executors`."""
     header_files: frozenset[str] = frozenset()
-    """The headers below its `include/` folders: `rclcpp/executors/single_threaded_executor.hpp`.
-
-    Installed elsewhere, they are here by that path too."""
+    """The headers below its `include/` folders: `rclcpp/executors/single_threaded_executor.hpp`."""
     included_headers: frozenset[str] = frozenset()
     """What the sources of its targets include by a path, where CMake looks nowhere else."""
     plugins: tuple[Plugin, ...] = ()

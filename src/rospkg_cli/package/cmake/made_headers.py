@@ -25,12 +25,8 @@ RUNS = ("execute_process", "add_custom_command", "add_custom_target")
 
 
 def header_files(reading: ReaderInput) -> frozenset[str]:
-    """Return the headers of a package as others may include them.
-
-    They lie below its `include/` folders, or elsewhere once installed.
-    """
-    below, cmake = frozenset(below_include(reading.files)), reading.parts(CMake).only
-    return below if cmake is None else below.union(renamed_headers(cmake, below))
+    """Return the headers below the `include/` folders of a package, relative to them."""
+    return frozenset(below_include(reading.files))
 
 
 def renamed_headers(cmake: CMake, below: frozenset[str]) -> Iterator[str]:
@@ -41,10 +37,10 @@ def renamed_headers(cmake: CMake, below: frozenset[str]) -> Iterator[str]:
     scope, exported = f"{cmake.project_name}/", exported_folders(cmake)
     for path in installed_headers(cmake):
         rest = path.removeprefix(scope)
-        if rest in below and not rest.startswith(scope):
+        if rest != path and rest in below and not rest.startswith(scope):
             yield path
         short = (path.removeprefix(folder) for folder in exported if path.startswith(folder))
-        yield from (each for each in short if "/" in each)
+        yield from (each for each in short if each.startswith(scope) and each not in below)
 
 
 def exported_folders(cmake: CMake) -> frozenset[str]:
@@ -59,13 +55,14 @@ def exported_folders(cmake: CMake) -> frozenset[str]:
 
 
 def has_other_headers(reading: ReaderInput) -> bool:
-    """Return whether the build may make headers, or installs some from folders that are not called include/."""
+    """Return whether the build may make headers, or others find some by other paths than they have here."""
     cmake = reading.parts(CMake).only
     if cmake is None:
         return is_built_with_cmake(reading)
-    known, scope = frozenset(below_include(reading.files)), f"{cmake.project_name}/"
+    known, scope = header_files(reading), f"{cmake.project_name}/"
     others = (path for path in installed_headers(cmake) if not {path, path.removeprefix(scope)} & known)
-    return may_make_headers(cmake) or bool(made_header_names(cmake)) or next(others, None) is not None
+    is_made = may_make_headers(cmake) or bool(made_header_names(cmake))
+    return is_made or next(others, None) is not None or next(renamed_headers(cmake, known), None) is not None
 
 
 def installed_headers(cmake: CMake) -> Iterator[str]:
