@@ -16,6 +16,7 @@ from ...package.params.scalar_types import DOUBLE, FALSE, TRUE, yaml_type
 from ...ros.known_nodes import KnownParameter, known_nodes, known_parameters, removed_parameters
 from ...ros.well_known import packages_with_plugin
 from ...source import Span
+from .costmap_blocks import is_out_of_reach
 from .declaring_packages import given_type, is_its_own
 from .idle_nodes import Start, start_of
 from .launch_parameters import LaunchParameters, NodeArguments
@@ -94,7 +95,8 @@ class KnownNodes:
         for file in self.launched.files:
             kinds = dict(controller_types(file))
             for block in file.blocks:
-                yield from self.of_block(file, block, kinds)
+                if not is_out_of_reach(block, self.launched):
+                    yield from self.of_block(file, block, kinds)
 
     def of_block(self, file: ParameterFile, block: NodeBlock, kinds: dict[str, str]) -> Iterator[KnownGroup]:
         """Yield the values of a block: those of the node, and those below the name of each plugin."""

@@ -28,6 +28,12 @@ class MistypedBlock:
     """What has that name: the key of the controller manager, or a package."""
     is_controller: bool
 
+    @property
+    def owner(self) -> str:
+        """What has that name: part of a sentence."""
+        start = f"`{self.by}` starts" if self.is_controller else f"that of `{self.by}` is"
+        return f"{start} `{self.meant}`, which has no block here"
+
 
 def mistyped_blocks(
     file: ParameterFile, started: Collection[str | None], texts: Iterable[str]

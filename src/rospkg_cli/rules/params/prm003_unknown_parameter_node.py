@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.params.costmap_blocks import told_of, unread_costmaps
 from ...checks.params.launched_names import displaced_blocks
 from ...checks.params.mistyped_blocks import misspelt_spawns
 from ...checks.params.unread_blocks import NodeBlocks, shown_readers
@@ -80,7 +81,9 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     It also finds blocks that have nearly the name of a controller that the same file gives `controller_manager`, or of
     a node that everybody uses (`controller_manager`, those of nav2), and that has no block there; blocks with the name
     of an executable that is started under another name; and blocks of a node that is started in another namespace:
-    `talker` is `/talker` alone; and controllers that are spawned under nearly the name of one that has a type.
+    `talker` is `/talker` alone; and controllers that are spawned under nearly the name of one that has a type. The
+    costmaps of nav2 are in namespaces that have their names: `local_costmap` alone is no node, where the block of the
+    server that makes it stands beside.
 
     ## Why is this bad?
     rcl goes by the node's name, as the launch file gives it, and ignores all other blocks without a warning: the node
@@ -112,15 +115,11 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
         message = f"no controller manager here has a controller `{spawned}`: the spawner ends with an error"
         yield Hit(launch.path, span, f"{message}; did you mean `{meant}`?")
     for file, wrong in launched.mistyped():
-        owner = (
-            f"`{wrong.by}` starts `{wrong.meant}`"
-            if wrong.is_controller
-            else f"that of `{wrong.by}` is `{wrong.meant}`"
-        )
-        message = (
-            f"no node is called `{wrong.block.key.text}`: {owner}, which has no block here and runs with its defaults"
-        )
+        message = f"no node is called `{wrong.block.key.text}`: {wrong.owner} and runs with its defaults"
         yield Hit(file.path, wrong.block.key.span, message, fix=renaming(file, wrong.block, wrong.meant))
+    for file, block, server in unread_costmaps(launched):
+        level = Severity.INFO if scope.uses.of(file).is_unnamed else None
+        yield Hit(file.path, block.key.span, told_of(block.key.text, server), level)
     for file, block, name in scope.unread():
         message = f"no node is called `{block.key.text}`: this package's is `{name}`, and never reads the block"
         yield Hit(file.path, block.key.span, message, Severity.INFO, fix=renaming(file, block, name))

@@ -1,0 +1,41 @@
+"""Blocks for the costmaps of nav2: each of these nodes is in a namespace that has its own name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...package.params.parameter_file import NodeBlock, ParameterFile
+from .launch_parameters import LaunchParameters
+from .mistyped_blocks import last
+
+COSTMAPS = {"local_costmap": "controller_server", "global_costmap": "planner_server"}
+"""The node, and the one that makes it. (nav2_controller, nav2_planner)"""
+FILLED_OR_WILD = "*$<{@"
+
+
+def is_out_of_reach(block: NodeBlock, launched: LaunchParameters) -> bool:
+    """Return whether a block is for a costmap and not below its namespace, and nothing here has a node of that name."""
+    name = last(block)
+    if name not in COSTMAPS or any(sign in block.name for sign in FILLED_OR_WILD):
+        return False
+    if f"/{block.name}".endswith(f"/{name}/{name}"):
+        return False
+    coded = (each.name for facts in launched.workspace.packages for each in facts.node_names)
+    return all(each.known_name != name for each in launched.node_arguments) and name not in coded
+
+
+def unread_costmaps(launched: LaunchParameters) -> Iterator[tuple[ParameterFile, NodeBlock, str]]:
+    """Yield the blocks that no costmap reads, where the block of its server stands beside, with that server."""
+    for file in launched.files:
+        names = {last(block) for block in file.blocks}
+        lost = [block for block in file.blocks if is_out_of_reach(block, launched)]
+        for block in lost:
+            alike = [each for each in file.blocks if last(each) == last(block)]
+            if COSTMAPS[last(block)] in names and all(any(one is each for one in lost) for each in alike):
+                yield file, block, COSTMAPS[last(block)]
+
+
+def told_of(name: str, server: str) -> str:
+    """Return what is said of a block for the costmap that a server makes."""
+    message = f"no node is called `{name}`: the costmap that `{server}` makes is `{name}/{name}`"
+    return f"{message}, and never reads the block; write `{name}:` twice, one below the other"
