@@ -28,7 +28,24 @@ def costmaps(text: str = NAV2) -> Example:
     return Example(bad={"config/nav2.yaml": text}, good={}, on="config")
 
 
+PRINTED = """\
+import logging
+
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch.substitutions import LaunchConfiguration
+
+
+def generate_launch_description():
+    path = LaunchConfiguration('path')
+    print(str(path), 'is the path')
+    logging.getLogger().info(f'the path is {path}')
+    return LaunchDescription([ExecuteProcess(cmd=['ls', str(path)])])
+"""
+
+
 CASES = {
+    "LCH014": (Example(bad={"launch/a.launch.py": PRINTED}, good={}),),
     "PRM003": (
         costmaps(),
         costmaps(NAV2.replace("bt_navigator", "local_costmap/local_costmap")),

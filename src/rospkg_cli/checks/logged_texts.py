@@ -6,6 +6,7 @@ import ast
 
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import nodes_of, nodes_of_kind
+from ..source import Span
 
 LOGS = frozenset("print debug info warn warning error fatal critical exception".split())
 
@@ -18,6 +19,11 @@ def logged_texts(file: PythonFile) -> frozenset[int]:
         known["logged_texts"] = frozenset(id(each) for call in calls for each in nodes_of(call))
     found: frozenset[int] = known["logged_texts"]
     return found
+
+
+def logged_spans(file: PythonFile) -> list[Span]:
+    """Return the calls that say something."""
+    return [file.span(call) for call in nodes_of_kind(file.tree, ast.Call) if is_log(call)]
 
 
 def is_log(call: ast.Call) -> bool:

@@ -14,6 +14,7 @@ from ...ros.launch_calls import ACTIONS, SIGNATURES, Signature
 from ...source import Span
 from ...suggest import nearest
 from ..fault import Fault, softer
+from ..logged_texts import logged_spans
 from ..older_distribution import OlderDistribution
 from .argument_types import TYPE_CHECKS, action_list_faults
 from .idle_actions import UNUSED, never_added
@@ -79,9 +80,11 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
                     fault = at_the_comma(with_its_name(found, argument, launch), argument, commas)
                     yield softer(fault, "warning", "as soon as the action is added") if late else fault
     tested = {argument.value.span for call in launch.calls for argument in tests_of(call)}
+    shown = logged_spans(launch.file)
     for use in launch.uses:
-        is_idle = any(each.contains(use.span) for each in idle)
-        for fault in use_faults(use, launch.file.source.slice(use.span), is_tested=use.span in tested):
+        is_idle, is_shown = (any(each.contains(use.span) for each in spans) for spans in (idle, shown))
+        written = launch.file.source.slice(use.span)
+        for fault in use_faults(use, written, is_tested=use.span in tested, is_shown=is_shown):
             fault = used_at_the_comma(fault, use.operands, commas)
             yield softer(fault, "info", UNUSED) if is_idle and fault.level else fault
     yield from test_faults(launch)

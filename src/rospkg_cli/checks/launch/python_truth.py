@@ -49,10 +49,10 @@ def truth_values(launch: EvaluatedLaunch) -> dict[Span, Truth]:
     return found
 
 
-def use_faults(use: SubstitutionUse, written: str, *, is_tested: bool) -> Iterator[Fault]:
+def use_faults(use: SubstitutionUse, written: str, *, is_tested: bool, is_shown: bool = False) -> Iterator[Fault]:
     """Yield what happens where Python works on a substitution as on a string; launch refuses a bool as a condition.
 
-    `written` is the whole expression.
+    `written` is the whole expression; what `is_shown` only comes to the output.
     """
     if use.kind == "refused":
         shown = type_name(use.operands[0])
@@ -76,8 +76,11 @@ def use_faults(use: SubstitutionUse, written: str, *, is_tested: bool) -> Iterat
         yield Fault(use.span, f"`{use.name}` raises TypeError for {shown}: neither has such an operator; {better}")
     elif use.name in ('f""', "str()"):
         text = "the f-string" if use.name == 'f""' else f"`{written if NAMED.fullmatch(written) else use.name}`"
-        message = f"{text} holds the name of an object, `<launch… object at 0x…>`"
-        yield Fault(use.span, f"{message}, not the value of {shown}; make it a list of its parts", "warning")
+        message = f"{text} holds the name of an object, `<launch… object at 0x…>`, not the value of {shown}"
+        if is_shown:
+            yield Fault(use.span, f"{message}: the output shows that; print it in an OpaqueFunction", "info")
+        else:
+            yield Fault(use.span, f"{message}; make it a list of its parts", "warning")
     elif is_comparison(use):
         outcome = "never" if use.name == "==" else "always"
         better = "use EqualsSubstitution or PythonExpression, or compare in an OpaqueFunction"

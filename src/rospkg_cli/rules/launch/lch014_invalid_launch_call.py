@@ -44,7 +44,7 @@ def generate_launch_description():
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "the launch goes on, with another value than intended, or the action is never added",
-        Severity.INFO: "it is another value than intended, which nothing uses",
+        Severity.INFO: "it is another value than intended, which nothing uses, or which is only printed",
     },
     examples=(
         Example(
