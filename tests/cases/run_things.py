@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import Example
+from rospkg_cli.example import Example, manifest
+
+from .idle_parameters import below
 
 NAV2 = """\
 controller_server:
@@ -44,7 +46,55 @@ def generate_launch_description():
 """
 
 
+CONTAINER = """\
+<launch>
+  <node_container pkg="rclcpp_components" exec="component_container" name="c" namespace="">
+    <composable_node pkg="velodyne_pointcloud" plugin="velodyne_pointcloud::Convert" name="convert"/>
+  </node_container>
+  <node pkg="velodyne_pointcloud" exec="velodyne_convert_node"/>
+</launch>
+"""
+BRANCHES = "This master branch is developed based on `{}`.\n- foxy\n- galactic\n- humble\n"
+PAGES = ("For Foxy.\n", "For Humble.\n", BRANCHES.format("foxy"), BRANCHES.format("humble"))
+NEEDING = ("velodyne_monitor", "velodyne_driver", "other_monitor")
+LOADED = (
+    *(below(page, {"launch/a.launch.xml": CONTAINER}) for page in PAGES),
+    *(
+        Example(
+            bad={"package.xml": manifest(f"  <exec_depend>{name}</exec_depend>\n"), "launch/a.launch.xml": CONTAINER},
+            good={},
+        )
+        for name in NEEDING
+    ),
+)
+READS = """\
+#include <rclcpp/rclcpp.hpp>
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = rclcpp::Node::make_shared("talker");
+  std::string port = "a";
+  node->get_parameter("port", port);
+}
+"""
+
+
 CASES = {
+    "LCH002": LOADED,
+    "LCH011": LOADED,
+    "PRM007": (
+        Example(
+            bad={
+                "src/my_pkg/package.xml": manifest("", "ament_cmake"),
+                "src/my_pkg/README.md": "ROS2 Crystal\n",
+                "src/my_pkg/src/talker.cpp": READS,
+            },
+            good={},
+            on="",
+        ),
+        *(below(page, {"src/talker.cpp": READS}) for page in ("ROS 2 Crystal, Humble\n", "Crystal clear\n")),
+    ),
     "LCH014": (Example(bad={"launch/a.launch.py": PRINTED}, good={}),),
     "PRM003": (
         costmaps(),

@@ -12,12 +12,18 @@ from ..ros.distros import DISTROS
 from .setup.linked_build import build_files
 
 STARTABLE = (".py", ".xml", ".yaml", ".yml")
-OLDER = ("dashing", "eloquent", "foxy")
+BEFORE_DASHING = ("bouncy", "crystal")
+"""Words of their own, which count behind `ros` alone."""
+OLDER = (*BEFORE_DASHING, "dashing", "eloquent", "foxy")
 UNSUPPORTED = (*OLDER, "galactic")
 BEFORE_JAZZY = (*UNSUPPORTED, "humble", "iron")
-NAMES = regex(rf"(?<![a-z])({'|'.join((*UNSUPPORTED, 'iron', *(each.name for each in DISTROS)))})(?![a-z])")
+EVERY = "|".join(("dashing", "eloquent", "foxy", "galactic", "iron", *(each.name for each in DISTROS)))
+NAMES = regex(rf"(?<![a-z])({EVERY})(?![a-z])")
+EARLY = regex(rf"\bros[ _-]?2?[\s:/_-]{{0,3}}({'|'.join(BEFORE_DASHING)})\b")
+OF_BRANCH = regex(rf"\bthis (?:\w+ )?branch (?:\w+ ){{1,4}}[`'\"*_]{{0,3}}({EVERY})(?![a-z])")
+"""What a page says of its own branch, where it names those for other distributions too."""
 SLIPS = {"elequent": "eloquent", "eloquant": "eloquent", "galatic": "galactic", "galictic": "galactic"}
-IN_PATHS = regex(rf"(?<![a-z])({'|'.join((*SLIPS, *UNSUPPORTED, 'iron', *(each.name for each in DISTROS)))})(?![a-z])")
+IN_PATHS = regex(rf"(?<![a-z])({'|'.join(SLIPS)}|{EVERY})(?![a-z])")
 
 
 @dataclass(frozen=True)
@@ -26,9 +32,11 @@ class OlderDistribution:
 
     @cached_property
     def named(self) -> frozenset[str]:
-        """The distributions that pages, scripts and workflows name."""
-        texts = (whole.readable_text(path) for whole, path in build_files(self.files) if whole.exists(path))
-        return frozenset(name for text in texts for name in names_in(text))
+        """The distributions that pages, scripts and workflows name, or those of which a page says so of this branch."""
+        texts = (whole.readable_text(path) for whole, path in build_files(self.files) if whole.has_file(path))
+        pages = [text.lower() for text in texts]
+        of_branch = frozenset(name for page in pages for name in OF_BRANCH.findall(page))
+        return of_branch or frozenset(name for page in pages for name in names_in(page))
 
     @property
     def is_named_alone(self) -> bool:
@@ -37,6 +45,11 @@ class OlderDistribution:
         Foxy does not check the types of parameters, gives a LifecycleNode a namespace, and takes `node_executable`.
         """
         return bool(self.named) and self.named.issubset(OLDER)
+
+    @property
+    def is_before_dashing(self) -> bool:
+        """Whether one before Dashing is named, and none after it: there parameters need no declaration."""
+        return bool(self.named) and self.named.issubset(BEFORE_DASHING)
 
     @property
     def is_before_jazzy(self) -> bool:
@@ -67,8 +80,8 @@ class OlderDistribution:
 
 @lru_cache(maxsize=1000)
 def names_in(text: str) -> frozenset[str]:
-    """Return the distributions that a text names; it is the same page for all packages of a repository."""
-    return frozenset(NAMES.findall(text.lower()))
+    """Return the distributions that a text names, in lower case; it is one page for all packages of a repository."""
+    return frozenset((*NAMES.findall(text), *EARLY.findall(text)))
 
 
 def names_older(path: str) -> bool:

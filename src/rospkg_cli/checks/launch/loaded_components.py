@@ -14,6 +14,10 @@ from ...ros.names import NameKind
 from ...ros.well_known import WrongName, wrong_name
 from ...suggest import nearest
 from ..cmake.component_registration import ComponentRegistration
+from ..fault import Level
+from ..older_distribution import OlderDistribution
+from .forked_packages import is_of_fork
+from .idle_actions import level_at
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +51,19 @@ class LoadedComponents:
     workspace: Workspace
     file: LaunchFile
     own: ComponentRegistration | None
+    package: PackageFacts
+    distribution: OlderDistribution
+
+    def level_of(self, each: UnknownComponent) -> tuple[Level | None, str]:
+        """Return the level of a component, None for the rule's own, and why it is not that."""
+        level, why = level_at(self.file, each.plugin.span)
+        if each.wrong is None or not each.wrong.is_removed:
+            return level, why
+        if self.distribution.is_for_unsupported(self.file.path):
+            return "info", "but in the distributions that the pages name"
+        if is_of_fork(each.package, self.package, self.workspace):
+            return "info", "but in a fork, it may be there"
+        return level or "warning", why
 
     @cached_property
     def told(self) -> frozenset[tuple[str, str]]:

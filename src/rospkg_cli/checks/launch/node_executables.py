@@ -15,6 +15,7 @@ from ...suggest import nearest, slips
 from ..closest_path import is_like
 from ..fault import Level
 from ..older_distribution import OlderDistribution
+from .forked_packages import is_of_fork
 from .idle_actions import level_at
 from .missing_references import LaunchContext
 from .named_programs import named_programs
@@ -99,9 +100,13 @@ class NodeExecutables:
     distribution: OlderDistribution
 
     def level_of(self, use: WellKnownUse) -> Level | None:
-        """Return the level of a name that is not there; where the repository is for an older distribution it is."""
+        """Return the level of a name that is not there; where the repository is for an older distribution it is.
+
+        So it may be in a fork.
+        """
         is_older = self.distribution.is_for_unsupported(self.scope.file.path) or self.uses_plugins_of(use.package)
-        if use.wrong.is_removed and is_older:
+        is_kept = is_older or is_of_fork(use.package, self.scope.package, self.scope.workspace)
+        if use.wrong.is_removed and is_kept:
             return "info"
         return use.level or ("warning" if use.wrong.is_removed or "/" in use.wrong.better else None)
 

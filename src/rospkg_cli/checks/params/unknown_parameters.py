@@ -6,6 +6,8 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.params.parameter_file import Parameter, ParameterFile
 from ..depends.compiled_sources import HEADERS, own_compiled
+from ..fault import Level
+from ..older_distribution import OlderDistribution
 from .declaring_packages import ParameterContext
 from .forgotten_declarations import ForgottenDeclarations
 from .joint_limits import JointLimits, MistypedLimit
@@ -31,6 +33,7 @@ class UnknownParameters:
     known: KnownNodes
     uses: ParameterFileUses
     joints: JointLimits
+    distribution: OlderDistribution
 
     def unknown_reads(self) -> list[UnknownRead]:
         """Return what code that is compiled, or Python, gets and nothing declares, each place once."""
@@ -39,6 +42,13 @@ class UnknownParameters:
         compiled = own_compiled(self.cmake, self.reads.cpp) if self.cmake is not None else None
         sources = {file.path for file in self.reads.cpp if not file.path.endswith(HEADERS)}
         return [each for each in found if not compiled or each.path not in sources - compiled]
+
+    def told_of(self, read: UnknownRead) -> tuple[Level, str]:
+        """Return the level of what code gets and nothing declares, and what is said of it."""
+        if self.distribution.is_before_dashing:
+            return "info", f"{undeclared(read)}; before Dashing, which the pages name, none need be declared"
+        is_error = read.throws and read.suggestion and not read.on_request
+        return "error" if is_error else "warning", undeclared(read)
 
     def repeated_reads(self) -> list[RepeatedRead]:
         """Return what is got twice, the second time in the place of what no code gets."""

@@ -11,7 +11,7 @@ from ...tree import READABLE
 LINKS, MERGES = b"symlink-install", b"merge-install"
 PAGES = tuple(
     f"{name}{suffix}"
-    for name in ("README", "Readme", "readme", "SETUP", "INSTALL", "BUILD", "CLAUDE", "AGENTS")
+    for name in ("README", "Readme", "readme", "ReadMe", "SETUP", "INSTALL", "BUILD", "CLAUDE", "AGENTS")
     for suffix in (".md", ".rst", ".txt", "")
 )
 SCRIPTS = tuple(f"{name}.sh" for name in "build setup install compile run start entrypoint docker_entrypoint".split())

@@ -47,7 +47,7 @@ FILES = {
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "its container is off by default, or an old distribution had the name",
-        Severity.INFO: "its container is built and never added to the launch description",
+        Severity.INFO: "its container is never added to the launch, or the repository is for releases that had it",
     },
     examples=(
         Example(
@@ -74,7 +74,8 @@ def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
     ## When it is quiet
     Packages whose components are not all known are left alone. Where this package's source registers the class and
     CMake names another, CMK108 reports it there. A component whose container is off by default is a warning, one that
-    is never added an info.
+    is never added an info. So is what Foxy or Galactic had, where pages and scripts name no later distribution, and a
+    name of a package that is meant in a fork: package.xml declares a sister of it that no distribution has.
 
     ## Fix safety
     The name is replaced by the only similar class; another one may be right.
@@ -84,9 +85,7 @@ def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
         by_class.setdefault((each.package, each.name), []).append(each)
     for alike in by_class.values():
         each, *others = sorted(alike, key=lambda one: level_at(loaded.file, one.plugin.span)[0] is not None)
-        level, why = level_at(loaded.file, each.plugin.span)
-        if each.wrong is not None and each.wrong.is_removed:
-            level = level or "warning"
+        level, why = loaded.level_of(each)
         message = message_for(each, f", {why}" if why else "")
         path, again = loaded.file.path, tuple(Related(loaded.file.path, one.plugin.span, "and here") for one in others)
         severity = Severity(level) if level else None

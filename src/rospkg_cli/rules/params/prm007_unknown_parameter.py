@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from ...checks.params.idle_nodes import hardest, level_of
 from ...checks.params.launched_names import strange_names, unknown_to_known, why_dropped
-from ...checks.params.unknown_parameters import UnknownParameters, repeated, undeclared, unread
+from ...checks.params.unknown_parameters import UnknownParameters, repeated, unread
 from ...edits.parameter_names import renamed
 from ...edits.plain_names import only_plain_names
 from ...example import Example, manifest
@@ -53,8 +53,8 @@ talker:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code gets a parameter that is not declared, and nothing may catch what it throws",
-        Severity.INFO: "older releases had it, nothing names the file or adds the action, or only the block's name "
-        "tells the node",
+        Severity.INFO: "older releases had it, nothing names the file or adds the action, only the block's name tells "
+        "the node, or the repository is for Crystal",
     },
     examples=(
         Example(
@@ -130,8 +130,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         others = tuple(Related(limit.path, span, "and here") for span in limit.others)
         yield Hit(limit.path, limit.span, unread(limit), related=others)
     for read in scope.unknown_reads():
-        level = Severity.ERROR if read.throws and read.suggestion and not read.on_request else None
-        yield Hit(read.path, read.span, undeclared(read), level, also(read.path, (span for _, span in read.more)))
+        softer, what = scope.told_of(read)
+        yield Hit(read.path, read.span, what, Severity(softer), also(read.path, (span for _, span in read.more)))
     for again in scope.repeated_reads():
         yield Hit(again.path, again.span, repeated(again))
 

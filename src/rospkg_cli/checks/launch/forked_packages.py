@@ -1,0 +1,22 @@
+"""Packages that are meant in a fork, which may have kept what no distribution has any more."""
+
+from __future__ import annotations
+
+from ...package.package_facts import PackageFacts
+from ...package.workspace import Workspace
+from ...ros.names import NameKind
+from ...ros.well_known import removed
+
+FORMER = ("programs", "components", "plugins")
+KNOWN = (NameKind.PACKAGE, NameKind.KEY)
+
+
+def is_of_fork(package: str, user: PackageFacts, workspace: Workspace) -> bool:
+    """Return whether a package declares a sister of another one that no distribution has, or had.
+
+    `velodyne_monitor` is in a fork of the repository of `velodyne_pointcloud` alone.
+    """
+    family = package.partition("_")[0]
+    sisters = {each.name for each in user.dependencies if each.name.partition("_")[0] == family} - {package}
+    former = {name for kind in FORMER for name in removed(kind)}
+    return any(workspace.kind_of(name) not in KNOWN and workspace.named(name) is None for name in sisters - former)
