@@ -80,7 +80,29 @@ int main(int argc, char ** argv)
 """
 
 
+OWN_DEFAULT = """\
+<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">
+  <xacro:arg name="model" default="$(arg model)"/>
+  <link name="$(arg model)_base"/>
+</robot>
+"""
+COMMANDS = (
+    "xacro $(find-pkg-share my_pkg)/config/robot.urdf.xacro",
+    "xacro $(find-pkg-share my_pkg)/config/robot.urdf.xacro model:=a",
+    "",
+)
+SHOWS = '<launch>\n  <let name="robot" value="$(command \'{}\')"/>\n</launch>\n'
+
+
 CASES = {
+    "URD001": tuple(
+        Example(
+            bad={"config/robot.urdf.xacro": OWN_DEFAULT, "launch/a.launch.xml": SHOWS.format(command)},
+            good={},
+            on="config",
+        )
+        for command in COMMANDS
+    ),
     "LCH002": LOADED,
     "LCH011": LOADED,
     "PRM007": (

@@ -13,6 +13,7 @@ from .opened_robots import OpenedRobots
 from .validation import robot_faults
 from .xacro_calls import XacroCalls, ancestors
 from .xacro_problems import of_one_parameter
+from .xacro_slips import MUST_BE_GIVEN
 
 
 @dataclass(frozen=True)
@@ -46,9 +47,17 @@ class JudgedRobot:
         """Return a fault as an error only where a launch file opens the robot, as an info where nothing does."""
         if fault.level == "info" or (fault.level is None and self.launched.has(self.robot.path)):
             return fault
+        if MUST_BE_GIVEN in fault.message and self.may_be_given(fault):
+            return replace(fault, level="info")
         if self.is_idle or (not self.launched.has(self.robot.path) and may_be_elsewhere(fault)):
             return softer(fault, "info", "as soon as something opens this robot")
         return replace(fault, level="warning")
+
+    def may_be_given(self, fault: Fault) -> bool:
+        """Return whether nothing is known to read the file without an argument: all launch files that do give it."""
+        names = [each.get("name") or "" for each in ancestors(self.robot.document.root, fault.span)]
+        elsewhere = any(self.calls.is_set_elsewhere(name, self.robot.document.source.text) for name in names if name)
+        return elsewhere or self.is_replaced(fault) or not self.launched.has(self.robot.path)
 
     def is_replaced(self, fault: Fault) -> bool:
         """Return whether a fault is in a default that each launch file replaces: xacro never reads it."""

@@ -94,6 +94,11 @@ class XacroCalls:
         written = re.compile(rf"\bname\s*=\s*[\"']{word}[\"']|\bparams\s*=\s*(?:\"[^\"]*|'[^']*)\b{word}\b")
         return any(written.search(text) for text in self.texts)
 
+    def is_set_elsewhere(self, argument: str, text: str) -> bool:
+        """Return whether another file than that of a text has an argument of a name: the first one is kept."""
+        written = re.compile(rf"<xacro:arg\s[^>]*?\bname\s*=\s*[\"']{re.escape(argument)}[\"']")
+        return any(written.search(each) for each in self.texts if each is not text and each != text)
+
     def is_unprefixed(self, tag: str, name: str) -> bool:
         """Return whether any file defines something by an element without `xacro:`."""
         written = re.compile(rf"<{tag}\s[^>]*?\bname\s*=\s*[\"']{re.escape(name)}[\"']")

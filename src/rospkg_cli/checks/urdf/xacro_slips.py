@@ -17,6 +17,7 @@ SURPLUS = regex(r"\$\{[^{}]*\}\}")
 OWN = regex(r"\$\(\s*arg\s+([^\s)]+)\s*\)")
 EXPRESSION = regex(r"\$\{[^{}]*\}")
 IN_BRACES = regex(r"\{\$?(\w+)\}")
+MUST_BE_GIVEN = "unless it is given, xacro stops"
 NOT_READ = frozenset({"xacro:macro"})
 """Whose attributes are no values."""
 
@@ -100,5 +101,5 @@ def unread_name(value: str, span: Span, names: set[str], arguments: set[str]) ->
 def own_default(argument: Element) -> Iterator[Fault]:
     name, default = argument.get("name"), argument.attributes.get("default")
     if name and default is not None and name in OWN.findall(default.value):
-        message = f"the default of `{name}` is `{name}` itself: unless it is given, xacro stops; write a value"
+        message = f"the default of `{name}` is `{name}` itself: {MUST_BE_GIVEN}; write a value"
         yield Fault(default.value_span, message, "warning")

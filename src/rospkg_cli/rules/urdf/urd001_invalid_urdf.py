@@ -68,7 +68,7 @@ def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> 
         Severity.WARNING: "a part of a link is lost, a condition or unused macro is around it, it may be elsewhere, or "
         "no launch file is known to open the robot",
         Severity.INFO: "nothing opens the robot, nothing reads the property that can't be evaluated, Gazebo leaves out "
-        "what is unknown, or a prefix may be given",
+        "what is unknown, or a prefix or an argument may be given",
     },
     examples=(
         example('<parent link="«bse»"/>', '<parent link="base"/>'),
@@ -104,7 +104,7 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     a prefix (`${prefix}hand` for `hand`) that is no joint's child. A fault is an error only where a launch file of the
     workspace names the robot, or one that includes it. Of a robot that no launch file, code or command of a page names,
     it is an info, if its package opens others, does not install it, or others name the package; so it is in a folder
-    such as `old/`.
+    such as `old/`. An argument that is its own default is one where no launch file is known to leave it out.
 
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py
