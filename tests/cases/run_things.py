@@ -5,6 +5,7 @@ from __future__ import annotations
 from rospkg_cli.example import Example, manifest
 
 from .idle_parameters import below
+from .shown_params import INSTALLED
 
 NAV2 = """\
 controller_server:
@@ -94,7 +95,44 @@ COMMANDS = (
 SHOWS = '<launch>\n  <let name="robot" value="$(command \'{}\')"/>\n</launch>\n'
 
 
+MESHED = """\
+<robot name="arm">
+  <link name="base">
+    <visual><geometry><mesh filename="package://my_pkg/meshes/base.stl"/></geometry></visual>
+  </link>
+</robot>
+"""
+OPENS = """\
+import os
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import LogInfo
+
+
+def generate_launch_description():
+    path = os.path.join(get_package_share_directory('my_pkg'), {})
+    return LaunchDescription([LogInfo(msg=open(path).read())])
+"""
+BESIDE = INSTALLED.replace("DIRECTORY config", "DIRECTORY launch models urdf")
+
+
+def robots(path: str, other: str, named: str) -> Example:
+    """A robot that lacks its mesh, beside another robot; a launch file opens one of them."""
+    files = {path: MESHED, other: '<robot name="arm"><link name="base"/></robot>\n'}
+    return Example(
+        bad={"CMakeLists.txt": BESIDE, **files, "launch/a.launch.py": OPENS.format(named)}, good={}, on="ament_cmake"
+    )
+
+
 CASES = {
+    "URD002": (
+        robots("arm.urdf", "models/arm/arm.urdf", "'models', 'arm', 'arm.urdf'"),
+        robots("models/arm/arm.urdf", "arm.urdf", "'models', 'arm', 'arm.urdf'"),
+        robots("urdf/arm.absolute.urdf", "urdf/arm.urdf", "'urdf', 'arm.urdf'"),
+        robots("urdf/arm.urdf", "urdf/arm.absolute.urdf", "'urdf', 'arm.urdf'"),
+        robots("urdf/arm.absolute.urdf", "urdf/arm.urdf", "'urdf', 'arm' + '.absolute.urdf'"),
+    ),
     "URD001": tuple(
         Example(
             bad={"config/robot.urdf.xacro": OWN_DEFAULT, "launch/a.launch.xml": SHOWS.format(command)},

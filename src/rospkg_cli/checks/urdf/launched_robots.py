@@ -11,7 +11,7 @@ from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_words import ANY, LAUNCH, is_launch, words_of
 from ...package.workspace import Workspace
-from .opened_robots import ROBOTS, OpenedRobots
+from .opened_robots import ROBOTS, OpenedRobots, has_folders
 from .xacro_calls import may_include
 
 
@@ -61,7 +61,9 @@ class LaunchedRobots:
         """Return whether a text has the folders of a path in it, where the package has two files of one name."""
         folder, name = posixpath.split(path)
         again = [each for each in self.files.paths if each != path and each.rpartition("/")[2] == name]
-        return not again or all(re.search(rf"\b{re.escape(each)}\b", text) for each in folder.split("/"))
+        if not folder:  # any text has no folder: it is another one that has the folders of that
+            return not any(has_folders(posixpath.dirname(each), text) for each in again)
+        return not again or has_folders(folder, text)
 
     def is_included_elsewhere(self, path: str) -> bool:
         """Return whether a robot of another package includes a file, and a launch file opens that one."""

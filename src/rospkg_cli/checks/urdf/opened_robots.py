@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from functools import cached_property
 
@@ -65,13 +66,18 @@ class OpenedRobots:
 
     def is_copy(self, path: str) -> bool:
         """Return whether a file in the package's own folder is called like another of the package, deeper down."""
-        return "/" not in path and any(each.endswith(f"/{path}") for each in self.files.paths)
+        return bool(self.deeper(path))
+
+    def deeper(self, path: str) -> list[str]:
+        """Return the folders with a file that is called like one in the package's own folder."""
+        return [posixpath.dirname(each) for each in self.files.paths if "/" not in path and each.endswith(f"/{path}")]
 
     def is_named(self, path: str) -> bool:
         name = path.rpartition("/")[2]
         word, full, is_copy = re.escape(name.partition(".")[0]), re.escape(name), self.is_copy(path)
         before = r"(?<![\w./-])" if is_copy else ""  # what names the other has a folder before it
-        stem = re.compile(rf"[\"'{'' if is_copy else '/'}]{word}[\"'./]|{before}{full}")
+        ends = rf"(?:[\"'/]|\.{self.but_others(name)})"
+        stem = re.compile(rf"[\"'{'' if is_copy else '/'}]{word}{ends}|{before}{full}")
         plain = re.compile(rf"{before}(?<![\w.-]){word}(?![\w-])|{before}{full}")
         typed = re.compile(rf"^(?=.*{COMMAND}).*{before}{full}", re.MULTILINE)
         for other, text in self.texts:
@@ -79,14 +85,24 @@ class OpenedRobots:
             in_full = other.endswith(ROBOTS) or not LETTERS.search(word)
             how = re.compile(before + full) if in_full else how
             is_beside = not is_copy or "/" not in other or not other.endswith(PAGES)
+            is_beside = is_beside and not any(has_folders(each, text) for each in self.deeper(path))
             if other != path and name.partition(".")[0] in text and is_beside and how.search(text):
                 return True
         return False
+
+    def but_others(self, name: str) -> str:
+        """Return a pattern that fits no suffix of another file of this stem: of `arm.urdf` beside `arm.sdf`."""
+        stem = name.partition(".")[0]
+        others = {each.rpartition("/")[2] for each in self.files.paths} - {name}
+        ends = sorted(each.partition(".")[2] for each in others if each.partition(".")[0] == stem)
+        return rf"(?!(?:{'|'.join(map(re.escape, ends))})(?![\w.]))" if ends else ""
 
     def is_named_elsewhere(self, path: str) -> bool:
         """Return whether a text of another package names a file and this package, or none that has such a file."""
         name, own = path.rpartition("/")[2], self.package.name
         stem = name.partition(".")[0]
+        if self.workspace.named(stem) is not None:
+            stem = name  # the word alone is a package
         for facts in self.workspace.packages:
             for words in facts.robot_words if facts.name != own else ():
                 if own in words and not words.isdisjoint((stem, ANY)):
@@ -137,3 +153,8 @@ class OpenedRobots:
             for path in self.files.paths
             if path.endswith(ROBOTS + OPENERS) and path != "package.xml" and role_of(path) not in ("test", "aside")
         )
+
+
+def has_folders(folder: str, text: str) -> bool:
+    """Return whether all folders of a path stand in a text, joined or one by one."""
+    return all(re.search(rf"\b{re.escape(each)}\b", text) for each in folder.split("/"))
