@@ -125,7 +125,65 @@ def robots(path: str, other: str, named: str) -> Example:
     )
 
 
+UNUSED = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    config = '/home/ada/ws/src/my_pkg/config/robot.yaml'
+    spawner = Node(package='controller_manager', executable='spawner', arguments=['arm', '--param-file', config])
+    return LaunchDescription([{}])
+"""
+LEFT = """\
+controller_manager:
+  ros__parameters:
+    arm:
+      type: joint_trajectory_controller/JointTrajectoryController
+    {}force:
+    {}  type: admittance_controller/AdmittanceController
+force:
+  ros__parameters:
+    kinematics:
+      plugin_name: kinematics_interface_kdl/KinematicsInterfaceKDL
+local_costmap:
+  local_costmap:
+    ros__parameters:
+      plugins: [{}]
+      grid_layer:
+        plugin: spatio_temporal_voxel_layer/SpatioTemporalVoxelLayer
+"""
+NEEDED = "".join(
+    f"  <exec_depend>{name}</exec_depend>\n"
+    for name in ("controller_manager", "joint_trajectory_controller", "admittance_controller")
+)
+SPAWNING = """\
+<launch>
+  <node pkg="controller_manager" exec="ros2_control_node">
+    <param from="$(find-pkg-share my_pkg)/config/robot.yaml"/>
+  </node>
+</launch>
+"""
+
+
+def plugged(sign: str, listed: str) -> Example:
+    return Example(
+        bad={
+            "package.xml": manifest(NEEDED, "ament_cmake"),
+            "config/robot.yaml": LEFT.format(sign, sign, listed),
+            "launch/a.launch.xml": SPAWNING,
+        },
+        good={},
+        on="config",
+    )
+
+
 CASES = {
+    "DEP106": (plugged("# ", ""), plugged("", "grid_layer")),
+    "DEP118": tuple(
+        Example(bad={"launch/a.launch.py": UNUSED.format(added), "config/robot.yaml": "arm:\n"}, good={})
+        for added in ("", "spawner")
+    ),
     "URD002": (
         robots("arm.urdf", "models/arm/arm.urdf", "'models', 'arm', 'arm.urdf'"),
         robots("models/arm/arm.urdf", "arm.urdf", "'models', 'arm', 'arm.urdf'"),

@@ -6,16 +6,20 @@ import posixpath
 import re
 from collections.abc import Iterator
 from functools import cached_property
+from typing import Annotated
 
 from ..files import PackageFiles
 from ..light_dataclasses import dataclass
 from ..package.file_role import is_set_aside, role_of
 from ..package.install_table import InstallTable
+from ..package.launch.launch_file import LaunchFile
 from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
 from ..source import Span
+from ..unreadable import READABLE
 from .home_accounts import is_of_container, is_of_many
 from .home_path_texts import ASKS, CPP, IS_SOUGHT, MARKUP, YAML, is_in_handler, patterns, without_comments
+from .launch.idle_actions import level_at
 from .reached_definitions import ReachedDefinitions
 from .yaml_elsewhere import is_named_yaml, is_of_another
 
@@ -39,7 +43,7 @@ class HomePath:
     it exists, or tries another one first."""
     is_seldom_read: bool
     """Whether RViz, a script in a folder of its own or YAML that is not installed, or that nothing names, has it, which
-    few start; or it is one of several places for modules."""
+    few start; or it is one of several places for modules, or a launch file has it that nothing uses."""
     is_unreached: bool = False
     """Whether it is in a function of Python that nothing leads to."""
 
@@ -51,6 +55,7 @@ class HomePaths:
     workspace: Workspace
     table: InstallTable | None = None
     definitions: ReachedDefinitions | None = None
+    launches: Annotated[tuple[LaunchFile, ...], READABLE] = ()
 
     @cached_property
     def found(self) -> tuple[HomePath, ...]:
@@ -83,6 +88,7 @@ class HomePaths:
             place, home = Span(*match.span("path")), self.home_of(named)
             is_seldom_read = self.is_seldom_read(path) or IS_SOUGHT.search(bare, 0, match.start()) is not None
             is_seldom_read = is_seldom_read or (path.endswith(YAML) and not is_image and not self.is_used(path))
+            is_seldom_read = is_seldom_read or self.is_unused(path, place)
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
             yield HomePath(path, place, named, *home, *flags)
 
@@ -113,6 +119,10 @@ class HomePaths:
         folder = path.partition("/")[0]
         is_aside = path.endswith(".py") and folder not in (self.facts.name, *FOR_CODE)
         return path.endswith(".rviz") or is_aside or (path.endswith(YAML) and self.is_left_out(path))
+
+    def is_unused(self, path: str, place: Span) -> bool:
+        """Return whether a launch file has a place only in what never comes to the launch description."""
+        return any(each.path == path and level_at(each, place)[0] == "info" for each in self.launches)
 
     def is_left_out(self, path: str) -> bool:
         """Return whether nothing installs a file."""
