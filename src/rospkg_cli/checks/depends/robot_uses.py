@@ -23,7 +23,7 @@ from ..urdf.xacro_calls import CONDITIONS, ancestors
 from .declared_dependencies import DeclaredDependencies
 from .found_by_parameters import found_by_parameters, named_by_parameters, typed_by_parameters
 from .opened_parameters import OpenedParameters
-from .spawned_blocks import block_of, types_beside
+from .spawned_blocks import block_of, is_commented_out, types_beside
 from .undeclared_launch_packages import LaunchDependencies
 
 INTERFACES = regex(r".*_(?:msgs|srvs|interfaces|actions)")
@@ -156,13 +156,18 @@ class RobotUses:
             if name is not None and name not in self.available and name not in TOOLS:
                 is_optional = not use.path.endswith((".yaml", ".yml")) or not self.loads_plugins
                 is_optional = is_optional or name in LOADED_BY_OWN or not self.parameters.may_have(use.path)
-                is_optional = is_optional or self.is_passed_over(use)
+                is_optional = is_optional or self.is_passed_over(use) or not use.is_listed
                 usage, consequence = f"and its plugin `{use.name}` is named here", "the node can't load it"
                 yield name, RobotUse(use.path, use.span, usage, consequence, is_optional)
 
     def is_passed_over(self, use: PluginUse) -> bool:
-        """Return whether others of the same controller_manager are spawned by name, and this controller is not."""
+        """Return whether others of the same controller_manager are spawned by name, and this controller is not.
+
+        Nor is one that a comment alone has a type for.
+        """
         text = self.launch.files.source(use.path).text
+        if is_commented_out(text, use.span.start):
+            return True
         own = block_of(text, use.span.start)
         is_open = self.declared.workspace.is_needed(self.declared.facts.name)
         if own is None or is_open or self.parameters.is_spawned(own):

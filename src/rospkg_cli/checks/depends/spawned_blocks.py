@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import pairwise
 
 from ...lazy_regex import regex
 
 MANAGER = "controller_manager"
+PARAMETERS = "ros__parameters"
 KEY = regex(r"(?P<indent>[ ]*)(?P<name>[\w/]+)[ ]*:[ ]*(?:\#.*)?")
 
 
@@ -15,6 +17,14 @@ def block_of(text: str, at: int) -> str | None:
     """Return the name of the controller whose type stands at a place; None below anything but controller_manager."""
     names = list(keys_above(text, at))
     return names[0] if names and any(name.strip("/") == MANAGER for name in names[1:]) else None
+
+
+def is_commented_out(text: str, at: int) -> bool:
+    """Return whether a place is in the parameters of a controller whose type stands in a comment alone."""
+    names = list(keys_above(text, at))
+    node = next((name for key, name in pairwise(names) if key == PARAMETERS), "")
+    remark = re.compile(rf"^[ ]*#[ ]*{re.escape(node)}[ ]*:[ ]*\n[ ]*#[ ]*type[ ]*:", re.MULTILINE)
+    return bool(node) and remark.search(text) is not None and node not in types_beside(text, "")
 
 
 def keys_above(text: str, at: int) -> Iterator[str]:
