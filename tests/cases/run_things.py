@@ -178,6 +178,14 @@ def plugged(sign: str, listed: str) -> Example:
     )
 
 
+CONTROLLED = """\
+<robot name="arm">
+  <link name="base"/>
+  <ros2_control name="arm" type="system"><joint name="elbow"/></ros2_control>
+</robot>
+"""
+
+
 CASES = {
     "DEP106": (plugged("# ", ""), plugged("", "grid_layer")),
     "DEP118": tuple(
@@ -191,13 +199,16 @@ CASES = {
         robots("urdf/arm.urdf", "urdf/arm.absolute.urdf", "'urdf', 'arm.urdf'"),
         robots("urdf/arm.absolute.urdf", "urdf/arm.urdf", "'urdf', 'arm' + '.absolute.urdf'"),
     ),
-    "URD001": tuple(
-        Example(
-            bad={"config/robot.urdf.xacro": OWN_DEFAULT, "launch/a.launch.xml": SHOWS.format(command)},
-            good={},
-            on="config",
-        )
-        for command in COMMANDS
+    "URD001": (
+        *(
+            Example(
+                bad={"config/robot.urdf.xacro": OWN_DEFAULT, "launch/a.launch.xml": SHOWS.format(command)},
+                good={},
+                on="config",
+            )
+            for command in COMMANDS
+        ),
+        *(below(page, {"urdf/arm.urdf": CONTROLLED}) for page in ("Humble\n", "Humble, Jazzy\n", "")),
     ),
     "LCH002": LOADED,
     "LCH011": LOADED,

@@ -6,11 +6,12 @@ from ...light_dataclasses import dataclass, replace
 from ...package.install_table import InstallTable
 from ...package.urdf.robot_file import RobotFile
 from ..fault import Fault, once_each, softer
+from ..older_distribution import OlderDistribution
 from .expanded_robots import ExpandedRobots
 from .launched_robots import LaunchedRobots
 from .macro_prefix import prefix_faults
 from .opened_robots import OpenedRobots
-from .validation import robot_faults
+from .validation import VAIN, robot_faults
 from .xacro_calls import XacroCalls, ancestors
 from .xacro_problems import of_one_parameter
 from .xacro_slips import MUST_BE_GIVEN
@@ -23,6 +24,7 @@ class JudgedRobot:
     expanded: ExpandedRobots
     opened: OpenedRobots
     launched: LaunchedRobots
+    distribution: OlderDistribution
     table: InstallTable | None = None
 
     @property
@@ -47,6 +49,8 @@ class JudgedRobot:
         """Return a fault as an error only where a launch file opens the robot, as an info where nothing does."""
         if fault.level == "info" or (fault.level is None and self.launched.has(self.robot.path)):
             return fault
+        if VAIN in fault.message and self.distribution.is_before_jazzy:
+            return softer(fault, "info", "and stops from Jazzy on alone, which no page names")
         if MUST_BE_GIVEN in fault.message and self.may_be_given(fault):
             return replace(fault, level="info")
         if self.is_idle or (not self.launched.has(self.robot.path) and may_be_elsewhere(fault)):
