@@ -186,7 +186,29 @@ CONTROLLED = """\
 """
 
 
+CHOSEN = """\
+import os
+
+from ament_index_python.packages import get_package_share_directory
+
+if os.environ['ROS_DISTRO'] == 'humble':
+    print(get_package_share_directory('ros_ign_gazebo'))
+else:
+    print(get_package_share_directory('{}'))
+"""
+
+
 CASES = {
+    "DEP116": tuple(
+        Example(
+            bad={
+                "package.xml": manifest("  <exec_depend>ament_index_python</exec_depend>\n"),
+                "my_pkg/talker.py": CHOSEN.format(name),
+            },
+            good={},
+        )
+        for name in ("ros_gz_sim", "ros_ign_gazebo")
+    ),
     "DEP106": (plugged("# ", ""), plugged("", "grid_layer")),
     "DEP118": tuple(
         Example(bad={"launch/a.launch.py": UNUSED.format(added), "config/robot.yaml": "arm:\n"}, good={})

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from ..languages.python.guarded_nodes import guarded_nodes
-from ..languages.python.nodes import nodes_of_kind
+from ..languages.python.nodes import nodes_of, nodes_of_kind
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
@@ -27,6 +27,8 @@ NAME = regex(r"[a-z][a-z0-9_]+")
 class LookUp:
     path: str
     span: Span
+    is_chosen: bool = False
+    """Whether an `else` looks for another package in its place."""
 
 
 @dataclass(frozen=True)
@@ -59,11 +61,12 @@ class LookedUpPackages:
     def all(self) -> Iterator[tuple[str, LookUp]]:
         """Yield the literal names that modules and C++ look for, unless they catch that a package is not there."""
         for file in self.lookups.modules:
+            chosen = set(alternatives(file.tree))
             caught = set(guarded_nodes(file.tree.body, CATCHES)) if role_of(file.path) == "run" else None
             for call in nodes_of_kind(file.tree, ast.Call) if caught is not None else ():
                 name = literal_of(call) if called(call.func) in LOOKUPS and id(call) not in (caught or ()) else None
                 if name is not None:
-                    yield str(name.value), LookUp(file.path, file.span(name))
+                    yield str(name.value), LookUp(file.path, file.span(name), id(call) in chosen)
         for source in self.lookups.sources:
             for text, span in share_names(source) if role_of(source.path) == "run" else ():
                 yield text, LookUp(source.path, span)
@@ -71,6 +74,19 @@ class LookedUpPackages:
     @property
     def included(self) -> set[str]:
         return {each.path.partition("/")[0] for source in self.lookups.sources for each in source.includes}
+
+
+def alternatives(tree: ast.AST) -> Iterator[int]:
+    """Yield the identity of each look-up under an `if` whose other branch looks for other packages alone."""
+    for choice in nodes_of_kind(tree, ast.If):
+        found = [[call for each in branch for call in lookups_in(each)] for branch in (choice.body, choice.orelse)]
+        names = [{str(name.value) for call in calls if (name := literal_of(call))} for calls in found]
+        if all(names) and names[0].isdisjoint(names[1]):
+            yield from (id(call) for calls in found for call in calls)
+
+
+def lookups_in(statement: ast.AST) -> list[ast.Call]:
+    return [each for each in nodes_of(statement) if isinstance(each, ast.Call) and called(each.func) in LOOKUPS]
 
 
 def may_be_elsewhere(workspace: Workspace, name: str) -> bool:

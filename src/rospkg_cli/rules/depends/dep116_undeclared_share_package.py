@@ -24,7 +24,9 @@ NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
     "undeclared-share-package",
     over=LookedUpPackages,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where a dependency brings it, or may bring it, or package.xml has it in a comment"},
+    levels={
+        Severity.INFO: "a dependency brings or may bring it, package.xml has it in a comment, or an `if` chooses it"
+    },
     examples=(
         Example(
             bad={"package.xml": manifest(NEEDS), "my_pkg/talker.py": MODULE},
@@ -47,7 +49,7 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     What a declared dependency certainly installs is one info, and what may come with one is another, as are names that
     nobody knows where a repository is listed and not here; else those are DEP112's. What is imported, included or
     launched as well is told by DEP101, DEP105 and DEP103. Code that catches the exception, tests, and files that
-    nothing installs are left alone.
+    nothing installs are left alone. What an `if` chooses, whose other branch looks for another package, is an info.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -68,7 +70,8 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
             f"`{name}` is not declared, and this looks for files of it: {where_absent(declared, name)} the node "
             f"ends with PackageNotFoundError; {advice(declared, 'exec_depend', name)}"
         )
-        level = Severity.INFO if is_left_out(declared, name) else None
+        is_mild = is_left_out(declared, name) or all(each.is_chosen for each in places)
+        level = Severity.INFO if is_mild else None
         places_beside = related((each.path, each.span) for each in places)
         yield Hit(first.path, first.span, message, level, places_beside, declaration(declared, "exec_depend", name))
     yield from left_to_others(declared, brought, "looked for by code")
