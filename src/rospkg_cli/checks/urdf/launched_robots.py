@@ -63,7 +63,7 @@ class LaunchedRobots:
         again = [each for each in self.files.paths if each != path and each.rpartition("/")[2] == name]
         if not folder:  # any text has no folder: it is another one that has the folders of that
             return not any(has_folders(posixpath.dirname(each), text) for each in again)
-        return not again or has_folders(folder, text)
+        return not again or all(re.search(rf"\b{re.escape(each)}\b", text) for each in folder.split("/"))
 
     def is_included_elsewhere(self, path: str) -> bool:
         """Return whether a robot of another package includes a file, and a launch file opens that one."""

@@ -156,5 +156,5 @@ class OpenedRobots:
 
 
 def has_folders(folder: str, text: str) -> bool:
-    """Return whether all folders of a path stand in a text, joined or one by one."""
-    return all(re.search(rf"\b{re.escape(each)}\b", text) for each in folder.split("/"))
+    """Return whether all folders of a path stand in a text, joined or one by one; no suffix is one."""
+    return all(re.search(rf"(?<![\w.]){re.escape(each)}(?![\w.])", text) for each in folder.split("/"))
