@@ -80,6 +80,18 @@ CASES = {
         )
         for more in ("", " EXECUTABLE talker_node")
     ),
+    "CMK201": tuple(
+        Example(
+            bad={
+                "CMakeLists.txt": CMAKE.replace("ament_package", "add_executable(a src/a.cpp)\nament_package"),
+                "include/my_pkg/other.hpp": "#pragma once\n",
+                "src/a.cpp": f'#include "my_pkg/{name}"\nint main() {{}}\n',
+            },
+            good={},
+            on="ament_cmake",
+        )
+        for name in ("topic.pb.h", "othre.hpp")
+    ),
     "PRM007": tuple(Example(bad={"my_pkg/talker.py": ON_REQUEST.format(name)}, good={}) for name in ("load", "loads")),
     "PLG003": tuple(Example(bad={"config/nav2.yaml": COSTMAP.format(names)}, good={}, on="config") for names in LISTS),
     "DEP103": tuple(Example(bad={"launch/a.py": text}, good={}) for text in (VIEWER, BY_HAND)),

@@ -18,6 +18,8 @@ from ...suggest import near_names, nearest
 from ..depends.compiled_sources import compiled_sources, harm_in, only_under_conditions, own_compiled
 from ..fault import Level
 
+MADE = (".pb.h", ".pb.hpp", "_generated.h")
+"""What compilers of protobuf and flatbuffers write: by hand too, into folders that git ignores."""
 SHORT = 10
 """Letters of a file's name from which two may be wrong."""
 
@@ -57,7 +59,8 @@ class MissingHeaders:
     def is_header(self, path: str) -> bool:
         """Return whether a path may be that of a header that people write: interfaces have generated ones."""
         parts = path.split("/")
-        return "." in parts[-1] and not (len(parts) > 2 and parts[1] in KINDS) and ".." not in parts
+        is_made = parts[-1].endswith(MADE) or (len(parts) > 2 and parts[1] in KINDS)
+        return "." in parts[-1] and not is_made and ".." not in parts
 
     def missing(self, source: CppFile, each: IncludeDirective) -> tuple[str, str] | None:
         """Return the package that lacks a header, and the one that is near; None where it may be there."""
