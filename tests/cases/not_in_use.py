@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import CMAKE, Example, manifest
+from rospkg_cli.example import CMAKE, Example, manifest, scripts
 
 VIEWER = """\
 import rclpy
@@ -66,8 +66,43 @@ COMPONENT = """\
 RCLCPP_COMPONENTS_REGISTER_NODE(my_pkg::Talker)
 """
 
+HEIRS = """\
+{}
+
+
+class Talker:
+    def go(self):
+        pass
+
+
+class Loud(Talker):
+    def go(self):
+        pass
+
+    def lose(self):
+        return nothing{}
+
+
+def main():
+    Loud().go()
+"""
+
 
 CASES = {
+    "DEP117": tuple(
+        Example(
+            bad={
+                "setup.py": scripts("talker = my_pkg.talker:main"),
+                "my_pkg/talker.py": HEIRS.format(top, called).replace("Loud(Talker)", f"Loud({base})"),
+            },
+            good={},
+        )
+        for top, base, called in (
+            ("import my_base", "Talker", ""),
+            ("import my_base", "Talker", " + self.lose()"),
+            ("import my_base", "my_base.Talking", ""),
+        )
+    ),
     "CMK108": tuple(
         Example(
             bad={

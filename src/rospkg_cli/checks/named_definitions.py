@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from ..languages.python.file import PythonFile
-from ..languages.python.nodes import FunctionNode, nodes_of
+from ..languages.python.nodes import FunctionNode, nodes_of, nodes_of_kind
 from ..light_dataclasses import dataclass
 from .own_names import own_names
 
@@ -32,8 +32,8 @@ class Named:
     """The class whose object `self` is in it."""
 
 
-def definitions(file: PythonFile, off: Collection[int]) -> Iterator[Named]:
-    """Yield the definitions of a file, wherever they stand."""
+def definitions(file: PythonFile, off: Collection[int], closed: Collection[str] = ()) -> Iterator[Named]:
+    """Yield the definitions of a file, wherever they stand; `closed` are classes whose methods no other code calls."""
     found: dict[int, Named] = {}
     nodes = [each for each in nodes_of(file.tree) if isinstance(each, Definition)]
     owners = [each for each in nodes if isinstance(each, ast.ClassDef)]
@@ -43,7 +43,7 @@ def definitions(file: PythonFile, off: Collection[int]) -> Iterator[Named]:
         called: tuple[Named, ...] = ()
         if isinstance(node, ast.ClassDef):
             inner = [found[id(each)] for each in node.body if id(each) in found]
-            called = tuple(each for each in inner if is_open(node) or each.node.name.startswith(CALLED_BY_ROS))
+            called = tuple(each for each in inner if is_open(node, closed) or each.node.name.startswith(CALLED_BY_ROS))
         names, here = frozenset(own_names(file, node, off)), (owned.get(id(node), ""), around.get(id(node), ""))
         found[id(node)] = Named(node, names, called, *here)
     yield from found.values()
@@ -55,7 +55,19 @@ def takes_no_object(each: Named) -> bool:
     return bool(each.owner) and isinstance(node, FunctionNode) and not ast.unparse(node.args)
 
 
-def is_open(node: ast.ClassDef) -> bool:
+def is_open(node: ast.ClassDef, closed: Collection[str]) -> bool:
     """Return whether code of others may call the methods of a class: it has a base of theirs, but for a node's."""
     last = {ast.unparse(base).rpartition(".")[2] for base in node.bases}
-    return bool(last - OF_NODES - EMPTY) or bool(node.keywords)
+    return bool(last - OF_NODES - EMPTY - frozenset(closed)) or bool(node.keywords)
+
+
+def closed_classes(files: Iterable[PythonFile]) -> frozenset[str]:
+    """Return the names of the classes that have no base but own ones, nodes and the empty ones of Python."""
+    every: dict[str, list[ast.ClassDef]] = {}
+    for node in (each for file in files for each in nodes_of_kind(file.tree, ast.ClassDef)):
+        every.setdefault(node.name, []).append(node)
+    closed, before = frozenset[str](), -1
+    while len(closed) > before:
+        before = len(closed)
+        closed = frozenset(name for name, nodes in every.items() if not any(is_open(each, closed) for each in nodes))
+    return closed

@@ -11,7 +11,7 @@ from ..light_dataclasses import dataclass
 from ..package.install_table import InstallTable
 from ..source import Span
 from .class_families import class_families
-from .named_definitions import Named, definitions, takes_no_object
+from .named_definitions import Named, closed_classes, definitions, takes_no_object
 from .own_names import SELF, own_names
 from .run_imports import RunImports
 from .switches import Switches
@@ -47,7 +47,9 @@ class ReachedDefinitions:
 
     @cached_property
     def of_files(self) -> dict[str, tuple[Named, ...]]:
-        return {file.path: tuple(definitions(file, self.switches.turned_off(file))) for _, file in self.run.files}
+        files = [file for _, file in self.run.files]
+        closed = closed_classes(files)
+        return {file.path: tuple(definitions(file, self.switches.turned_off(file), closed)) for file in files}
 
     @cached_property
     def entries(self) -> frozenset[str]:
