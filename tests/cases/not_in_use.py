@@ -127,6 +127,18 @@ CASES = {
         )
         for name in ("topic.pb.h", "othre.hpp")
     ),
+    "DEP118": (
+        Example(
+            bad={
+                "CMakeLists.txt": CMAKE.replace("ament_package", "add_executable(a src/a.cpp)\nament_package"),
+                "src/a.cpp": '#include "/home/ada/ws/src/my_pkg/include/my_pkg/a.hpp"\n',
+                "include/my_pkg/a.hpp": "#pragma once\n",
+            },
+            good={},
+            on="ament_cmake",
+        ),
+        Example(bad={"my_pkg/talker.py": "P = '/home/ada/ws/src/my_pkg/package.xml'\n"}, good={}),
+    ),
     "PRM007": tuple(Example(bad={"my_pkg/talker.py": ON_REQUEST.format(name)}, good={}) for name in ("load", "loads")),
     "PLG003": tuple(Example(bad={"config/nav2.yaml": COSTMAP.format(names)}, good={}, on="config") for names in LISTS),
     "DEP103": tuple(Example(bad={"launch/a.py": text}, good={}) for text in (VIEWER, BY_HAND)),

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Iterator, Sequence
 
-from ...checks.home_path_texts import CPP
 from ...checks.home_paths import HomePath, HomePaths
+from ...checks.share_advice import advice
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...rule import rule
@@ -88,7 +87,7 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
     others = [each for each in paths.found if each.of_package is None and not each.may_be_there]
     if into:
-        yield one(into, Severity.INFO if is_mild(into[0]) else Severity.WARNING, advice(into[0]))
+        yield one(into, Severity.INFO if is_mild(into[0]) else Severity.WARNING, advice(paths, into[0]))
     if others:
         in_build = others[0].path.endswith("CMakeLists.txt")
         how = "find it with find_package() or find_path()" if in_build else "let a parameter or an argument give it"
@@ -107,18 +106,3 @@ def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
     message = f"`{first.text}`{more} {verb} on one machine: elsewhere {them} missing; {how}"
     why = UNREACHED if all(each.is_unreached for each in found) else ""
     return Hit(first.path, first.span, f"{message}{why}", level, again)
-
-
-def advice(found: HomePath) -> str:
-    """Return how everybody can name a file of the workspace, in the language of the file that names it."""
-    package, below = found.of_package, found.below
-    if found.path.endswith((".py", *CPP)):
-        quote = "'" if found.path.endswith(".py") else '"'
-        return f"join `get_package_share_directory({quote}{package}{quote})` and `{below}`"
-    if found.path.endswith("CMakeLists.txt"):
-        return f"find `{package}` with find_package(), or write the path from ${{CMAKE_CURRENT_SOURCE_DIR}}"
-    if found.path.endswith(".xml") or "launch" in posixpath.basename(found.path):
-        return f"write `$(find-pkg-share {package})/{below}`"
-    if found.is_image and posixpath.dirname(found.path) == posixpath.dirname(below):
-        return f"write `{posixpath.basename(below)}`: a map's image is looked for beside this file"
-    return f"have the launch file give it, from the share directory of `{package}`"

@@ -1,0 +1,56 @@
+"""How everybody names a file of the workspace that somebody named by the path it has on their machine."""
+
+from __future__ import annotations
+
+import posixpath
+
+from .home_path_texts import CPP
+from .home_paths import HomePath, HomePaths
+
+
+def advice(paths: HomePaths, found: HomePath) -> str:
+    """Return how everybody can name a file of the workspace, in the language of the file that names it."""
+    package, below = found.of_package, found.below
+    if is_included(paths, found):
+        return "include it by its path below a folder of headers, and tell the target of that folder"
+    if found.path.endswith("CMakeLists.txt"):
+        return f"find `{package}` with find_package(), or write the path from ${{CMAKE_CURRENT_SOURCE_DIR}}"
+    if is_made(paths, found):
+        return "let a parameter or an argument give it: it is no file of the package"
+    if found.path.endswith((".py", *CPP)):
+        quote = "'" if found.path.endswith(".py") else '"'
+        share, at = f"`get_package_share_directory({quote}{package}{quote})`", share_path(paths, found)
+        return f"join {share} and `{at}`" if at else f"install it, and join {share} and its path there"
+    if found.path.endswith(".xml") or "launch" in posixpath.basename(found.path):
+        at = share_path(paths, found)
+        return f"{'' if at else 'install it, and '}write `$(find-pkg-share {package})/{at or '…'}`"
+    if found.is_image and posixpath.dirname(found.path) == posixpath.dirname(below):
+        return f"write `{posixpath.basename(below)}`: a map's image is looked for beside this file"
+    return f"have the launch file give it, from the share directory of `{package}`"
+
+
+def is_included(paths: HomePaths, found: HomePath) -> bool:
+    """Return whether a path is that of an `#include`."""
+    source = paths.files.source(found.path)
+    line = source.text[: found.span.start].rpartition("\n")[2]
+    return found.path.endswith(CPP) and line.lstrip().startswith("#include")
+
+
+def is_made(paths: HomePaths, found: HomePath) -> bool:
+    """Return whether the package that a path leads into has no such file or folder: what runs may write it."""
+    return found.of_package == paths.facts.name and not (
+        paths.files.is_there(found.below) or share_path(paths, found) or found.is_image
+    )
+
+
+def share_path(paths: HomePaths, found: HomePath) -> str:
+    """Return the path of a file or folder in the share directory of its package; "" where it is surely not there."""
+    facts = paths.workspace.named(found.of_package or "")
+    if facts is None or not facts.knows("share_files"):
+        return found.below
+    if any(f"{each}/".startswith(f"{found.below}/") for each in facts.share_files):
+        return found.below
+    is_own = facts.name == paths.facts.name and paths.table is not None
+    place = paths.table.destination_of(found.below) if is_own and paths.table is not None else None
+    prefix = f"share/{facts.name}/"
+    return place.removeprefix(prefix) if place is not None and place.startswith(prefix) else ""
