@@ -87,8 +87,37 @@ def main():
     Loud().go()
 """
 
+LOOPED = """\
+#include <rclcpp/rclcpp.hpp>
+class Talker : public rclcpp::Node {
+public:
+  Talker() : Node("talker") {
+    for (const auto & axis : {"x_", "y_"}) {
+      declare_parameter(axis + std::string("p"), 1.0);
+    }
+    x_p_ = get_parameter("%s").as_double();
+  }
+  double x_p_;
+};
+"""
+NESTED = """\
+from rclpy.node import Node
+
+
+class Talker(Node):
+    class Publisher:
+        pass
+
+    def __init__(self):
+        super().__init__('talker')
+        self.{}()
+"""
+
 
 CASES = {
+    "DEP120": tuple(
+        Example(bad={"my_pkg/talker.py": NESTED.format(name)}, good={}) for name in ("Publisher", "create_publishr")
+    ),
     "DEP117": tuple(
         Example(
             bad={
@@ -139,7 +168,10 @@ CASES = {
         ),
         Example(bad={"my_pkg/talker.py": "P = '/home/ada/ws/src/my_pkg/package.xml'\n"}, good={}),
     ),
-    "PRM007": tuple(Example(bad={"my_pkg/talker.py": ON_REQUEST.format(name)}, good={}) for name in ("load", "loads")),
+    "PRM007": (
+        *(Example(bad={"my_pkg/talker.py": ON_REQUEST.format(name)}, good={}) for name in ("load", "loads")),
+        *(Example(bad={"src/talker.cpp": LOOPED % name}, good={}, on="ament_cmake") for name in ("x_p", "x_i")),
+    ),
     "PLG003": tuple(Example(bad={"config/nav2.yaml": COSTMAP.format(names)}, good={}, on="config") for names in LISTS),
     "DEP103": tuple(Example(bad={"launch/a.py": text}, good={}) for text in (VIEWER, BY_HAND)),
 }

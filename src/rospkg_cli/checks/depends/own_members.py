@@ -17,7 +17,7 @@ def is_own_member(file: PythonFile, name: str, span: Span) -> bool:
 
 
 def members(owner: ast.ClassDef) -> set[str]:
-    found = {each.name for each in owner.body if isinstance(each, FunctionNode)}
+    found = {each.name for each in owner.body if isinstance(each, FunctionNode | ast.ClassDef)}
     for each in owner.body:
         targets = (
             each.targets if isinstance(each, ast.Assign) else [each.target] if isinstance(each, ast.AnnAssign) else []

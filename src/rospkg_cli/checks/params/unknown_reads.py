@@ -135,7 +135,8 @@ class ParameterReads:
     def is_declared(self, read: DeclaredParameter, path: str = "") -> bool:
         """Return whether any code may declare what is read in a file: no other program, where that is one itself."""
         others = self.programs - {path} if path in self.programs else frozenset[str]()
-        if any(same(each, read) for each in self.package.parameters if each.path not in others):
+        here = [each for each in self.package.parameters if each.path not in others]
+        if any(same(each, read) or (each.tail and read.name.endswith(each.name)) for each in here):
             return True
         packages = (facts for facts in self.workspace.packages if facts is not self.package)
         return any(same(each, read) for facts in packages for each in facts.parameters)
