@@ -113,6 +113,22 @@ class Talker(Node):
         self.{}()
 """
 
+SLAM = """\
+<launch>
+  <node pkg="slam_toolbox" exec="async_slam_toolbox_node" name="slam_toolbox">
+    <param from="$(find-pkg-share my_pkg)/config/slam.yaml"/>
+  </node>
+</launch>
+"""
+SLAM_YAML = """\
+slam_toolbox:
+  ros__parameters:
+    mode: mapping
+    resolution: 0.05
+    map_frame: map
+    use_lifecycle_manager: 'false'
+"""
+
 
 CASES = {
     "DEP120": tuple(
@@ -167,6 +183,14 @@ CASES = {
             on="ament_cmake",
         ),
         Example(bad={"my_pkg/talker.py": "P = '/home/ada/ws/src/my_pkg/package.xml'\n"}, good={}),
+    ),
+    "PRM006": tuple(
+        Example(
+            bad={"launch/a.launch.xml": SLAM, "README.md": f"For ROS 2 {name}\n", "config/slam.yaml": SLAM_YAML},
+            good={},
+            on="config",
+        )
+        for name in ("Humble", "Jazzy", "Jazzy and Humble")
     ),
     "PRM007": (
         *(Example(bad={"my_pkg/talker.py": ON_REQUEST.format(name)}, good={}) for name in ("load", "loads")),

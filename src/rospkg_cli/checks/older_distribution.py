@@ -56,6 +56,11 @@ class OlderDistribution:
         """Whether one before Jazzy is named, and none after it."""
         return bool(self.named) and self.named.issubset(BEFORE_JAZZY)
 
+    @property
+    def is_after_humble(self) -> bool:
+        """Whether one after Iron is named, and none before it."""
+        return bool(self.named) and self.named.isdisjoint(BEFORE_JAZZY)
+
     def is_kept_for_older(self, path: str) -> bool:
         """Return whether a launch file is called as being for one before Galactic, and another one is for the rest."""
         others = (each for each in self.files.paths if role_of(each) == "launch" and each.endswith(STARTABLE))

@@ -9,6 +9,7 @@ from .read_table import rows
 
 NAMES = "node_names.txt"
 TABLE = "well_known_parameters.txt"
+NEWER = "newer_parameters.txt"
 TYPES = {"b": "bool", "d": "double", "i": "int", "s": "string"}
 TAIL = "*"
 
@@ -37,6 +38,12 @@ def known_nodes() -> dict[str, tuple[str, ...]]:
 def known_parameters(package: str) -> tuple[KnownParameter, ...]:
     """Return what a well-known package declares; nothing for any other."""
     return tuple(map(known_parameter, rows(TABLE).get(package, ())))
+
+
+@cache
+def newer_parameters(package: str) -> tuple[KnownParameter, ...]:
+    """Return what a well-known package declares from Iron, Jazzy or later on; Humble has it nowhere."""
+    return tuple(map(known_parameter, rows(NEWER).get(package, ())))
 
 
 @cache

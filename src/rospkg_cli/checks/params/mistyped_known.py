@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass
 from ...package.params.parameter_file import ParameterFile
+from ...ros.known_nodes import newer_parameters
 from ...source import Span
 from ..older_distribution import OlderDistribution
 from .declaring_packages import ParameterContext
@@ -26,6 +27,11 @@ class MistypedValue:
     how: str = ""
     """The argument whose default it is, `perform()` for a text that this returns, "" for what is written there."""
     start: Start | None = None
+
+    @property
+    def is_newer(self) -> bool:
+        """Whether Humble does not declare the parameter, and drops the value."""
+        return any(each.fits(self.value.name) for each in newer_parameters(self.package))
 
 
 @dataclass(frozen=True)

@@ -34,6 +34,7 @@ talker:
 """
 
 
+NEWER = ", but not in Humble, which has no such parameter"
 INSTALL = "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})"
 LAUNCH = """\
 <launch>
@@ -90,7 +91,8 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     ## When it is quiet
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
     three names. Where declarations differ, a type is not known, or a launch file or script fills the value in, nothing
-    is said. So it is where the releases of a well-known package differ. Where pages and scripts name Foxy alone, which
+    is said. So it is where the releases of a well-known package differ; what Humble does not declare yet is an info,
+    unless pages name newer distributions alone. Where pages and scripts name Foxy alone, which
     takes any type, only what well-known packages declare is told, as an info. Where nothing names the file, or nothing
     adds the action that starts the node, and where only the name of a block tells which well-known package is meant, it
     is an info; nav2's nodes are known by several blocks together. Launch files that ROS 2 refuses for what they have of
@@ -113,8 +115,9 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
             fix = known_as_double(each) if (each.value.type, each.wanted) in INTEGERS else None
             given = f"{article(each.value.type)} stops the {each.kind} when it starts"
             is_idle = each.file is not None and scope.uses.of(each.file).is_unnamed
-            given += ", but not in Foxy" if is_old else level_of(each.start)[1]
-            is_mild = is_idle or is_old or not each.is_certain or not may_start(each.start)
+            is_newer = each.is_newer and not scope.distribution.is_after_humble
+            given += ", but not in Foxy" if is_old else NEWER if is_newer else level_of(each.start)[1]
+            is_mild = is_idle or is_old or is_newer or not each.is_certain or not may_start(each.start)
             level = Severity.INFO if is_mild else None
             yield Hit(each.path, each.value.value, f"{message}: {given}; write {article(each.wanted)}", level, fix=fix)
     for each in () if is_old else mistyped_launched(scope.known.launched):
