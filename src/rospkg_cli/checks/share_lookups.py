@@ -83,10 +83,12 @@ class ShareLookups:
     table: InstallTable | None = None
 
     def is_run(self, path: str) -> bool:
-        """Return whether a file runs: every build compiles the C++, and something may start or import the module."""
-        if not path.endswith(".py"):
-            return self.cmake is not None and harm_in(self.cmake, self.sources, path) == "error"
-        return self.reached is None or not self.reached.is_left(path)
+        """Return whether a file runs: every build compiles the C++; of Python see `is_left`."""
+        return path.endswith(".py") or (self.cmake is not None and harm_in(self.cmake, self.sources, path) == "error")
+
+    def is_left(self, path: str) -> bool:
+        """Return whether a file is a module that nothing starts or imports, beside programs."""
+        return path.endswith(".py") and self.reached is not None and self.reached.is_left(path)
 
     def is_never_run(self, path: str) -> bool:
         """Return whether a file is a test that `colcon test` does not run."""

@@ -37,7 +37,10 @@ NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend
     "unknown-share-package",
     over=ShareLookups,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "no target certainly compiles the file, or nothing starts or imports the module"},
+    levels={
+        Severity.WARNING: "no target certainly compiles the file",
+        Severity.INFO: "nothing starts or imports the module",
+    },
     examples=(
         Example(
             bad={**NEEDS, "my_pkg/talker.py": MODULE.format("«my_pgk»")},
@@ -72,4 +75,6 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
         message = f"there is no package `{found.name}`: this raises PackageNotFoundError; did you mean `{found.near}`?"
         fix = Fix(f"write `{found.near}`", (Edit(found.path, found.span, found.near),), Safety.UNSAFE)
         level = None if lookups.is_run(found.path) else Severity.WARNING
+        if lookups.is_left(found.path):
+            level, message = Severity.INFO, f"{message}; nothing starts or imports this module"
         yield Hit(found.path, found.span, message, level, fix=fix)

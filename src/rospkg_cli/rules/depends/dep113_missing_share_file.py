@@ -29,8 +29,8 @@ PEOPLE = {**NEEDS, "names/people.txt": "Ada\n", "my_pkg/talker.py": MODULE.forma
     over=ShareLookups,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "C++ names it, the package does not have it, or nothing starts or imports the module",
-        Severity.INFO: "it is in a test that `colcon test` does not run",
+        Severity.WARNING: "C++ names it, or the package does not have it",
+        Severity.INFO: "nothing starts or imports the module, or it is in a test that `colcon test` does not run",
     },
     examples=(
         Example(bad={**PEOPLE, "setup.py": SETUP_PY}, good={"setup.py": INSTALLED}),
@@ -67,4 +67,6 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
         level = None if is_certain else Severity.WARNING
         if lookups.is_never_run(found.path):
             level, message = Severity.INFO, f"{message}; `colcon test` does not run this file today"
+        elif lookups.is_left(found.path):
+            level, message = Severity.INFO, f"{message}; nothing starts or imports this module"
         yield Hit(found.path, found.span, message, level)

@@ -28,7 +28,8 @@ class Listener(rclpy.node.Node):
 TALKER = "from std_msgs.msg import String\n\n\ndef words():\n    msg = String()\n    msg.{} = 'hello'\n    return msg\n"
 
 LEFT, IN_TEST = "; nothing starts or imports this module", "; only a test runs it"
-NEVER = UNCALLED, UNREACHED = "; nothing calls this method", "; nothing here leads to this function"
+UNCALLED, UNREACHED = "; nothing calls this method", "; nothing here leads to this function"
+NEVER = (LEFT, UNCALLED, UNREACHED)
 REASONS = (
     (FieldUses.is_uncalled, UNCALLED),
     (FieldUses.is_unreached, UNREACHED),
@@ -46,9 +47,8 @@ REASONS = (
     over=FieldUses,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "nothing starts or imports the module, or comes to the place as a rule, who calls it "
-        "catches that, or only a test runs it",
-        Severity.INFO: "nothing calls the method, or leads to the function",
+        Severity.WARNING: "nothing comes to the place as a rule, who calls it catches that, or only a test runs it",
+        Severity.INFO: "nothing starts or imports the module, calls the method, or leads to the function",
     },
     examples=(
         Example(
@@ -81,11 +81,11 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     Where a variable may hold something else, or its type or attributes are asked for; where an AttributeError is
     caught; for what an action client is handed, a message around the feedback or result (`.feedback`), which
     annotations often take for it; for packages outside of the workspace, unless the name is near a field or was one in
-    ROS 1; under a condition that is for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A module that no
-    entry point and no other file of the package names or imports, beside others that start, is a warning, and so is a
-    method of an object that is bound to a name which nothing reads, unless its construction comes to it, or of a class
-    that is defined again further down. So is a use in an `except` branch, in a function whose callers catch what it
-    raises, and in a test. A function that no program leads to is an info.
+    ROS 1; under a condition that is for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A method
+    of an object that is bound to a name which nothing reads is a warning, unless its construction comes to it, and so
+    is one of a class that is defined again further down. So is a use in an `except` branch, in a function whose callers
+    catch what it raises, and in a test. A module that no entry point and no other file of the package names or imports,
+    beside others that start, is an info, and so is a function that no program leads to.
 
     ## Fix safety
     The intended field is a guess.
