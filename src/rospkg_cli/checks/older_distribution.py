@@ -57,8 +57,8 @@ class OlderDistribution:
         return bool(self.named) and self.named.issubset(BEFORE_JAZZY)
 
     @property
-    def is_after_humble(self) -> bool:
-        """Whether one after Iron is named, and none before it."""
+    def is_from_jazzy_on(self) -> bool:
+        """Whether Jazzy or a later one is named, and none before it."""
         return bool(self.named) and self.named.isdisjoint(BEFORE_JAZZY)
 
     def is_kept_for_older(self, path: str) -> bool:

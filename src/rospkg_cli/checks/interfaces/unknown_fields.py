@@ -14,6 +14,8 @@ from ...ros.interface_fields import ros1_fields
 from ...ros.interfaces import CONSTANT_NAME, KINDS
 from ...source import Span
 from ...suggest import near_names, nearest
+from ..fault import Level
+from ..older_distribution import OlderDistribution
 from ..reached_definitions import ReachedDefinitions
 from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
@@ -49,6 +51,7 @@ class FieldUses:
     run: RunImports
     reached: ReachedModules | None = None
     definitions: ReachedDefinitions | None = None
+    distribution: OlderDistribution | None = None
 
     def unknown(self) -> Iterator[UnknownField]:
         """Yield the unknown fields of each file, in the order of its text."""
@@ -57,6 +60,15 @@ class FieldUses:
                 classes = MessageClasses(file)
                 found = {each.span: each for each in self.in_file(file, classes)}
                 yield from (found[span] for span in sorted(found))
+
+    def level_of(self, use: UnknownField) -> Level | None:
+        """Return the level of a keyword that messages do not have: up to Iron they raise, later ones ask for it alone.
+
+        It is None where the pages name none from Jazzy on, and for a field that is set or read: that always raises.
+        """
+        if not use.is_keyword or self.distribution is None or self.distribution.is_before_jazzy:
+            return None
+        return "info" if self.distribution.is_from_jazzy_on else "warning"
 
     def is_left(self, path: str) -> bool:
         """Return whether a file is a module that nothing starts or imports, beside programs."""

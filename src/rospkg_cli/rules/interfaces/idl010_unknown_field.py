@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from ...checks.enumeration import in_ticks
+from ...checks.interfaces.field_faults import together
 from ...checks.interfaces.unknown_fields import FieldUses, UnknownField
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -47,8 +48,10 @@ REASONS = (
     over=FieldUses,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "nothing comes to the place as a rule, who calls it catches that, or only a test runs it",
-        Severity.INFO: "nothing starts or imports the module, calls the method, or leads to the function",
+        Severity.WARNING: "nothing comes to the place as a rule, who calls it catches that, only a test runs it, or a "
+        "message is made with it and the pages do not say that the package is for Humble or older alone",
+        Severity.INFO: "nothing starts or imports the module, calls the method, or leads to the function, or a message "
+        "is made with it and the pages name Jazzy or newer alone",
     },
     examples=(
         Example(
@@ -85,7 +88,9 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     of an object that is bound to a name which nothing reads is a warning, unless its construction comes to it, and so
     is one of a class that is defined again further down. So is a use in an `except` branch, in a function whose callers
     catch what it raises, and in a test. A module that no entry point and no other file of the package names or imports,
-    beside others that start, is an info, and so is a function that no program leads to.
+    beside others that start, is an info, and so is a function that no program leads to. What a message is made with
+    (`Twist(liner=…)`) raises up to Iron: where the pages, scripts and workflows of the repository name none after it,
+    it is an error, where they name Jazzy or newer alone, an info, and else a warning.
 
     ## Fix safety
     The intended field is a guess.
@@ -99,8 +104,15 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
         related = tuple(Related(each.path, each.span, "and here") for each in others)
         names = [field[0].name for field in fields]
         end = unrun(uses, (first, *others))
-        level = Severity.INFO if end in NEVER else Severity.WARNING if end else None
+        level = level_of(uses, (first, *others), end)
         yield Hit(first.path, first.span, f"{message(first, names)}{end}", level, related, fix)
+
+
+def level_of(uses: FieldUses, places: Sequence[UnknownField], end: str) -> Severity | None:
+    levels = {uses.level_of(each) for each in places}
+    if end in NEVER or levels == {"info"}:
+        return Severity.INFO
+    return Severity.WARNING if end or None not in levels else None
 
 
 def unrun(uses: FieldUses, places: Sequence[UnknownField]) -> str:
@@ -108,22 +120,6 @@ def unrun(uses: FieldUses, places: Sequence[UnknownField]) -> str:
         return LEFT
     why = (text for is_so, text in REASONS if all(is_so(uses, each) for each in places))
     return next(why, IN_TEST if role_of(places[0].path) == "test" else "")
-
-
-def together(uses: Iterable[UnknownField]) -> Iterable[Sequence[Sequence[UnknownField]]]:
-    """Return the uses by field, and the fields that are one fault: a message that the file takes for another.
-
-    A field that has a near name is a fault of its own.
-    """
-    fields: dict[object, list[UnknownField]] = {}
-    for use in uses:
-        fields.setdefault((use.path, use.message, use.name, use.near), []).append(use)
-    faults: dict[object, list[list[UnknownField]]] = {}
-    for field in fields.values():
-        first = field[0]
-        how = (first.near, first.is_keyword, first.is_ros1)
-        faults.setdefault((first.path, first.message, *how), []).append(field)
-    return faults.values()
 
 
 def message(found: UnknownField, names: Sequence[str]) -> str:

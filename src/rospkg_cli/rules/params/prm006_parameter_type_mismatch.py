@@ -115,7 +115,7 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
             fix = known_as_double(each) if (each.value.type, each.wanted) in INTEGERS else None
             given = f"{article(each.value.type)} stops the {each.kind} when it starts"
             is_idle = each.file is not None and scope.uses.of(each.file).is_unnamed
-            is_newer = each.is_newer and not scope.distribution.is_after_humble
+            is_newer = each.is_newer and not scope.distribution.is_from_jazzy_on
             given += ", but not in Foxy" if is_old else NEWER if is_newer else level_of(each.start)[1]
             is_mild = is_idle or is_old or is_newer or not each.is_certain or not may_start(each.start)
             level = Severity.INFO if is_mild else None
