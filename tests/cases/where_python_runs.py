@@ -5,7 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rospkg_cli.example import Example
+from rospkg_cli.rules.depends import dep113_missing_share_file as dep113
+from rospkg_cli.rules.depends import dep117_undefined_name as dep117
+from rospkg_cli.rules.depends import dep118_personal_path as dep118
+from rospkg_cli.rules.depends import dep120_unknown_rclpy_name as dep120
 
+from .setups import python
 from .shown_fields import code
 
 PAGES = ("For Humble.\n", "For Humble and Jazzy.\n", "For Jazzy.\n", "For Foxy.\n")
@@ -18,7 +23,37 @@ def below(page: str, text: str) -> Example:
     return replace(given, bad={**given.bad, "README.md": page})
 
 
+TESTS = (
+    "sys.platform == 'win32'",
+    "os.name == 'nt'",
+    "platform.system() == 'Windows'",
+    "sys.platform != 'linux'",
+    "sys.platform.startswith('win') and rclpy.ok()",
+    "self.platform == 'rover'",
+)
+"""The last one asks for something else."""
+UNDER = "\n\ndef ask(self):\n    if {}:\n        {}\n    else:\n        {}\n"
+STARTED = dep117.NODE.replace("    rclpy.spin(", "    ask(None)\n    rclpy.spin(")
+ASKING = f"import os\nimport platform\nimport sys\n\n{STARTED}"
+
+
+def asking(files: dict[str, str | None], line: str, test: str, other: str = "pass") -> Example:
+    """A module that does something on one system alone, or on all others."""
+    return python({**files, "my_pkg/talker.py": ASKING + UNDER.format(test, line, other)})
+
+
+SHARE = "from ament_index_python.packages import get_package_share_path"
+READS = f"{SHARE}\n        open({dep113.OPENS.format('people')})"
+OPENS = "open('/home/ada/ws/src/my_pkg/config/robot.yaml')"
+
 CASES = {
+    "DEP113": tuple(asking(dep113.PEOPLE | {"setup.py": dep117.FILES["setup.py"]}, READS, each) for each in TESTS),
+    "DEP117": (
+        *(asking(dep117.FILES, "msvcrt.getwch()", each) for each in TESTS),
+        *(asking(dep117.FILES, "pass", each, "tty.setraw(0)") for each in TESTS),
+    ),
+    "DEP118": tuple(asking(dep118.FILES, OPENS, each) for each in TESTS),
+    "DEP120": tuple(asking(dep120.FILES, "rclpy.spinn()", each) for each in TESTS),
     "IDL010": (
         *(below(page, MADE) for page in PAGES),
         below("For Jazzy.\n", f"{MADE}msg = Status()\nmsg.batery = 1\n"),

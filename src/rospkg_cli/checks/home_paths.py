@@ -9,6 +9,8 @@ from functools import cached_property
 from typing import Annotated
 
 from ..files import PackageFiles
+from ..languages.python.file import PythonFile
+from ..languages.python.unreached_places import is_unreached
 from ..light_dataclasses import dataclass
 from ..package.file_role import is_set_aside, role_of
 from ..package.install_table import InstallTable
@@ -77,6 +79,7 @@ class HomePaths:
         bare = without_comments(path, text)
         halves = (without_comments(each, self.files.readable_text(each)) for each in self.halves(path))
         is_asked = any(ASKS.search(each) for each in halves)
+        file = self.python(path)
         places: dict[str, re.Match[str]] = {}
         for pattern in patterns(path):
             for match in pattern.finditer(bare):
@@ -86,6 +89,8 @@ class HomePaths:
             is_asked_here = is_asked or (path.endswith(".py") and is_in_handler(bare, match.start()))
             may_be_there = is_asked_here or self.is_of_many(match["user"] or match["mac"])
             place, home = Span(*match.span("path")), self.home_of(named)
+            if file is not None and is_unreached(file, place):
+                continue
             is_seldom_read = self.is_seldom_read(path) or IS_SOUGHT.search(bare, 0, match.start()) is not None
             is_seldom_read = is_seldom_read or (path.endswith(YAML) and not is_image and not self.is_used(path))
             is_seldom_read = is_seldom_read or self.is_unused(path, place)
@@ -94,8 +99,11 @@ class HomePaths:
 
     def is_unreached(self, path: str, place: Span) -> bool:
         """Return whether no program of the package leads to the function around a place."""
-        file = self.definitions.run.modules.at(path) if self.definitions and path.endswith(".py") else None
+        file = self.python(path)
         return file is not None and self.definitions is not None and not self.definitions.leads_to(file, place)
+
+    def python(self, path: str) -> PythonFile | None:
+        return self.definitions.run.modules.at(path) if self.definitions and path.endswith(".py") else None
 
     def halves(self, path: str) -> Iterator[str]:
         """Yield a file and, of C++, the header or the source of its name: one may ask for what the other one names."""

@@ -12,6 +12,7 @@ from ..languages.python.file import PythonFile
 from ..languages.python.guarded_nodes import guarded_nodes
 from ..languages.python.joined_paths import PathJoiner
 from ..languages.python.nodes import nodes_of
+from ..languages.python.unreached_places import is_unreached
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.cmake.cmake_project import CMake
@@ -110,7 +111,7 @@ class ShareLookups:
                 is_lookup = isinstance(node, ast.Call) and called(node.func) in LOOKUPS and id(node) not in caught
                 name = literal_of(node) if is_lookup and isinstance(node, ast.Call) else None
                 near = self.near_package(str(name.value)) if name is not None else None
-                if name is not None and near:
+                if name is not None and near and not is_unreached(file, file.span(name)):
                     whole = file.span(name)
                     yield UnknownShare(file.path, Span(whole.start + 1, whole.end - 1), str(name.value), near)
 
@@ -141,7 +142,8 @@ class ShareLookups:
                 path = posixpath.normpath(found.text.lstrip("/"))
                 if found.text.startswith("/") and (facts := self.facts_of(found.base)) is not None:
                     missing = self.missing(file.path, file.span(found.node), facts, path)
-                    yield from [missing] if missing is not None else []
+                    if missing is not None and not is_unreached(file, missing.span):
+                        yield missing
         for source in self.sources:
             if role_of(source.path) == "run" and not looks_first(source):
                 for named in share_file_paths(source):

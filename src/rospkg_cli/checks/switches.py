@@ -36,7 +36,7 @@ class Switches:
         """Return the identity of each node under a switch that keeps it from running."""
         if file.path not in self.known:
             names = self.in_file(file)
-            nodes = nodes_of_kind(file.tree, ast.If) if names else ()
+            nodes = nodes_of_kind(file.tree, ast.If)
             self.known[file.path] = frozenset(unreached_nodes(nodes, names))
         return self.known[file.path]
 

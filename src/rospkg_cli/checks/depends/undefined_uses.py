@@ -9,11 +9,11 @@ from typing import Literal
 
 from ...languages.python.branches import is_under_condition
 from ...languages.python.certain_nodes import certain_nodes
-from ...languages.python.constant_truth import unreached_statements
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of, nodes_of_kind
+from ...languages.python.nodes import nodes_of_kind
 from ...languages.python.undefined_names import UndefinedName, is_in_branch, undefined_names
 from ...languages.python.unreached_functions import unreached_functions
+from ...languages.python.unreached_places import is_unreached
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role, is_set_aside, role_of
 from ...package.install_table import InstallTable
@@ -177,8 +177,3 @@ class UndefinedUses:
             if other is not None and name in other.definitions:
                 return "." * each.level + each.module
         return ""
-
-
-def is_unreached(file: PythonFile, span: Span) -> bool:
-    """Return whether a place is behind a `raise`, or under `if False`; what a switch turns off may be turned on."""
-    return any(file.span(each).holds(span) for each in unreached_statements(nodes_of(file.tree), {}))

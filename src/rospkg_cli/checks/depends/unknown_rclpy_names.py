@@ -10,6 +10,7 @@ from ...languages.python.attributes import attribute_span
 from ...languages.python.branches import is_under_condition
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.unreached_places import is_unreached
 from ...light_dataclasses import dataclass
 from ...ros.rclpy_names import OF_ROSPY, members_of_nodes, names_of_rclpy
 from ...source import Span
@@ -48,7 +49,7 @@ class UnknownRclpyNames:
                 continue
             seen: set[str] = set()
             for node, owner, better in (*of_module(file), *self.of_nodes(file)):
-                if node.attr not in seen:
+                if node.attr not in seen and not is_unreached(file, file.span(node)):
                     seen.add(node.attr)
                     yield self.unknown(file, node, owner, better, is_test=role == "test")
 

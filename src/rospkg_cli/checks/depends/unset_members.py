@@ -12,6 +12,7 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
 from ...languages.python.own_reads import own_reads
 from ...languages.python.undefined_names import UndefinedName
+from ...languages.python.unreached_places import is_unreached
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role
@@ -20,7 +21,7 @@ from ...source import Span
 from ...suggest import nearest
 from .handed_out import is_handed_out
 from .own_classes import Line, OwnClass, OwnClasses
-from .undefined_uses import UndefinedUses, When, is_unreached
+from .undefined_uses import UndefinedUses, When
 from .unknown_rclpy_names import UnknownRclpyNames
 
 DYNAMIC = regex(r"__[gs]etattr(?:ibute)?__|__dict__|__slots__|\b(?:vars|setattr|exec|locals)\(")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
+from .constant_truth import constant_truth
 from .file import STARTERS, PythonFile
 from .nodes import children_of, nodes_of, nodes_of_kind
 
@@ -113,6 +114,8 @@ def evaluated(node: ast.AST, leaving: Collection[str]) -> Sequence[ast.AST | Non
             return [*decorators, *bases, *until_left(body, leaving)]
         case ast.FunctionDef(args=arguments) | ast.AsyncFunctionDef(args=arguments):
             return [*node.decorator_list, *arguments.defaults, *arguments.kw_defaults]
+        case ast.If(test=first, body=body, orelse=other) if (always := constant_truth(first, {})) is not None:
+            return [first, *until_left(body if always else other, leaving)]
         case ast.If(test=first) | ast.While(test=first) | ast.IfExp(test=first) | ast.For(iter=first):
             return [first]
         case ast.Match(subject=first) | ast.BoolOp(values=[first, *_]):

@@ -1,10 +1,11 @@
-"""Conditions of Python code that are always true or never, and the code that is never reached for them."""
+"""Conditions of Python code that are always true or never on Linux, and the code that is never reached for them."""
 
 from __future__ import annotations
 
 import ast
 from collections.abc import Iterable, Iterator, Mapping
 
+from .linux_truth import holds_on_linux
 from .nodes import nodes_of
 
 ROS_VERSION = frozenset({"ROS_VERSION", "ros_version", "get_ros_version"})
@@ -23,11 +24,10 @@ def constant_truth(test: ast.expr, names: Mapping[str, bool]) -> bool | None:
             return names.get(name)
         case ast.Attribute(value=ast.Name(id="self"), attr=name) if f"self.{name}" in names:
             return names[f"self.{name}"]
-        case ast.Compare(left=asked, ops=[ast.Eq() | ast.NotEq() as operator], comparators=[ast.Constant(value=value)]):
-            is_equal = str(value) == "2"
-            return (
-                is_equal is isinstance(operator, ast.Eq) if asks_for_ros(asked) and str(value) in ("1", "2") else None
-            )
+        case ast.Compare(
+            left=asked, ops=[ast.Eq() | ast.NotEq() as operator], comparators=[ast.Constant(value=value)]
+        ) if asks_for_ros(asked):
+            return (str(value) == "2") is isinstance(operator, ast.Eq) if str(value) in ("1", "2") else None
         case ast.Compare(left=ast.Constant(value="ROS_VERSION"), ops=[operator], comparators=[asked]) if is_environ(
             asked
         ):
@@ -39,7 +39,7 @@ def constant_truth(test: ast.expr, names: Mapping[str, bool]) -> bool | None:
             decides = isinstance(operator, ast.Or)
             found = [constant_truth(each, names) for each in values]
             return decides if decides in found else None if None in found else not decides
-    return None
+    return holds_on_linux(test)
 
 
 def asks_for_ros(value: ast.expr) -> bool:

@@ -89,7 +89,7 @@ class PythonFile(PythonSyntax):
                     inner = Import("", (), 0, under.span, survives, under.is_for_typing, under.is_local)
                     yield from self.imports_in([*node.body, *node.handlers, *node.orelse], inner)
                     yield from self.imports_in(node.finalbody, under)
-                case ast.If() | ast.While() if (always := constant_truth(node.test, self.constants)) is not None:
+                case ast.If() | ast.While() if (always := self.fixed(node.test)) is not None:
                     yield from self.imports_in(node.body if always else node.orelse, under)
                 case ast.If():
                     typing = under.is_for_typing or is_type_checking(node.test)
@@ -108,6 +108,10 @@ class PythonFile(PythonSyntax):
                     yield from self.imports_in(node.body, inner)
                 case ast.stmt() | ast.ExceptHandler() | ast.match_case():
                     yield from self.imports_in(children_of(node), under)
+
+    def fixed(self, test: ast.expr) -> bool | None:
+        """Return what a condition always is; not of one on the system: an import may be for the others."""
+        return None if depends_on_platform(test) else constant_truth(test, self.constants)
 
     @cached_property
     def constants(self) -> Mapping[str, bool]:

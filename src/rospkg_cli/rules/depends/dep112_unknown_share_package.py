@@ -66,7 +66,7 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     ## When it is quiet
     Where the name is near none of the workspace, of the dependencies and of the known packages; where a submodule or a
     listed repository that is not here is called like that; where the exception is caught; in files that nothing
-    installs. Launch files have rules of their own (DEP103).
+    installs, and under a condition that never holds on Linux. Launch files have rules of their own (DEP103).
 
     ## Fix safety
     The intended package is a guess.

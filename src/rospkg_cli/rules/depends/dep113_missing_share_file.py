@@ -53,7 +53,7 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
     ## When it is quiet
     Where neither the package has the file nor installs one of a near name: the code may write it. Where the file
     asks whether something exists; where the installed files are not all known; for folders that CMK101, SET206 and
-    SET207 tell about; in files that nothing installs.
+    SET207 tell about; in files that nothing installs, and under a condition that never holds on Linux.
     """
     for found in lookups.missing_files():
         if found.goes_to:

@@ -66,7 +66,8 @@ def unknown_rclpy_name(names: UnknownRclpyNames) -> Iterator[Hit]:
 
     ## When it is quiet
     For any other name, as a newer rclpy may have it; for classes that have other bases than rclpy's nodes, for methods
-    that any class of the package has, and in files that bind `rclpy` themselves or set names by `setattr`.
+    that any class of the package has, in files that bind `rclpy` themselves or set names by `setattr`, and under what
+    never holds on Linux.
 
     ## References
     The names of all branches of ros2/rclpy from Foxy on.
