@@ -46,13 +46,31 @@ SHARE = "from ament_index_python.packages import get_package_share_path"
 READS = f"{SHARE}\n        open({dep113.OPENS.format('people')})"
 OPENS = "open('/home/ada/ws/src/my_pkg/config/robot.yaml')"
 
+
+def holding(path: str, owner: str, name: str) -> Example:
+    """A file with a method that nothing calls, beside a program."""
+    text = f"class {owner}:\n    def {name}(self):\n        {OPENS}\n\n\ndef main():\n    {owner.partition('(')[0]}()\n"
+    return python({**dep118.FILES, path: text})
+
+
+METHODS = (
+    ("my_pkg/talker.py", "Talker", "test_it"),
+    ("my_pkg/talker.py", "TestTalker", "test_it"),
+    ("my_pkg/test_talker.py", "Talker", "test_it"),
+    ("my_pkg/test_talker.py", "TestTalker", "test_it"),
+    ("my_pkg/talker_test.py", "Talker(unittest.TestCase)", "test_it"),
+)
+
 CASES = {
     "DEP113": tuple(asking(dep113.PEOPLE | {"setup.py": dep117.FILES["setup.py"]}, READS, each) for each in TESTS),
     "DEP117": (
         *(asking(dep117.FILES, "msvcrt.getwch()", each) for each in TESTS),
         *(asking(dep117.FILES, "pass", each, "tty.setraw(0)") for each in TESTS),
     ),
-    "DEP118": tuple(asking(dep118.FILES, OPENS, each) for each in TESTS),
+    "DEP118": (
+        *(asking(dep118.FILES, OPENS, each) for each in TESTS),
+        *(holding(*each) for each in METHODS),
+    ),
     "DEP120": tuple(asking(dep120.FILES, "rclpy.spinn()", each) for each in TESTS),
     "IDL010": (
         *(below(page, MADE) for page in PAGES),

@@ -8,6 +8,7 @@ from functools import cached_property
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import FunctionNode
 from ..light_dataclasses import dataclass
+from ..package.file_role import role_of
 from ..package.install_table import InstallTable
 from ..source import Span
 from .class_families import class_families
@@ -48,8 +49,11 @@ class ReachedDefinitions:
     @cached_property
     def of_files(self) -> dict[str, tuple[Named, ...]]:
         files = [file for _, file in self.run.files]
-        closed = closed_classes(files)
-        return {file.path: tuple(definitions(file, self.switches.turned_off(file), closed)) for file in files}
+        return {file.path: tuple(definitions(file, self.switches.turned_off(file), self.closed)) for file in files}
+
+    @cached_property
+    def closed(self) -> frozenset[str]:
+        return closed_classes(file for _, file in self.run.files)
 
     @cached_property
     def entries(self) -> frozenset[str]:
@@ -63,7 +67,7 @@ class ReachedDefinitions:
         for each in (one for found in self.of_files.values() for one in found):
             every.setdefault(each.node.name, []).append(each)
         waiting = [each for name in self.entries for each in every.get(name, ())]
-        waiting += [each for found in every.values() for each in found if self.is_start(each)]
+        waiting += [each for path, found in self.of_files.items() for each in found if self.is_start(path, each)]
         files = (file for _, file in self.run.files)
         names = {name for file in files for name in own_names(file, file.tree, self.switches.turned_off(file))}
         waiting += [each for name in names for each in meant(name.removeprefix(SELF), every)]
@@ -84,11 +88,22 @@ class ReachedDefinitions:
             if not is_own or self.families.get(one.owner) == self.families[each.around]:
                 yield one
 
-    def is_start(self, each: Named) -> bool:
+    def is_start(self, path: str, each: Named) -> bool:
         """Return whether a definition counts as called: by a decorator, a framework, or who imports the package."""
         has_programs = bool(self.entries) or any(True for _ in self.table.of("executable"))
-        is_called = each.node.name.startswith(("test", "Test", "generate_"))  # by pytest, by ros2 launch
+        is_called = each.node.name.startswith("generate_") or self.is_test(path, each)  # by ros2 launch, by pytest
         return bool(each.node.decorator_list) or is_called or not (has_programs or takes_no_object(each))
+
+    def is_test(self, path: str, each: Named) -> bool:
+        """Return whether pytest calls a definition: in the files that it collects, also in a `TestCase` of any name."""
+        is_of_tests = not each.owner or each.owner.startswith("Test") or each.owner not in self.closed
+        return is_collected(path) and is_of_tests and each.node.name.startswith(("test", "Test"))
+
+
+def is_collected(path: str) -> bool:
+    """Return whether pytest looks for tests in a file."""
+    name = path.rpartition("/")[2]
+    return role_of(path) == "test" or name.startswith("test_") or name.endswith("_test.py")
 
 
 def meant(name: str, every: Mapping[str, Sequence[Named]]) -> Iterator[Named]:
