@@ -61,6 +61,35 @@ METHODS = (
     ("my_pkg/talker_test.py", "Talker(unittest.TestCase)", "test_it"),
 )
 
+HANDED = """\
+class Settings:
+    def __init__(self, node):
+        node.declare_parameter('force_state_choice', '')
+        self.force = node.get_parameter('force_state').value
+"""
+MAKES = """\
+from rclpy.node import Node
+
+from .settings import Settings
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker'{})
+        self.settings = Settings(self)
+
+
+def main():
+    Talker()
+"""
+OPTIONS = ("", ", allow_undeclared_parameters=True", ", automatically_declare_parameters_from_overrides=True")
+
+
+def handed(options: str) -> Example:
+    """A node that hands itself to another module, which gets parameters of it."""
+    return python({**dep117.FILES, "my_pkg/settings.py": HANDED, "my_pkg/talker.py": MAKES.format(options)})
+
+
 CASES = {
     "DEP113": tuple(asking(dep113.PEOPLE | {"setup.py": dep117.FILES["setup.py"]}, READS, each) for each in TESTS),
     "DEP117": (
@@ -76,4 +105,5 @@ CASES = {
         *(below(page, MADE) for page in PAGES),
         below("For Jazzy.\n", f"{MADE}msg = Status()\nmsg.batery = 1\n"),
     ),
+    "PRM007": tuple(map(handed, OPTIONS)),
 }

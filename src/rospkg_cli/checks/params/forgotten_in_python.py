@@ -11,7 +11,6 @@ from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...package.params.declared_parameter import DeclaredParameter
 from ...package.params.python_parameters import has_computed_names, read_in
-from ...package.python.python_imports import PackageImports
 from ...ros.known_nodes import known_parameters
 from .declaring_packages import is_its_own
 from .unknown_reads import MILD, ParameterReads, UnknownRead, allows_any
@@ -24,7 +23,6 @@ OWN = "def get_parameter"
 @dataclass(frozen=True)
 class ForgottenInPython:
     reads: ParameterReads
-    python: PackageImports
 
     def all(self) -> Iterator[UnknownRead]:
         """Yield what classes that are nodes get of themselves, and what stands nowhere else in the code."""
@@ -44,8 +42,7 @@ class ForgottenInPython:
 
     @cached_property
     def modules(self) -> tuple[PythonFile, ...]:
-        paths = sorted(each.path for each in self.python.files if each.role == "run")
-        return tuple(file for path in paths if (file := self.reads.modules.at(path)))
+        return tuple(self.reads.run_files)
 
     @cached_property
     def counts(self) -> dict[str, int]:

@@ -7,6 +7,7 @@ from functools import cached_property
 
 from ...languages.cpp.call import CppCall
 from ...languages.cpp.file import CppFile
+from ...languages.python.file import PythonFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
@@ -14,6 +15,7 @@ from ...package.params.cpp_parameters import has_computed_cpp_names, read_in
 from ...package.params.declared_parameter import DeclaredParameter
 from ...package.params.python_parameters import has_computed_names
 from ...package.params.python_parameters import read_in as read_in_python
+from ...package.python.python_imports import PackageImports
 from ...package.python_modules import PythonModules
 from ...package.workspace import Workspace
 from ...source import Source, Span
@@ -59,6 +61,7 @@ class ParameterReads:
     modules: PythonModules
     package: PackageFacts
     workspace: Workspace
+    python: PackageImports
 
     def in_cpp(self) -> Iterator[UnknownRead]:
         """Yield what a C++ file gets and nothing declares; its name is similar, or there is only one of each.
@@ -106,7 +109,8 @@ class ParameterReads:
         paths = sorted({each.path for each in self.package.parameters if each.path.endswith(".py")})
         files = [file for path in paths if (file := self.modules.at(path))]
         reads = [read for file in files for read, _, _ in read_in_python(file)]
-        if any(allows_any(file.source) or has_computed_names(file) for file in files):
+        nodes = (*files, *self.run_files)  # one of these may make the node that another gets parameters of
+        if any(map(has_computed_names, files)) or any(allows_any(file.source) for file in nodes):
             return
         for file in files:
             found = list(read_in_python(file))
@@ -121,6 +125,12 @@ class ParameterReads:
                         yield UnknownRead(
                             file.source.path, span, read.name, suggestion, throws, True, on_request=is_asked_for
                         )
+
+    @property
+    def run_files(self) -> Iterator[PythonFile]:
+        """The modules and programs in Python."""
+        paths = sorted(each.path for each in self.python.files if each.role == "run")
+        return (file for path in paths if (file := self.modules.at(path)))
 
     def unread(self, path: str, reads: Collection[DeclaredParameter]) -> set[str]:
         """Return the names that a file declares and no code of the package gets."""
