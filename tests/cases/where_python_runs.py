@@ -44,6 +44,7 @@ def asking(files: dict[str, str | None], line: str, test: str, other: str = "pas
 
 SHARE = "from ament_index_python.packages import get_package_share_path"
 READS = f"{SHARE}\n        open({dep113.OPENS.format('people')})"
+PEOPLE = dep113.PEOPLE | {"setup.py": dep117.FILES["setup.py"]}
 OPENS = "open('/home/ada/ws/src/my_pkg/config/robot.yaml')"
 
 
@@ -90,8 +91,34 @@ def handed(options: str) -> Example:
     return python({**dep117.FILES, "my_pkg/settings.py": HANDED, "my_pkg/talker.py": MAKES.format(options)})
 
 
+PLACES = (
+    "path = {}",
+    "path = {}\n    print(path)",
+    "path = open({})",
+    "path: str = {}\n    print(locals())",
+    "path = {}\n    path = 'a'\n    print(path)",
+)
+"""What becomes of a path in a function: nothing, or something."""
+MEMBERS = ("", "\n        print(self.robot_file)")
+
+
+def kept(files: dict[str, str | None], path: str) -> tuple[Example, ...]:
+    """Modules that put a path into a variable of a function or a member."""
+    share = f"{SHARE}\n\n\n"
+    by_name = (f"def main():\n    {each.format(path)}\n" for each in PLACES)
+    by_member = (
+        f"class Talker:\n    def __init__(self):\n        self.robot_file = {path}{each}\n\n\n"
+        "def main():\n    Talker()\n"
+        for each in MEMBERS
+    )
+    return tuple(python({**files, "my_pkg/talker.py": f"{share}{each}"}) for each in (*by_name, *by_member))
+
+
 CASES = {
-    "DEP113": tuple(asking(dep113.PEOPLE | {"setup.py": dep117.FILES["setup.py"]}, READS, each) for each in TESTS),
+    "DEP113": (
+        *(asking(PEOPLE, READS, each) for each in TESTS),
+        *kept(PEOPLE, dep113.OPENS.format("people")),
+    ),
     "DEP117": (
         *(asking(dep117.FILES, "msvcrt.getwch()", each) for each in TESTS),
         *(asking(dep117.FILES, "pass", each, "tty.setraw(0)") for each in TESTS),
@@ -99,6 +126,7 @@ CASES = {
     "DEP118": (
         *(asking(dep118.FILES, OPENS, each) for each in TESTS),
         *(holding(*each) for each in METHODS),
+        *kept(dep118.FILES, "'/home/ada/ws/src/my_pkg/config/robot.yaml'"),
     ),
     "DEP120": tuple(asking(dep120.FILES, "rclpy.spinn()", each) for each in TESTS),
     "IDL010": (

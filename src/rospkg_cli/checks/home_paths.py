@@ -23,6 +23,7 @@ from .home_accounts import is_of_container, is_of_many
 from .home_path_texts import ASKS, CPP, IS_SOUGHT, MARKUP, YAML, is_in_handler, patterns, without_comments
 from .launch.idle_actions import level_at
 from .reached_definitions import ReachedDefinitions
+from .unread_paths import UnreadPaths
 from .yaml_elsewhere import is_named_yaml, is_of_another
 
 FOR_CODE = ("launch", "src", "scripts", "script", "nodes", "node", "bin")
@@ -48,6 +49,8 @@ class HomePath:
     few start; or it is one of several places for modules, or a launch file has it that nothing uses."""
     is_unreached: bool = False
     """Whether it is in a function of Python that nothing leads to."""
+    is_unread: bool = False
+    """Whether it is put into a variable that nothing reads."""
 
 
 @dataclass(frozen=True)
@@ -57,6 +60,7 @@ class HomePaths:
     workspace: Workspace
     table: InstallTable | None = None
     definitions: ReachedDefinitions | None = None
+    unread: UnreadPaths | None = None
     launches: Annotated[tuple[LaunchFile, ...], READABLE] = ()
 
     @cached_property
@@ -95,7 +99,8 @@ class HomePaths:
             is_seldom_read = is_seldom_read or (path.endswith(YAML) and not is_image and not self.is_used(path))
             is_seldom_read = is_seldom_read or self.is_unused(path, place)
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
-            yield HomePath(path, place, named, *home, *flags)
+            is_unread = self.unread is not None and self.unread.has(path, place)
+            yield HomePath(path, place, named, *home, *flags, is_unread)
 
     def is_unreached(self, path: str, place: Span) -> bool:
         """Return whether no program of the package leads to the function around a place."""

@@ -33,6 +33,7 @@ from .depends.compiled_sources import harm_in
 from .install_faults import InstallFaults
 from .reached_modules import ReachedModules
 from .run_imports import RunImports
+from .unread_paths import UnreadPaths
 from .unrun_tests import is_never_run
 
 LOOKUPS = SHARE | {"get_package_prefix"}
@@ -82,6 +83,7 @@ class ShareLookups:
     cmake: CMake | None = None
     reached: ReachedModules | None = None
     table: InstallTable | None = None
+    unread: UnreadPaths | None = None
 
     def is_run(self, path: str) -> bool:
         """Return whether a file runs: every build compiles the C++; of Python see `is_left`."""

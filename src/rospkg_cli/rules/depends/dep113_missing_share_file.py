@@ -30,7 +30,8 @@ PEOPLE = {**NEEDS, "names/people.txt": "Ada\n", "my_pkg/talker.py": MODULE.forma
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "C++ names it, or the package does not have it",
-        Severity.INFO: "nothing starts or imports the module, or it is in a test that `colcon test` does not run",
+        Severity.INFO: "nothing starts or imports the module, or reads the variable of the path, or it is in a test "
+        "that `colcon test` does not run",
     },
     examples=(
         Example(bad={**PEOPLE, "setup.py": SETUP_PY}, good={"setup.py": INSTALLED}),
@@ -54,6 +55,7 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
     Where neither the package has the file nor installs one of a near name: the code may write it. Where the file
     asks whether something exists; where the installed files are not all known; for folders that CMK101, SET206 and
     SET207 tell about; in files that nothing installs, and under a condition that never holds on Linux.
+    A path that is put into a variable of a function or a member, which nothing reads, is an info.
     """
     for found in lookups.missing_files():
         if found.goes_to:
@@ -69,4 +71,6 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
             level, message = Severity.INFO, f"{message}; `colcon test` does not run this file today"
         elif lookups.is_left(found.path):
             level, message = Severity.INFO, f"{message}; nothing starts or imports this module"
+        elif lookups.unread and lookups.unread.has(found.path, found.span):
+            level, message = Severity.INFO, f"{message}; nothing reads the variable"
         yield Hit(found.path, found.span, message, level)

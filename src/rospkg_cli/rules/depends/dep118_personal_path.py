@@ -24,7 +24,7 @@ SHARE = "from ament_index_python.packages import get_package_share_path\n"
 SETUP = SETUP_PY_FOR_ALL.replace(
     "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
 )
-UNREACHED = "; nothing here leads to this function"
+UNREACHED, UNREAD = "; nothing here leads to this function", "; nothing reads the variable"
 FILES = {
     "package.xml": manifest(
         "  <exec_depend>ament_index_python</exec_depend>\n"
@@ -45,7 +45,8 @@ FILES = {
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "the file is not of the workspace, many have an account of that name, code asks first, nothing "
-        "installs or names the YAML, nothing leads to the function, or it is one of the places for modules"
+        "installs or names the YAML, leads to the function, or reads the variable, or it is one of several places for "
+        "modules"
     },
     examples=(
         Example(
@@ -81,8 +82,9 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     the home of an account that robots, containers and examples have (`/home/ubuntu`), of one that a Dockerfile of the
     repository names, or in code that asks whether something exists or tries something else first, unless they lead into
     the workspace: then they are an info. So is what an RViz config or YAML that nothing names has, a script in a folder
-    that is none for code, a function that no program leads to, and what a launch file has only for an action that it
-    never adds. Robots and worlds are URD002's, what setup.py installs is SET205's.
+    that is none for code, a function that no program leads to, what a launch file has only for an action that it never
+    adds, and what is put into a variable of a function or a member, which nothing reads. Robots and worlds are
+    URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
     others = [each for each in paths.found if each.of_package is None and not each.may_be_there]
@@ -95,7 +97,7 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
 
 
 def is_mild(found: HomePath) -> bool:
-    return found.may_be_there or found.is_seldom_read or found.is_unreached
+    return found.may_be_there or found.is_seldom_read or found.is_unreached or found.is_unread
 
 
 def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
@@ -105,4 +107,5 @@ def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
     verb, them = ("are", "they are") if others else ("is", "it is")
     message = f"`{first.text}`{more} {verb} on one machine: elsewhere {them} missing; {how}"
     why = UNREACHED if all(each.is_unreached for each in found) else ""
+    why = why or (UNREAD if all(each.is_unread for each in found) else "")
     return Hit(first.path, first.span, f"{message}{why}", level, again)

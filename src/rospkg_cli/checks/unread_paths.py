@@ -1,0 +1,76 @@
+"""Rule input: paths that Python code puts into a variable or a member that nothing reads."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from functools import cached_property
+
+from ..languages.python.file import PythonFile
+from ..languages.python.nodes import FunctionNode, nodes_below, nodes_of, nodes_of_kind
+from ..light_dataclasses import dataclass
+from ..package.python.node_calls import called
+from ..package.python.share_paths import SHARE
+from ..source import Span
+from .named_definitions import is_open
+from .run_imports import RunImports
+
+OPENS_NOTHING = SHARE | frozenset(
+    {"join", "joinpath", "Path", "PurePath", "str", "expanduser", "abspath", "normpath", "dirname", "format"}
+)
+"""Calls that make a path and look at no file."""
+DYNAMIC = frozenset({"locals", "vars", "globals", "eval", "exec"})
+"""What may read a variable whose name does not stand there."""
+
+
+@dataclass(frozen=True)
+class UnreadPaths:
+    run: RunImports
+
+    def has(self, path: str, span: Span) -> bool:
+        """Return whether all that becomes of a path is a value that nothing reads."""
+        file = self.run.modules.at(path) if path.endswith(".py") else None
+        for owner, target, value in assigned(file) if file is not None else ():
+            if file is not None and file.span(value).holds(span) and opens_nothing(value):
+                return self.is_unread(file, owner, target)
+        return False
+
+    def is_unread(self, file: PythonFile, owner: FunctionNode, target: ast.expr) -> bool:
+        """Return whether nothing reads a name in its function, or a member in the package, and it is bound once."""
+        if isinstance(target, ast.Name):
+            uses = [each for each in nodes_of_kind(owner, ast.Name) if each.id == target.id]
+            shared = (each for each in nodes_below(owner) if isinstance(each, ast.Global | ast.Nonlocal))
+            return len(uses) == 1 and not is_dynamic(owner) and not any(target.id in each.names for each in shared)
+        around = [each for each in nodes_of_kind(file.tree, ast.ClassDef) if owner in each.body]
+        is_member = isinstance(target, ast.Attribute) and ast.unparse(target.value) == "self"
+        is_closed = len(around) == 1 and not is_open(around[0], ())  # a base of others may read it
+        return isinstance(target, ast.Attribute) and is_member and is_closed and target.attr not in self.read
+
+    @cached_property
+    def read(self) -> frozenset[str]:
+        """The attributes that any code of the package reads, and the texts that may name one."""
+        nodes = [node for _, file in self.run.files for node in nodes_of(file.tree)]
+        texts = (each.value for each in nodes if isinstance(each, ast.Constant) and isinstance(each.value, str))
+        members = (each.attr for each in nodes if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load))
+        return frozenset((*texts, *members))
+
+
+def assigned(file: PythonFile) -> Iterator[tuple[FunctionNode, ast.expr, ast.expr]]:
+    """Yield the innermost functions with what they bind once and to what."""
+    functions = [each for each in nodes_of(file.tree) if isinstance(each, FunctionNode)]
+    for owner in reversed(functions):
+        for each in nodes_below(owner):
+            match each:
+                case (
+                    ast.Assign(targets=[target], value=value) | ast.AnnAssign(target=target, value=ast.expr() as value)
+                ):
+                    yield owner, target, value
+
+
+def opens_nothing(value: ast.expr) -> bool:
+    calls = (each for each in (value, *nodes_below(value)) if isinstance(each, ast.Call))
+    return all(called(each.func) in OPENS_NOTHING for each in calls)
+
+
+def is_dynamic(owner: FunctionNode) -> bool:
+    return any(called(each.func) in DYNAMIC for each in nodes_of_kind(owner, ast.Call))
