@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rospkg_cli.example import Example
+from rospkg_cli.example import Example, scripts, setup_py
 from rospkg_cli.rules.depends import dep113_missing_share_file as dep113
 from rospkg_cli.rules.depends import dep117_undefined_name as dep117
 from rospkg_cli.rules.depends import dep118_personal_path as dep118
@@ -114,6 +114,16 @@ def kept(files: dict[str, str | None], path: str) -> tuple[Example, ...]:
     return tuple(python({**files, "my_pkg/talker.py": f"{share}{each}"}) for each in (*by_name, *by_member))
 
 
+GUARDED = "\n\nif __name__ == '__main__':\n    try:\n        main()\n    except {}:\n        pass\n"
+OTHER = dep120.FILES | {"setup.py": setup_py(scripts("talker = my_pkg.other:main"))}
+
+
+def guarded(files: dict[str, str | None], name: str) -> Example:
+    """A module that catches something where it is started by its path."""
+    other = {"my_pkg/other.py": "from .talker import main\n\nmain()\n"}
+    return python({**files, **other, "my_pkg/talker.py": dep120.NODE + GUARDED.format(name)})
+
+
 CASES = {
     "DEP113": (
         *(asking(PEOPLE, READS, each) for each in TESTS),
@@ -128,7 +138,10 @@ CASES = {
         *(holding(*each) for each in METHODS),
         *kept(dep118.FILES, "'/home/ada/ws/src/my_pkg/config/robot.yaml'"),
     ),
-    "DEP120": tuple(asking(dep120.FILES, "rclpy.spinn()", each) for each in TESTS),
+    "DEP120": (
+        *(asking(dep120.FILES, "rclpy.spinn()", each) for each in TESTS),
+        *(guarded(each, "rclpy.ROSInterruptException") for each in (dep120.FILES, OTHER)),
+    ),
     "IDL010": (
         *(below(page, MADE) for page in PAGES),
         below("For Jazzy.\n", f"{MADE}msg = Status()\nmsg.batery = 1\n"),

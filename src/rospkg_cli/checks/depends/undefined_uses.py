@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Literal
 
 from ...languages.python.branches import is_under_condition
-from ...languages.python.certain_nodes import certain_nodes
+from ...languages.python.certain_nodes import certain_nodes, is_guard
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
 from ...languages.python.undefined_names import UndefinedName, is_in_branch, undefined_names
@@ -128,6 +128,7 @@ class UndefinedUses:
         if self.is_idle(file, found.span):
             return "never"
         is_seldom = is_in_handler(file, found.span) or self.definitions.is_turned_off(file, found.span)
+        is_seldom = is_seldom or self.is_by_path(file, found.span)
         return "branch" if is_seldom else "maybe"
 
     def of_attribute(self, role: Role, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
@@ -139,6 +140,14 @@ class UndefinedUses:
         """Return whether nothing in the package leads to a place."""
         is_left = self.reached.is_left(file.path) or self.uncalled.has(file.path, span)
         return is_left or not self.definitions.leads_to(file, span) or self.is_in_idle_function(file, span)
+
+    def is_by_path(self, file: PythonFile, span: Span) -> bool:
+        """Return whether a place is under `if __name__ == '__main__'` of a module that an entry point starts."""
+        guards = [each for each in file.tree.body if isinstance(each, ast.If) and is_guard(each)]
+        is_under = any(file.span(part).holds(span) for each in guards for part in each.body)
+        rows = self.table.of("executable") if is_under else ()
+        is_program = any(row.source == file.path and not row.entry for row in rows)
+        return is_under and not is_program and self.installed.names.get(file.path) in self.reached.entries
 
     def certain_spans(self, file: PythonFile) -> frozenset[Span]:
         """Return where the names stand that a program or a module reads whenever it is started or imported."""

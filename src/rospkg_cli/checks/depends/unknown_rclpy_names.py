@@ -57,7 +57,8 @@ class UnknownRclpyNames:
         span = attribute_span(file, node)
         certain = self.uses.certain_spans(file)
         is_certain = file.span(node.value) in certain and not is_test
-        late: When = "branch" if is_under_condition(file, span) else "maybe"
+        is_seldom = is_under_condition(file, span) or self.uses.is_by_path(file, span)
+        late: When = "branch" if is_seldom else "maybe"
         when: When = "certainly" if is_certain else "never" if self.uses.is_idle(file, span) else late
         return UnknownName(file, span, node.attr, owner, better, when)
 

@@ -41,7 +41,8 @@ def main():
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function that may not run, or in a test",
-        Severity.INFO: "it is under a condition, or nothing in the package calls the function, or imports the module",
+        Severity.INFO: "it is under a condition (`__main__` of an entry point's module), or nothing in "
+        "the package calls the function, or imports the module",
     },
     examples=(
         Example(
