@@ -22,6 +22,7 @@ from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...source import Span
 from ...suggest import near_names
+from .given_variables import given_variables
 from .mistyped_links import digits
 
 SET_BY_CMAKE = frozenset("""
@@ -177,7 +178,8 @@ class UnsetVariables:
         """Return the variable that is intended by one that nothing sets."""
         if name in SET_BY_CMAKE or self.variables.may_be_set(name):
             return None
-        return self.of_cmake(name) or self.of_package(name) or self.near_own(name)
+        is_given = name in self.given
+        return self.of_cmake(name) or (None if is_given else self.of_package(name) or self.near_own(name))
 
     def of_cmake(self, name: str) -> str | None:
         """Return the variable of CMake that is intended."""
@@ -238,6 +240,11 @@ class UnsetVariables:
         others = [(each, each.strip("_").split("_")) for each in self.assigned]
         alike = [each for each, whole in others if lacks_one(words, whole) or lacks_one(whole, words)]
         return alike[0] if len(alike) == 1 and len(words) > FEW_WORDS else None
+
+    @cached_property
+    def given(self) -> frozenset[str]:
+        """What the user may give: it is empty on purpose where it is not given."""
+        return frozenset(given_variables(self.cmake.calls, self.cmake.files))
 
     @cached_property
     def assigned(self) -> frozenset[str]:

@@ -63,10 +63,12 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     ## When it is quiet
     Where the name stands anywhere outside of `${…}`, since a command may set it, and where it begins like what
     `cmake_parse_arguments()` sets; those like the package's own where they begin like a package that is found, or where
-    a macro of another one is called. In `message()`. Under an unknown condition only names near to those of CMake are
-    told, as warnings; where a file is included that can't be read, those near to PROJECT_NAME in `install()`, and those
-    beside a variable that nothing reads. A variable of a package in other letters is an info where the right one stands
-    in the same command, as nothing is lost, and where targets get the package by its name or by the right one.
+    a macro of another one is called; where `find_library()` and its like look for something below them, or the file
+    reads `$ENV{…}` of the same name: the user gives them. In `message()`. Under an unknown condition only names near to
+    those of CMake are told, as warnings; where a file is included that can't be read, those near to PROJECT_NAME in
+    `install()`, and those beside a variable that nothing reads. A variable of a package in other letters is an info
+    where the right one stands in the same command, as nothing is lost, and where targets get the package by its name or
+    by the right one.
     """
     for each in (*variables.all(), *UnreadTwins(variables).all()):
         is_sure = each.call.name == "install" and not each.call.maybe and not variables.cmake.reads_unknown_files
