@@ -1,4 +1,4 @@
-"""Variables that a search reads and the user gives (CMK115), and other faults of CMake and C++."""
+"""What the user gives (CMK115), what nothing reads (PRM007), and other places told wrongly or too loudly."""
 
 from __future__ import annotations
 
@@ -6,6 +6,41 @@ from rospkg_cli.example import CMAKE, Example
 
 SET = "set(SENSOR_SDK_LIB m)\n"
 CORE = {"src/core.cpp": ""}
+READER = """\
+#include <rclcpp/rclcpp.hpp>
+class Talker : public rclcpp::Node
+{{
+public:
+  Talker() : Node("talker")
+  {{
+    declare_parameter("rate", 10.0);
+    get_parameter("rate", rate_);
+    get_parameter("prefix", {});
+    {}
+  }}
+  double rate_;
+  std::string prefix_ = "left";  // prefix_ of a joint
+}};
+"""
+IN_PYTHON = """\
+import rclpy.node
+
+
+class Talker(rclpy.node.Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('rate', 10.0)
+        try:
+            self.rate = self.get_parameter('rat').value
+        except Exception:
+            pass
+{}"""
+CAUGHT = ("", "        print(self.rate)\n", "        print(getattr(self, 'rate'))\n")
+
+
+def talker(*lines: str) -> Example:
+    """A node that gets a parameter which nothing declares."""
+    return Example(on="ament_cmake", bad={"include/my_pkg/talker.hpp": READER.format(*lines)}, good={})
 
 
 def package(lines: str) -> Example:
@@ -27,5 +62,15 @@ CASES = {
             "include_directories(${SENSOR_SDK_DIR})",
             "find_path(SDK sdk.h PATHS ${CMAKE_SOURCEDIR}/include)",
         )
+    ),
+    "PRM007": (
+        *(talker("prefix_", line) for line in ("", "show(prefix_);", "return prefix_;", "int n = 2 * prefix_;")),
+        talker("this->prefix_", 'show("prefix_");'),
+        talker("prefix_", "// prefix_ = 1"),
+        talker("data.prefix_", ""),
+        talker("prefix_", "}\n#define PREFIX prefix_\n  void show() {"),
+        talker("left_", ""),
+        *(Example(bad={"my_pkg/talker.py": IN_PYTHON.format(line)}, good={}) for line in CAUGHT),
+        Example(bad={"my_pkg/talker.py": IN_PYTHON.format("").replace("except Exception", "finally")}, good={}),
     ),
 }

@@ -12,6 +12,7 @@ from ...package.package_facts import PackageFacts
 from ...package.params.cpp_parameters import has_computed_cpp_names, read_in
 from .forgotten_in_python import ForgottenInPython, counted, is_declared
 from .unknown_reads import MILD, OTHERS, ParameterReads, UnknownRead, allows_any
+from .unread_variables import is_dropped_in_cpp
 
 HELPERS = regex(r"ParamListener|\b(?!declare_parameters?\b|DECLARES?\b)\w*[Dd]eclare\w*\s*[<(]|\w*DECLARE\w*\s*\(")
 """Code that may declare parameters whose names it does not hold."""
@@ -37,10 +38,10 @@ class ForgottenDeclarations:
 
         There are none where code may declare what it does not name.
         """
-        found: dict[tuple[str, bool], list[UnknownRead]] = {}
+        found: dict[tuple[str, bool, bool], list[UnknownRead]] = {}
         for each in (*self.in_cpp(), *self.python.all()):
             if (each.path, each.span.start) not in told:
-                found.setdefault((each.path, each.throws), []).append(each)
+                found.setdefault((each.path, each.throws, each.is_dropped), []).append(each)
         for first, *others in found.values():
             yield replace(first, more=tuple((each.name, each.span) for each in others))
 
@@ -74,7 +75,8 @@ class ForgottenDeclarations:
                 if not is_declared(self.reads, read):
                     first, *others = call.arguments or ()
                     throws = not others and not MILD.search(file.source.text)
-                    yield UnknownRead(file.path, first.span, read.name, "", throws)
+                    dropped = is_dropped_in_cpp(call, self.reads.cpp)
+                    yield UnknownRead(file.path, first.span, read.name, "", throws, is_dropped=dropped)
 
     @cached_property
     def cpp_reads(self) -> dict[str, int]:

@@ -14,6 +14,7 @@ from ...package.params.python_parameters import has_computed_names, read_in
 from ...ros.known_nodes import known_parameters
 from .declaring_packages import is_its_own
 from .unknown_reads import MILD, ParameterReads, UnknownRead, allows_any
+from .unread_variables import is_dropped_in_python
 
 OF_LIBRARIES = ("robot_description", "diagnostic_updater.")
 NODES = frozenset({"Node", "node.Node", "rclpy.node.Node"})
@@ -38,7 +39,8 @@ class ForgottenInPython:
                     seen.add(read.name)
                     if not is_declared(self.reads, read):
                         certain = not MILD.search(file.source.text)
-                        yield UnknownRead(file.source.path, span, read.name, "", certain, True)
+                        dropped = not certain and is_dropped_in_python(file, span, self.modules)
+                        yield UnknownRead(file.source.path, span, read.name, "", certain, True, is_dropped=dropped)
 
     @cached_property
     def modules(self) -> tuple[PythonFile, ...]:

@@ -47,6 +47,8 @@ class UnknownParameters:
         """Return the level of what code gets and nothing declares, and what is said of it."""
         if self.distribution.is_before_dashing:
             return "info", f"{undeclared(read)}; before Dashing, which the pages name, none need be declared"
+        if read.is_dropped:
+            return "info", f"{undeclared(read)}; nothing reads what it is got into"
         is_error = read.throws and read.suggestion and not read.on_request
         return "error" if is_error else "warning", undeclared(read)
 

@@ -22,6 +22,7 @@ from ...source import Source, Span
 from ...suggest import near_names, nearest, slips
 from .declaring_packages import is_its_own
 from .on_request import parts_on_request
+from .unread_variables import is_dropped_in_cpp, is_dropped_in_python
 
 ALLOWED = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
 """Options of a node that has parameters which no code declares."""
@@ -49,6 +50,8 @@ class UnknownRead:
     """Whether the file declares all others that it gets."""
     on_request: bool = False
     """Whether only a request to a service or an action comes to it."""
+    is_dropped: bool = False
+    """Whether nothing reads the variable that it is got into."""
     more: tuple[tuple[str, Span], ...] = ()
     """Other names of the file of which the same is true, and where they stand."""
 
@@ -79,7 +82,9 @@ class ParameterReads:
             slipped = any(slips(read.name, unread_here) for read, _ in unmatched)
             if not unread and not slipped and self.is_stray(file, unmatched, found):
                 read, call = unmatched[0]
-                yield UnknownRead(file.path, (call.arguments or ())[0].span, read.name, "", False, has_others=True)
+                place = (call.arguments or ())[0].span
+                dropped = is_dropped_in_cpp(call, self.cpp)
+                yield UnknownRead(file.path, place, read.name, "", False, has_others=True, is_dropped=dropped)
             for read, call in unmatched if unread_here else ():
                 only = len(unread) == 1 and len({read.name for read, _ in unmatched}) == 1
                 suggestion = next(iter(unread)) if only else nearest(read.name, unread)
@@ -88,7 +93,8 @@ class ParameterReads:
                     continue  # a plugin's, whose base class may declare it: a slip alone is certain
                 if suggestion is not None and call.arguments:
                     throws = len(call.arguments) == 1 and not MILD.search(file.source.text)
-                    yield UnknownRead(file.path, call.arguments[0].span, read.name, suggestion, throws)
+                    dropped, place = is_dropped_in_cpp(call, self.cpp), call.arguments[0].span
+                    yield UnknownRead(file.path, place, read.name, suggestion, throws, is_dropped=dropped)
 
     def is_stray(self, file: CppFile, unmatched: Sequence[Read], found: Sequence[Read]) -> bool:
         """Return whether the one name that is got and not declared has been forgotten.
@@ -122,9 +128,9 @@ class ParameterReads:
                     if suggestion is not None:
                         is_asked_for = any(each.holds(span) for each in parts_on_request(file))
                         throws = throws and not MILD.search(file.source.text)
-                        yield UnknownRead(
-                            file.source.path, span, read.name, suggestion, throws, True, on_request=is_asked_for
-                        )
+                        dropped = not throws and is_dropped_in_python(file, span, self.python)
+                        flags = (suggestion, throws, True, False, is_asked_for, dropped)
+                        yield UnknownRead(file.source.path, span, read.name, *flags)
 
     @property
     def run_files(self) -> Iterator[PythonFile]:
@@ -136,6 +142,12 @@ class ParameterReads:
         """Return the names that a file declares and no code of the package gets."""
         own = [each for each in self.package.parameters if each.path == path]
         return {each.name for each in own if not any(same(each, read) for read in reads)}
+
+    @cached_property
+    def python(self) -> tuple[PythonFile, ...]:
+        """All files of Python that can be parsed."""
+        paths = (path for path in self.modules.files.paths if path.endswith(".py"))
+        return tuple(file for path in paths if (file := self.modules.at(path)))
 
     @cached_property
     def programs(self) -> frozenset[str]:

@@ -53,8 +53,8 @@ talker:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code gets a parameter that is not declared, and nothing may catch what it throws",
-        Severity.INFO: "older releases had it, nothing names the file or adds the action, only the block's name tells "
-        "the node, or the repository is for Crystal",
+        Severity.INFO: "older releases had it, nothing names the file, adds the action or reads the variable, only the "
+        "block's name tells the node, or the repository is for Crystal",
     },
     examples=(
         Example(
@@ -99,7 +99,7 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     three names. Code is left alone where nodes allow undeclared parameters, or names of them are computed; where other
     packages may choose the options of a node, or a function or library that it calls may declare them.
     One that is got into a variable, has an alternative, is like no other, or whose exception may be caught is a
-    warning.
+    warning; into one that nothing reads, an info.
 
     ## Fix safety
     The similar name may not be the right one. A value of another type is not renamed, a single one for a list is put
