@@ -43,6 +43,28 @@ def talker(*lines: str) -> Example:
     return Example(on="ament_cmake", bad={"include/my_pkg/talker.hpp": READER.format(*lines)}, good={})
 
 
+DEFAULT = """\
+#include <rclcpp/rclcpp.hpp>
+struct Talker : public rclcpp::Node
+{{
+  Talker() : Node("talker")
+  {{
+    path = declare_parameter<std::string>({});
+  }}
+  std::string path;
+}};
+"""
+PATH = '"/home/ada/ws/src/my_pkg/maps/office.csv"'
+VALUE = "talker:\n  ros__parameters:\n    {}\n"
+
+
+def defaults(argument: str, *values: str) -> Example:
+    """A node with a default in a home folder, and YAML for it."""
+    yaml = {f"config/robot{n}.yaml": VALUE.format(value) for n, value in enumerate(values)}
+    files = {"include/my_pkg/talker.hpp": DEFAULT.format(argument), "maps/office.csv": "1\n"}
+    return Example(on="ament_cmake", bad={**files, **yaml}, good={})
+
+
 def package(lines: str) -> Example:
     text = CMAKE.replace("ament_package", f"{lines}\nament_package")
     return Example(bad={"CMakeLists.txt": text, **CORE}, good={}, on="ament_cmake")
@@ -62,6 +84,13 @@ CASES = {
             "include_directories(${SENSOR_SDK_DIR})",
             "find_path(SDK sdk.h PATHS ${CMAKE_SOURCEDIR}/include)",
         )
+    ),
+    "DEP118": (
+        *(defaults(f'"map", {PATH}', *given) for given in ((), ("map: a.csv",), ("map: a.csv", "map: b.csv"))),
+        defaults(f'"map", {PATH}', "map: a.csv", "rate: 2.0"),
+        defaults(f'"map", {PATH}', "map: a.csv", f"map: {PATH}"),
+        defaults(f'"maps", {PATH}', "map: a.csv"),
+        defaults(f'\n        "map", std::string({PATH})', "map: a.csv"),
     ),
     "PRM007": (
         *(talker("prefix_", line) for line in ("", "show(prefix_);", "return prefix_;", "int n = 2 * prefix_;")),

@@ -16,12 +16,14 @@ from ..package.file_role import is_set_aside, role_of
 from ..package.install_table import InstallTable
 from ..package.launch.launch_file import LaunchFile
 from ..package.package_facts import PackageFacts
+from ..package.params.parameter_file import ParameterFile
 from ..package.workspace import Workspace
 from ..source import Span
 from ..unreadable import READABLE
 from .home_accounts import is_of_container, is_of_many
 from .home_path_texts import ASKS, CPP, IS_SOUGHT, MARKUP, YAML, is_in_handler, patterns, without_comments
 from .launch.idle_actions import level_at
+from .params.replaced_defaults import is_replaced
 from .reached_definitions import ReachedDefinitions
 from .unread_paths import UnreadPaths
 from .yaml_elsewhere import is_named_yaml, is_of_another
@@ -46,7 +48,8 @@ class HomePath:
     it exists, or tries another one first."""
     is_seldom_read: bool
     """Whether RViz, a script in a folder of its own or YAML that is not installed, or that nothing names, has it, which
-    few start; or it is one of several places for modules, or a launch file has it that nothing uses."""
+    few start; or the parameter files of the package replace it; or it is one of several places for modules, or a launch
+    file has it that nothing uses."""
     is_unreached: bool = False
     """Whether it is in a function of Python that nothing leads to."""
     is_unread: bool = False
@@ -62,6 +65,7 @@ class HomePaths:
     definitions: ReachedDefinitions | None = None
     unread: UnreadPaths | None = None
     launches: Annotated[tuple[LaunchFile, ...], READABLE] = ()
+    parameters: Annotated[tuple[ParameterFile, ...], READABLE] = ()
 
     @cached_property
     def found(self) -> tuple[HomePath, ...]:
@@ -98,6 +102,7 @@ class HomePaths:
             is_seldom_read = self.is_seldom_read(path) or IS_SOUGHT.search(bare, 0, match.start()) is not None
             is_seldom_read = is_seldom_read or (path.endswith(YAML) and not is_image and not self.is_used(path))
             is_seldom_read = is_seldom_read or self.is_unused(path, place)
+            is_seldom_read = is_seldom_read or is_replaced(bare[: place.start], named, self.parameters)
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
             is_unread = self.unread is not None and self.unread.has(path, place)
             yield HomePath(path, place, named, *home, *flags, is_unread)
