@@ -593,3 +593,19 @@ def test_scripts_that_cmake_gives_to_chmod() -> None:
     assert finding.message.startswith("the executable bit of `scripts/b.py` is not")
     (finding,) = lint_files({**package(lines.replace("{} +x", "echo")), **files}, ["CMK105"]).findings
     assert finding.message.startswith("the executable bit of `scripts/a.py` and `scripts/b.py` is not")
+
+
+@pytest.mark.parametrize(
+    ("keeps", "end"),
+    [
+        ("", "`chmod +x scripts/a.py` (`git update-index --chmod=+x`), and add USE_SOURCE_PERMISSIONS"),
+        (" USE_SOURCE_PERMISSIONS", "; `chmod +x scripts/a.py`"),
+    ],
+)
+def test_a_folder_whose_scripts_have_no_bit_to_keep(keeps: str, end: str) -> None:
+    files = package(f"install(DIRECTORY scripts/ DESTINATION lib/${{PROJECT_NAME}}{keeps})")
+    script = TreeEntry("file", b"#!/usr/bin/env python3\nprint()\n", 0o644)
+    (finding,) = lint_files({**files, "scripts/a.py": script}, ["CMK105"]).findings
+    assert finding.message.endswith(end)
+    assert finding.fix is not None
+    assert len(finding.fix.operations) == (1 if keeps else 2)

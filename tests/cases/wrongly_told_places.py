@@ -43,6 +43,7 @@ def talker(*lines: str) -> Example:
     return Example(on="ament_cmake", bad={"include/my_pkg/talker.hpp": READER.format(*lines)}, good={})
 
 
+BARE = "GREETING = 'hello'\nprint(GREETING)\n"
 DEFAULT = """\
 #include <rclcpp/rclcpp.hpp>
 struct Talker : public rclcpp::Node
@@ -65,9 +66,9 @@ def defaults(argument: str, *values: str) -> Example:
     return Example(on="ament_cmake", bad={**files, **yaml}, good={})
 
 
-def package(lines: str) -> Example:
+def package(lines: str, files: dict[str, str] = CORE) -> Example:
     text = CMAKE.replace("ament_package", f"{lines}\nament_package")
-    return Example(bad={"CMakeLists.txt": text, **CORE}, good={}, on="ament_cmake")
+    return Example(bad={"CMakeLists.txt": text, **files}, good={}, on="ament_cmake")
 
 
 CASES = {
@@ -83,6 +84,17 @@ CASES = {
             "include_directories(${SENSOR_SDK_DIR})\nlink_directories($ENV{SENSOR_SDK_DIR})",
             "include_directories(${SENSOR_SDK_DIR})",
             "find_path(SDK sdk.h PATHS ${CMAKE_SOURCEDIR}/include)",
+        )
+    ),
+    "CMK105": tuple(
+        package(
+            "install(PROGRAMS scripts/hello.py DESTINATION lib/${PROJECT_NAME})", {"scripts/hello.py": BARE, **more}
+        )
+        for more in (
+            {},
+            {"scripts/tool.py": "from hello import GREETING\n"},
+            {"other/tool.py": "import hello\n"},
+            {"scripts/tool.py": "from hello import GREETING\n", "README.md": "`ros2 run my_pkg hello.py`\n"},
         )
     ),
     "DEP118": (

@@ -20,6 +20,9 @@ def make_executable(scripts: InstalledScripts, script: BrokenScript) -> tuple[Op
             return (Edit(copy.source, Span(0, 0), SHEBANG),)
         case "directory":
             return add_source_permissions(cmake, script)
+        case "neither":
+            added = add_source_permissions(cmake, script)
+            return (*added, Chmod(copy.source, True)) if added else ()
         case _:
             return (Chmod(copy.source, True),)
 

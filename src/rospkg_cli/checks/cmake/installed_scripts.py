@@ -16,12 +16,13 @@ from ...package.cmake.copied_files import CopiedFile, copied_files
 from ...package.cmake.install_rules import InstallRule
 from ...ros.share_layout import LAUNCH
 from .left_out_nodes import is_last, is_left_out, is_node
-from .module_imports import is_only_imported
+from .module_imports import dotted_imports, is_only_imported
 
 SHELL = (".sh", ".bash")
 """Scripts that are mostly helpers of developers."""
 ASIDE = frozenset({"test", "tests"})
-Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit"]
+Wrong = Literal["files", "no shebang", "no bit", "directory", "directory, no bit", "neither"]
+"""Why a script can't be executed; `neither`: the folder's permissions are not kept, and there is no bit to keep."""
 
 IMPORTED = regex(r"^[ \t]*(?:from|import)[ \t]+\.?(\w+)", re.MULTILINE)
 STARTS = regex(r"^(?:if[ \t(]+__name__|[A-Za-z_][\w.]*[ \t]*\(|(?:while|for|with|try|raise)\b)", re.MULTILINE)
@@ -110,7 +111,19 @@ class InstalledScripts:
             return None if copy.is_executable or self.gets_bit(copy) else "files"
         if copy.is_executable or self.gets_bit(copy):
             return None
-        return "directory" if not copy.keeps_permissions else None if bit else "directory, no bit"
+        if copy.keeps_permissions:
+            return None if bit else "directory, no bit"
+        return "directory" if bit else "neither"
+
+    def is_module(self, script: BrokenScript) -> bool:
+        """Return whether a script without the bit is imported in its folder, and no page or launch file starts it."""
+        path, files = script.copy.source, self.package.cmake.package_files
+        name, folder = posixpath.basename(path).removesuffix(".py"), posixpath.dirname(path)
+        if self.has_bit(path) or not path.endswith(".py") or self.is_wanted(path):
+            return False
+        beside = (each for each in files.paths if posixpath.dirname(each) == folder and each.endswith(".py"))
+        imported = dotted_imports(files.readable_text(each) for each in beside if each != path)
+        return any(each.lstrip(".").rpartition(".")[2] == name for each in imported)
 
     def is_wanted(self, path: str) -> bool:
         """Return whether a launch file names a script, or a README starts it with `ros2 run`."""

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from itertools import chain
 
 from ...checks.cmake.installed_scripts import BrokenScript, InstalledScripts
-from ...checks.enumeration import in_ticks
+from ...checks.cmake.script_sentences import message, title
 from ...edits.cmake_scripts import make_executable
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
 from ...source import Span
 
-FEW = 3
-"""So many scripts are named one by one."""
 BARE = "print('hello')\n"
 SHEBANG = "#!/usr/bin/env python3\n"
 FILES = "install(FILES «scripts/hello.py» DESTINATION lib/${PROJECT_NAME})\n"
@@ -33,7 +31,8 @@ def cmake(lines: str) -> str:
     over=InstalledScripts,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "only its executable bit is missing: it can't be run after `colcon build --symlink-install`"
+        Severity.WARNING: "only its executable bit is missing: it can't be run after `colcon build --symlink-install`",
+        Severity.INFO: "it has no bit, and another file of its folder imports it: it may be a module",
     },
     examples=(
         Example(
@@ -71,67 +70,25 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     For files that another installed script imports, or any Python file by a dotted name (`my_pkg.moves.turn`) where
     they don't start themselves; that hold only definitions, or are launch files; that a launch file hands to `python3`,
     or a macro in a .cmake file of the package to whom it calls, and that CMake gives to `chmod` by name. For what is
-    installed under a condition that can't be evaluated, or for tests.
+    installed under a condition that can't be evaluated, or for tests. A file without the bit that another Python file
+    of its folder imports may be a module: an info, unless a launch file names it or a README starts it.
     """
     if not scripts.package.is_ament:
         return
-    for script, *others in together(scripts.broken()):
-        mild = script.wrong == "no bit" or (script.wrong == "directory" and scripts.uses_programs)
-        level = Severity.WARNING if mild else None
+    for script, *others in together(scripts):
+        mild = script.wrong == "no bit" or (script.wrong in ("directory", "neither") and scripts.uses_programs)
+        level = Severity.INFO if scripts.is_module(script) else Severity.WARNING if mild else None
         related = tuple(Related(other.copy.source, Span(0, 0), "the same") for other in others)
         operations = [make_executable(scripts, each) for each in (script, *others)]
         fix = Fix(title(script, others), tuple(dict.fromkeys(chain(*operations)))) if all(operations) else None
         yield Hit(script.copy.item.path, script.copy.item.span, message(scripts, script, others), level, related, fix)
 
 
-def together(broken: Iterable[BrokenScript]) -> Iterable[list[BrokenScript]]:
+def together(scripts: InstalledScripts) -> Iterable[list[BrokenScript]]:
     """Return the scripts of one install() that are broken in the same way, which is one fault."""
-    calls: dict[tuple[str, int, str], list[BrokenScript]] = {}
-    for script in broken:
+    calls: dict[tuple[str, int, str, bool], list[BrokenScript]] = {}
+    for script in scripts.broken():
         call = script.copy.rule.call
-        calls.setdefault((call.path, call.command.span.start, script.wrong), []).append(script)
+        key = (call.path, call.command.span.start, script.wrong, scripts.is_module(script))
+        calls.setdefault(key, []).append(script)
     return calls.values()
-
-
-def title(script: BrokenScript, others: Sequence[BrokenScript]) -> str:
-    these = named(script, others)
-    match script.wrong:
-        case "files":
-            return "install with PROGRAMS"
-        case "no shebang":
-            return f"begin {these} with `{SHEBANG.strip()}`"
-        case "directory":
-            return "add USE_SOURCE_PERMISSIONS"
-        case _:
-            return f"make {these} executable"
-
-
-def named(script: BrokenScript, others: Sequence[BrokenScript]) -> str:
-    """Return the scripts by name, where they are few."""
-    if len(others) < FEW:
-        return in_ticks(each.copy.source for each in (script, *others))
-    return f"`{script.copy.source}` and {len(others)} more"
-
-
-def message(scripts: InstalledScripts, script: BrokenScript, others: Sequence[BrokenScript]) -> str:
-    path, name = script.copy.source, script.copy.destination.rpartition("/")[2]
-    run = f"`ros2 run {scripts.package.facts.name} {name}`"
-    these, are, them = named(script, others), "are" if others else "is", "them" if others else "it"
-    chmod = "`chmod +x` them" if others else f"`chmod +x {path}`"
-    match script.wrong:
-        case "files":
-            return (
-                f"{these} {are} installed with FILES, which makes {them} not executable: {run} does not find it; "
-                "use PROGRAMS"
-            )
-        case "no shebang":
-            begin = "do not begin" if others else "does not begin"
-            return f'{these} {begin} with `#!`: {run} ends with "Exec format error"; write `{SHEBANG.strip()}`'
-        case "directory":
-            return f"the executable bit of {these} is not installed: {run} does not find it; add USE_SOURCE_PERMISSIONS"
-        case "directory, no bit":
-            return f"{these} {are} not executable: {run} does not find it; {chmod}"
-        case _:
-            return (
-                f"{these} {are} not executable: after `colcon build --symlink-install` {run} does not find it; {chmod}"
-            )
