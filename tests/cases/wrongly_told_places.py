@@ -43,6 +43,8 @@ def talker(*lines: str) -> Example:
     return Example(on="ament_cmake", bad={"include/my_pkg/talker.hpp": READER.format(*lines)}, good={})
 
 
+SUBFOLDER = "add_library(core ${{SOURCES_OF_A_FILE}} {})"
+WITH_SDL = {"src/window.cpp": "#include <ncurses.h>\n"}
 BARE = "GREETING = 'hello'\nprint(GREETING)\n"
 DEFAULT = """\
 #include <rclcpp/rclcpp.hpp>
@@ -95,6 +97,17 @@ CASES = {
             {"scripts/tool.py": "from hello import GREETING\n"},
             {"other/tool.py": "import hello\n"},
             {"scripts/tool.py": "from hello import GREETING\n", "README.md": "`ros2 run my_pkg hello.py`\n"},
+        )
+    ),
+    "DEP105": tuple(
+        package(SUBFOLDER.format(listed), {f"src/{name}.cpp": "int x = 1;\n" for name in "ab"} | WITH_SDL | more)
+        for listed, more in (
+            ("src/a.cpp src/b.cpp", {}),
+            ("src/a.cpp", {}),
+            ("src/a.cpp src/b.cpp src/window.cpp", {}),
+            ("src/a.cpp src/b.cpp", {"tools/CMakeLists.txt": "file(GLOB TOOLS *.cpp)\n"}),
+            ("src/a.cpp src/b.cpp", {"tools/CMakeLists.txt": "add_executable(tool ${name}.cpp)\n"}),
+            ("src/a.cpp src/b.cpp src/${name}.cpp", {}),
         )
     ),
     "DEP118": (

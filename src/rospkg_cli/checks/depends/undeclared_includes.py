@@ -34,6 +34,7 @@ from .compiled_sources import (
 from .declared_dependencies import DeclaredDependencies
 from .required_by_cmake import required_modules, required_packages
 from .undeclared_find_package import FindPackageDependencies
+from .unnamed_sources import UnnamedSources
 
 """The end of a type that rosidl generates, behind the name of its package; it begins with what `re` skips ahead to."""
 GENERATED = regex(r"[a-z][a-z0-9_]*/(?:msg|srv|action)/[a-z0-9_]+\.hpp")
@@ -106,9 +107,11 @@ class IncludeDependencies:
         if not self.declared.is_checked:
             return
         found: dict[tuple[Role, tuple[str, ...], str], list[IncludeUse]] = {}
+        unnamed = UnnamedSources(self.files)
         for source, role in compiled_sources(self.cmake, self.sources):
             always = always_included(source)
-            for each in source.includes if role != "aside" else ():
+            is_left = role == "aside" or (self.compiled is None and unnamed.has(source.path))
+            for each in source.includes if not is_left else ():
                 folder, slash, _ = each.path.partition("/")
                 is_certain = not each.is_conditional or folder in always or self.is_switched_on(source, each)
                 if (slash or keys_of_header(each.path)) and is_certain and not self.is_own(each.path):

@@ -57,14 +57,13 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     What a declared dependency or a package that CMake requires certainly installs, or may, is one info, which names who
     brings it, and DEP104's where CMake requires such a package, too. So is what only files include that an option of
     CMake must ask for, or only headers that are not compiled, where others are, or that are not installed. Files that
-    no target compiles, includes under `#if` (unless it asks for a macro that CMake defines in any case), headers that
-    all others include under it, neighbours whose folder CMake names (`include_directories(../other/include)`), what
-    CMake fetches, and packages that `find_package()` names as well (DEP104) are left alone. So are libraries that a git
-    submodule is named after, checked out or not, and those that CMake looks for without need, where only what includes
-    them waits for it, what is declared under a condition that does not hold (`$ROS_VERSION == 1`), where no build is
-    sure to compile what includes it, and types whose package comes with another undeclared one. What an empty
-    submodule that CMake looks
-    into may hold is an info.
+    no target compiles, or that no CMake file names beside neighbours named one by one, includes under `#if` (unless it
+    asks for a macro that CMake defines in any case), headers that all others include under it, neighbours whose folder
+    CMake names (`include_directories(../other/include)`), what CMake fetches, and packages that `find_package()` names
+    as well (DEP104) are left alone. So are libraries that a git submodule is named after, checked out or not, and those
+    that CMake looks for without need, where only what includes them waits for it, what is declared under a condition
+    that does not hold (`$ROS_VERSION == 1`), where no build is sure to compile what includes it, and types whose
+    package comes with another undeclared one. What an empty submodule that CMake looks into may hold is an info.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
