@@ -46,6 +46,20 @@ def talker(*lines: str) -> Example:
 SUBFOLDER = "add_library(core ${{SOURCES_OF_A_FILE}} {})"
 WITH_SDL = {"src/window.cpp": "#include <ncurses.h>\n"}
 BARE = "GREETING = 'hello'\nprint(GREETING)\n"
+AMENT = """\
+find_package(ament_cmake QUIET)
+if(ament_cmake_FOUND)
+  install(DIRECTORY params DESTINATION share/${PROJECT_NAME})
+  install(DIRECTORY launch/ DESTINATION share/${PROJECT_NAME}/launch FILES_MATCHING PATTERN "*.py")
+  install(TARGETS talker DESTINATION lib/${PROJECT_NAME})
+endif()
+"""
+OLD = {"launch/a.launch": "<launch/>\n", "src/talker.cpp": "#include <ros/ros.h>\n"}
+BRANCHES = (
+    (AMENT, OLD),
+    (AMENT, {**OLD, "src/listener.cpp": "#include <rclcpp/rclcpp.hpp>\n"}),
+    (AMENT.replace("ament_cmake_FOUND", "TRUE"), OLD),
+)
 DEFAULT = """\
 #include <rclcpp/rclcpp.hpp>
 struct Talker : public rclcpp::Node
@@ -74,6 +88,7 @@ def package(lines: str, files: dict[str, str] = CORE) -> Example:
 
 
 CASES = {
+    **{code: tuple(package(*each) for each in BRANCHES) for code in ("CMK102", "CMK110", "CMK129")},
     "CMK115": tuple(
         package(SET + lines)
         for lines in (

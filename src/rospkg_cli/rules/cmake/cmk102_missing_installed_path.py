@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from ...checks.cmake.built_for_ros1 import is_built_for_ros1
 from ...checks.cmake.missing_path_sentences import PLURAL, consequence
 from ...checks.cmake.missing_paths import MissingPaths
 from ...checks.enumeration import in_ticks
@@ -39,7 +40,8 @@ EXTRAS = CMAKE.replace("ament_package()", "ament_package(CONFIG_EXTRAS «cmake/m
     levels={
         Severity.WARNING: "it is named in a branch that is taken only for some; or CMake runs a program in the "
         "package's folder, which may write what is installed",
-        Severity.INFO: "FILES_MATCHING keeps CMake silent about the folder, or git ignores a folder that people fill",
+        Severity.INFO: "FILES_MATCHING keeps CMake silent about the folder, git ignores a folder that people fill, or "
+        "all sources are of ROS 1",
     },
     examples=(
         Example(
@@ -85,7 +87,8 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     run in its folder or is given it, a generator of sources. Where a .gitignore names it, since a build then writes it;
     an installed folder whose files people write, such as `launch`, is an info. Below a submodule that is not checked
     out. Inside `if(EXISTS …)`, for what is installed inside any condition that can't be evaluated, and with OPTIONAL. A
-    folder with FILES_MATCHING stops nothing: an info, or a warning where another one is called nearly so.
+    folder with FILES_MATCHING stops nothing: an info, or a warning where another one is called nearly so. Where CMake
+    chooses between ament and catkin and all sources are of ROS 1, it is an info.
     """
     for (named, for_everyone), *others in together(package.cmake, MissingPaths(package.cmake).all()):
         paths = list(dict.fromkeys([named.path, *(each.path for each, _ in others)]))
@@ -96,6 +99,7 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
         level = None if for_everyone else Severity.WARNING
         if named.use == "matching":
             level = Severity.WARNING if near else Severity.INFO
+        level = Severity.INFO if is_built_for_ros1(package.cmake) else level
         yield Hit(named.word.path, named.word.span, message, level, related=related)
     for each in ReferencedPaths(package.cmake).ignored():
         start = f"`{each.path}` does not exist, and git ignores it: on a fresh clone the build stops at the end"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.built_for_ros1 import is_built_for_ros1
 from ...checks.cmake.early_references import EarlyReferences
 from ...checks.cmake.message_targets import MessageTargets
 from ...checks.cmake.mistyped_libraries import MistypedLibraries
@@ -51,7 +52,8 @@ def cmake(lines: str) -> str:
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "under a condition, or where other files may make it: it is a slip of a long name; or some "
-        "distributions have it"
+        "distributions have it",
+        Severity.INFO: "CMake chooses between ament and catkin, and all sources are of ROS 1",
     },
     examples=(
         Example(
@@ -108,7 +110,8 @@ def unknown_target(messages: MessageTargets) -> Iterator[Hit]:
     one with a letter wrong, is reported), and for `gtest` and `gmock`. For `std_msgs::std_msgs` where no distribution
     before Lyrical is asked for or named alone by the pages, scripts and workflows of the repository. Under a condition
     that can't be evaluated. In the first and the last case, names of eight letters and more that are one or two off one
-    that the package makes are reported.
+    that the package makes are reported. Where CMake chooses between ament and catkin and all sources are of ROS 1, a
+    target that nothing creates is an info.
     """
     package = messages.links.package
     for of_messages in messages.all():
@@ -122,6 +125,7 @@ def unknown_target(messages: MessageTargets) -> Iterator[Hit]:
         message = f"{said(package.cmake, reference)}{near}: CMake stops with {stops(reference)}"
         related = [Related(each.word.path, each.word.span, "and here") for each in others]
         level = None if any(map(references.is_certain, (reference, *others))) else Severity.WARNING
+        level = Severity.INFO if is_built_for_ros1(package.cmake) else level
         yield Hit(reference.word.path, reference.word.span, message, level, tuple(related))
     for early in EarlyReferences(package.cmake).all():
         yield Hit(early.reference.word.path, early.reference.word.span, made_below(package.cmake, early))

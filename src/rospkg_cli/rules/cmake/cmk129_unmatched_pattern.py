@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.built_for_ros1 import is_built_for_ros1
 from ...checks.cmake.unmatched_patterns import unmatched_patterns
 from ...checks.enumeration import in_ticks
 from ...example import CMAKE, Example
@@ -20,7 +21,7 @@ LAUNCH = "<launch/>\n"
     "unmatched-pattern",
     over=CMakePackage,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "another rule installs these files, or some of them, or it is in a function"},
+    levels={Severity.INFO: "another rule installs these files, it is in a function, or all sources are of ROS 1"},
     examples=(
         Example(
             bad={
@@ -50,7 +51,8 @@ def unmatched_pattern(package: CMakePackage) -> Iterator[Hit]:
     For other patterns than `*.ending` and for REGEX, where another rule with FILES_MATCHING takes the files, where git
     ignores or the build makes such files, for folders that are not there (CMK102), and below a condition that can't be
     evaluated. It is an info in a function or a macro, which others may call for other folders, and where a pattern
-    beside it takes files of the folder to a place that is not known.
+    beside it takes files of the folder to a place that is not known; and where CMake chooses between ament and catkin
+    and all sources are of ROS 1.
     """
     for each in unmatched_patterns(package.cmake):
         names = in_ticks(each.patterns)
@@ -61,4 +63,5 @@ def unmatched_pattern(package: CMakePackage) -> Iterator[Hit]:
             advice = "remove the rule where no folder has such files"
             yield Hit(each.item.path, each.item.span, f"{start}; {advice}", Severity.INFO)
         else:
-            yield Hit(each.item.path, each.item.span, f"{start}; correct the pattern")
+            level = Severity.INFO if is_built_for_ros1(package.cmake) else None
+            yield Hit(each.item.path, each.item.span, f"{start}; correct the pattern", level)
