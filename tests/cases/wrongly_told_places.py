@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import CMAKE, Example
+from rospkg_cli.example import CMAKE, Example, manifest
 
 SET = "set(SENSOR_SDK_LIB m)\n"
 CORE = {"src/core.cpp": ""}
@@ -60,6 +60,7 @@ BRANCHES = (
     (AMENT, {**OLD, "src/listener.cpp": "#include <rclcpp/rclcpp.hpp>\n"}),
     (AMENT.replace("ament_cmake_FOUND", "TRUE"), OLD),
 )
+INCLUDES = '<launch><include file="$(find-pkg-share my_pkg)/launch/b.launch.xml"/></launch>\n'
 DEFAULT = """\
 #include <rclcpp/rclcpp.hpp>
 struct Talker : public rclcpp::Node
@@ -131,6 +132,14 @@ CASES = {
         defaults(f'"map", {PATH}', "map: a.csv", f"map: {PATH}"),
         defaults(f'"maps", {PATH}', "map: a.csv"),
         defaults(f'\n        "map", std::string({PATH})', "map: a.csv"),
+    ),
+    "LCH003": tuple(
+        Example(bad={"my_pkg/launch/a.launch.xml": INCLUDES, **files}, good={}, on="ament_python")
+        for files in (
+            {"my_pkg/package.xml": manifest(), "my_pkg/launch/b.launch.xml": "<launch/>\n"},
+            {"my_pkg/package.xml": manifest()},
+            {"my_pkg/launch/b.launch.xml": "<launch/>\n"},
+        )
     ),
     "PRM007": (
         *(talker("prefix_", line) for line in ("", "show(prefix_);", "return prefix_;", "int n = 2 * prefix_;")),

@@ -163,10 +163,19 @@ class LaunchContext:
         there = named.path in facts.share_files
         if not named.has_slash:
             return MissingReference(named.span, facts.name, named.path, "no slash", named.use) if there else None
-        if there or self.is_brought(facts, named.path):
+        if there or self.is_brought(facts, named.path) or (own and self.is_in_nested(named.path)):
             return None
         state, better_path = self.state(facts, named.path)
         return MissingReference(named.span, facts.name, named.path, state, named.use, better_path)
+
+    def is_in_nested(self, path: str) -> bool:
+        """Return whether the launch file is of a package inside of this one, of the same name, that has a file."""
+        folder = posixpath.dirname(self.file.path)
+        while folder and not self.files.has_file(f"{folder}/package.xml"):
+            folder = posixpath.dirname(folder)
+        if not folder or not self.files.is_there(f"{folder}/{path}"):
+            return False
+        return f"<name>{self.package.name}</name>" in self.files.readable_text(f"{folder}/package.xml")
 
     def unfitting(self, named: FileReference) -> MissingReference | None:
         """Return a file of which a part is not known, where none can be meant."""
