@@ -15,9 +15,11 @@ from .text import LaunchText, Substitution
 
 LISTS = frozenset({
     "arguments", "ros_arguments", "parameters", "cmd", "remappings", "launch_arguments", "actions", "entities",
-    "initial_entities", "composable_node_descriptions",
+    "initial_entities", "composable_node_descriptions", "args",
 })  # fmt: skip
-"""Arguments whose items are separate texts; any other list is one text."""
+"""Arguments whose items are separate texts; any other list that launch gets is one text."""
+NO_FILES = frozenset({"choices"})
+"""Arguments whose texts are compared, and open nothing."""
 
 NO_TEXT = frozenset({
     "LaunchDescription", "GroupAction", "TimerAction", "PathJoinSubstitution", "PathSubstitution", "LogInfo",
@@ -77,10 +79,18 @@ def texts_of(call: Call) -> Iterator[tuple[ReferenceKind, LaunchText]]:
         takes = call.callee in READERS or call.callee.rpartition(".")[2][:1].isupper()
     if call.receiver is None and takes and not writes(call):
         for argument in call.arguments:
+            if argument.name in NO_FILES:
+                continue
             kind = "file" if argument.name == PASSED_ON else kind_of(call)
-            texts = texts_in(argument.value, apart=argument.name in LISTS)
+            texts = texts_in(argument.value, apart=argument.name in LISTS or (not name and is_listed(argument.value)))
             yield from ((kind, as_command(text) if name == "Command" else text) for text in texts)
     yield from files_read(call)
+
+
+def is_listed(value: Value) -> bool:
+    """Return whether a list is one of several values: none goes on with the path of the first."""
+    rest = value.items[1:] if isinstance(value, Sequence) else ()
+    return not any(isinstance(each, Text) and each.text.startswith("/") and not each.is_path for each in rest)
 
 
 def as_command(text: LaunchText) -> LaunchText:
