@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from rospkg_cli.example import Example, manifest
 
+from .told_repairs_of_python import told
+
 LISTED = """\
 import os
 
@@ -36,7 +38,15 @@ LISTS = (
     "Node(package='my_pkg', executable='talker', name=[config, 'x'])",
 )
 
+
+def typed(interface: str) -> Example:
+    """Parameters of a joy_teleop that package.xml lacks too."""
+    needs = manifest("  <exec_depend>launch_xml</exec_depend>\n")
+    return Example(bad={**told(interface).bad, "package.xml": needs}, good={})
+
+
 CASES = {
+    "DEP106": tuple(typed(name) for name in ("geometry_msgs/msg/Twist", "nav2_msgs/action/Spin")),
     "LCH003": tuple(
         Example(
             bad={

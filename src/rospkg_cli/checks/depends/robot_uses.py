@@ -20,6 +20,7 @@ from ...source import Span
 from ..launch.package_references import every_reference
 from ..urdf.opened_robots import OpenedRobots
 from ..urdf.xacro_calls import CONDITIONS, ancestors
+from .brought_dependencies import brought_by
 from .declared_dependencies import DeclaredDependencies
 from .found_by_parameters import found_by_parameters, named_by_parameters, typed_by_parameters
 from .opened_parameters import OpenedParameters
@@ -110,10 +111,15 @@ class RobotUses:
                 yield name, RobotUse(path, span, "and its files are named here", "they are not found")
 
     def typed(self) -> Iterator[tuple[str, RobotUse]]:
-        """Yield the packages of interfaces that installed parameter files tell a node to load by their names."""
+        """Yield the packages of interfaces that installed parameter files tell a node to load by their names.
+
+        Those that come with such a node, which launch files name, are optional.
+        """
         for name, interface, path, span in typed_by_parameters(self.launch.files):
             if self.declared.workspace.kind_of(name) is NameKind.PACKAGE and self.is_used(path):
-                is_optional = not (LOADS_TYPES & self.started) or not self.parameters.may_have(path)
+                loading = LOADS_TYPES & self.started
+                is_optional = not loading or not self.parameters.may_have(path)
+                is_optional = is_optional or name in brought_by(sorted(loading), self.declared.workspace)
                 usage = f"and its type `{interface}` is named here"
                 yield name, RobotUse(path, span, usage, "the node can't load it", is_optional)
 
