@@ -5,6 +5,7 @@ from __future__ import annotations
 from rospkg_cli.example import Example, manifest
 
 from .told_repairs_of_python import told
+from .uncalled_values import node, python
 
 LISTED = """\
 import os
@@ -45,7 +46,14 @@ def typed(interface: str) -> Example:
     return Example(bad={**told(interface).bad, "package.xml": needs}, good={})
 
 
+WORDS = python(
+    *node("arguments=['-z' '6.35', '-y' '-0.6', '-x' 'arm', '-Y' '1', '-R' '.5']", "arguments=['-ab' 'c', '-t' '/b']"),
+    *node("ros_arguments=['-r' 'a:=b', '-p' 'rate:=2.0']"),
+    "Node(package='ros_gz_sim', executable='create', arguments=['-z' '6.35', '-topic' 'x'])",
+)
+
 CASES = {
+    "LCH014": (WORDS,),
     "DEP106": tuple(typed(name) for name in ("geometry_msgs/msg/Twist", "nav2_msgs/action/Spin")),
     "LCH003": tuple(
         Example(

@@ -18,6 +18,11 @@ TWO = regex(r"""(['"])([\w/.:=-]*\w)\1\s+(['"])([\w/.:=-]+)\3""")
 AN_OPTION = regex(r"--?[A-Za-z][\w-]*")
 A_WORD = regex(r"[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*")
 A_VALUE = regex(r"[\w/.].*")
+A_LETTER = regex(r"-[A-Za-z]")
+ITS_VALUE = regex(r"\w+|-?\d*\.\d+|\d+\.")
+"""A number or a word, which argparse, getopt and Qt take in one word with an option of one letter."""
+WHOLE_WORDS = frozenset({"create"})
+"""Programs of gflags, for which `-z1.5` is a flag of that name: ros_gz_sim's."""
 NEAR = 4
 """Letters on each side of a seam that stand together nowhere in the file."""
 GAP = "\0"
@@ -35,13 +40,20 @@ def joined_options(call: Call, source: Source) -> Iterator[Fault]:
         items = zip(words.items, words.places, strict=True) if isinstance(words, Sequence) else ()
         for item, place in items if not is_command else ():
             if two := TWO.fullmatch(source.slice(place).strip()):
-                yield from lost_comma(place, two[2], two[4])
+                yield from lost_comma(place, two[2], two[4]) if not is_taken(call, two[2], two[4]) else ()
             for found in seams(text_of(item), source.text):
                 yield Fault(span_within(item, place), joins(found, " " in text_of(item)), level_of(name))
         if is_command and words is not None:
             whole = "".join(map(text_of, words.items)) if isinstance(words, Sequence) else text_of(words)
             for found in seams(whole, source.text):
                 yield Fault(words.span, joins(found, True))
+
+
+def is_taken(call: Call, first: str, second: str) -> bool:
+    """Return whether a program takes an option of one letter and its value in one word."""
+    program = call.get("executable")
+    is_whole = isinstance(program, Text) and program.text in WHOLE_WORDS
+    return bool(A_LETTER.fullmatch(first) and ITS_VALUE.fullmatch(second)) and not is_whole
 
 
 def lost_comma(place: Span, first: str, second: str) -> Iterator[Fault]:

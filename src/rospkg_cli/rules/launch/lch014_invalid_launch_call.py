@@ -78,7 +78,8 @@ def invalid_launch_call(calls: LaunchCalls) -> Iterator[Hit]:
     ## When it is quiet
     Arguments of unknown value are left alone, and files that `ros2 launch` can't start. What launch looks at only when
     it visits an action is a warning where nothing adds the action, and so is a LifecycleNode without a namespace where
-    pages and scripts name Foxy alone, which gives it one.
+    pages and scripts name Foxy alone, which gives it one. A number or word behind an option of one letter
+    (`'-z' '1.5'`) lacks no comma: most programs take both in one word.
 
     ## Fix safety
     A number is quoted, `.items()` is added: what launch requires.
