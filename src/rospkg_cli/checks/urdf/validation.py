@@ -48,7 +48,7 @@ def unsorted_faults(robot: RobotFile, piece: bool) -> Iterator[Fault]:
     root = document.root
     if robot.path.endswith(".xacro") or "<xacro:" in document.source.text:
         yield from substitution_faults(document)
-        yield from xacro_slips(root)
+        yield from xacro_slips(root, robot.path)
     if root.tag != "robot":
         if not robot.is_xacro:
             yield Fault(root.open, f"the root of a URDF is `<robot>`, not `<{root.tag}>`: urdfdom refuses it")

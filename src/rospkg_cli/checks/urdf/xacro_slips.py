@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from ...languages.xml.parser import Element
 from ...lazy_regex import regex
+from ...light_dataclasses import replace
 from ...package.urdf.expansion.macros import MacroParameter, parameters_of
 from ...source import Span
 from ..fault import Fault, softer
@@ -22,7 +23,10 @@ NOT_READ = frozenset({"xacro:macro"})
 """Whose attributes are no values."""
 
 
-def xacro_slips(root: Element) -> Iterator[Fault]:
+def xacro_slips(root: Element, path: str) -> Iterator[Fault]:
+    if not is_expanded(root, path):
+        yield from left_names(root)
+        return
     for macro in root.walk():
         if macro.tag == "xacro:macro":
             yield from lost_signs(macro)
@@ -31,6 +35,19 @@ def xacro_slips(root: Element) -> Iterator[Fault]:
         if element.tag == "xacro:arg":
             yield from own_default(element)
     yield from unread_names(root)
+
+
+def is_expanded(root: Element, path: str) -> bool:
+    """Return whether xacro reads a file, by its name or by what it holds; what xacro wrote keeps its comments alone."""
+    is_named = path.endswith(".xacro") or "xmlns:xacro" in root.attributes
+    return is_named or any(each.tag.startswith("xacro:") for each in root.walk())
+
+
+def left_names(root: Element) -> Iterator[Fault]:
+    """Yield each `{pi}` of a file that nothing expands, and that xacro has left as it was."""
+    for fault in unread_names(root):
+        said = fault.message.partition(",")[0]
+        yield replace(fault, level="info", message=f"{said}: nothing expands this file; write the number")
 
 
 def surplus_braces(element: Element) -> Iterator[Fault]:
