@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import Example, manifest
+from rospkg_cli.example import CMAKE, Example, manifest
+from rospkg_cli.rules.params import prm003_unknown_parameter_node as prm003
 
 from .told_repairs_of_python import told
 from .uncalled_values import node, python
@@ -70,7 +71,30 @@ EXPANDED = """\
 """
 SPACE = ' xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
+SPACED = prm003.LAUNCH.replace('name="sim_node"', 'name="sim_node" namespace="left"')
+BLOCKS = prm003.GOOD.replace("sim_node", "sim")
+
+
+def started(folders: str, launch: str = prm003.LAUNCH, blocks: str = BLOCKS) -> Example:
+    """A parameter file of a package that installs some folders."""
+    install = f"install(DIRECTORY {folders} DESTINATION share/${{PROJECT_NAME}})\nament_package()"
+    return Example(
+        bad={
+            "package.xml": manifest("  <exec_depend>turtlesim</exec_depend>\n", "ament_cmake"),
+            "CMakeLists.txt": CMAKE.replace("ament_package()", install),
+            "launch/robot.launch.xml": launch,
+            "config/robot.yaml": blocks,
+        },
+        good={},
+        on="config",
+    )
+
+
 CASES = {
+    "PRM003": (
+        *(started(folders) for folders in ("config", "config launch")),
+        *(started(folders, SPACED, prm003.GOOD) for folders in ("config", "config launch")),
+    ),
     "URD001": tuple(
         Example(bad={path: EXPANDED.replace("__SPACE__", space)}, good={})
         for path, space in (("urdf/arm.urdf", ""), ("urdf/arm.urdf", SPACE), ("urdf/arm.urdf.xacro", ""))

@@ -103,6 +103,15 @@ class LaunchParameters:
         """Those of launch files that ROS 2 reads; what is said of another file comes first (LCH006)."""
         return tuple(each for each in self.node_arguments if not is_refused(each.launch))
 
+    def is_left_out(self, launch: LaunchFile) -> bool:
+        """Return whether a launch file is known not to be installed: only who knows its path in the source starts it.
+
+        Tests are run from there.
+        """
+        if self.table is None or not self.table.knows("share") or role_of(launch.path) == "test":
+            return False
+        return all(row.source != launch.path for _, row in self.table.below(f"share/{self.package.name}"))
+
     def is_read_by_python(self, file: ParameterFile) -> bool:
         """Return whether a launch file here gives a file to a component: then PyYAML reads it, not rcl."""
         return any(each.node.kind == "composable_node" and file in each.files for each in self.node_arguments)

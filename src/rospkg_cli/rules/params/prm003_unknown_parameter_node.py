@@ -43,7 +43,10 @@ controller_manager:
     "unknown-parameter-node",
     over=NodeBlocks,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "a default gives the node its name, nothing names the file, or several nodes get it"},
+    levels={
+        Severity.INFO: "a default gives the node its name, nothing names the file, several nodes get it, or the launch "
+        "file that names it is not installed"
+    },
     examples=(
         Example(
             on="config",
@@ -92,7 +95,8 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     ## When it is quiet
     Blocks of nodes that any launch file here starts are left alone, and those of several whose name is like that of no
     node which lacks one: nodes that other packages start may read them. So are names that a launch file here holds, and
-    those that differ by a number.
+    those that differ by a number. Where the only launch files that give the file to a node are not installed, it is an
+    info.
 
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.
@@ -103,6 +107,7 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     for file, block, readers in launched.misnamed():
         names = sorted({each.known_name or "" for each in readers})
         is_sure = len(names) == 1 and all(each.name or each.in_code for each in readers)
+        is_sure = is_sure and not all(launched.is_left_out(each.launch) for each in readers)
         where = tuple(Related(each.launch.path, each.node.span, "the node") for each in readers)
         fix = renaming(file, block, names[0]) if len(names) == 1 else None
         message = f"no node is called `{block.key.text}`: {shown_readers(readers[0], names)}"
@@ -110,7 +115,8 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     for file, block, given in displaced_blocks(launched):
         message = f"`{block.name}` is no node: the one that `{given.launch.path}` starts is `{given.full_name}`"
         where = (Related(given.launch.path, given.node.span, "the node"),)
-        yield Hit(file.path, block.key.span, f"{message}, which never reads the block", related=where)
+        level = Severity.INFO if launched.is_left_out(given.launch) else None
+        yield Hit(file.path, block.key.span, f"{message}, which never reads the block", level, where)
     for launch, spawned, span, meant in misspelt_spawns(launched.files, launched.launches):
         message = f"no controller manager here has a controller `{spawned}`: the spawner ends with an error"
         yield Hit(launch.path, span, f"{message}; did you mean `{meant}`?")
