@@ -90,10 +90,38 @@ def started(folders: str, launch: str = prm003.LAUNCH, blocks: str = BLOCKS) -> 
     )
 
 
+JOINED = """\
+import os
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+
+
+def generate_launch_description():
+    share = get_package_share_directory('my_pkg')
+    maps = DeclareLaunchArgument('maps', default_value=os.path.join(share, '/maps'))
+    other = os.path.join(share, '/other')
+    ld = LaunchDescription()
+    __ADDED__
+    return ld
+"""
+ADDED = ("print(share)", "ld.add_action(maps)", "print(other)")
+
 CASES = {
     "PRM003": (
         *(started(folders) for folders in ("config", "config launch")),
         *(started(folders, SPACED, prm003.GOOD) for folders in ("config", "config launch")),
+    ),
+    "LCH021": tuple(
+        Example(
+            bad={
+                "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"),
+                "launch/a.launch.py": JOINED.replace("__ADDED__", added),
+            },
+            good={},
+        )
+        for added in ADDED
     ),
     "URD001": tuple(
         Example(bad={path: EXPANDED.replace("__SPACE__", space)}, good={})

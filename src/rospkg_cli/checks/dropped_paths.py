@@ -12,7 +12,9 @@ from ..languages.python.nodes import nodes_of_kind
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import Role
+from ..ros.share_layout import LAUNCH
 from ..source import Span
+from .launch.idle_actions import never_added
 from .run_imports import RunImports
 
 JOINS = frozenset({"os.path.join", "path.join", "osp.join", "posixpath.join"})
@@ -40,6 +42,12 @@ class DroppedPath:
     @property
     def is_of_system(self) -> bool:
         return OF_SYSTEM.fullmatch(self.text) is not None
+
+    @property
+    def is_unused(self) -> bool:
+        """Whether it is for an action that a launch file never adds, or a local variable that nothing reads."""
+        is_launch = LAUNCH.fullmatch(posixpath.basename(self.file.path)) is not None
+        return is_launch and any(value.contains(self.span) for value in never_added(self.file))
 
 
 @dataclass(frozen=True)

@@ -34,7 +34,10 @@ def generate_launch_description():
     "dropped-path",
     over=DroppedPaths,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "it is a path that many machines have (`/tmp/…`), or nothing installs the file"},
+    levels={
+        Severity.INFO: "it is a path that many machines have (`/tmp/…`), nothing installs the file, or a launch file "
+        "does not use what is made of the path"
+    },
     examples=(
         Example(
             bad={"package.xml": manifest(NEEDED), "launch/a.launch.py": BAD, "config/robot.rviz": ""},
@@ -55,14 +58,16 @@ def dropped_path(paths: DroppedPaths) -> Iterator[Hit]:
 
     ## When it is quiet
     Where the path begins with what stands before it, or that is unpacked with `*`. Where setup.py installs something
-    is SET208's.
+    is SET208's. In a launch file it is an info where nothing adds the action, or reads the local variable, that the
+    path is for.
     """
     for each in paths.all:
         how = "`/`" if each.by == "/" else f"`{each.by}`"
         dropped = each.dropped if len(each.dropped) <= 60 and "\n" not in each.dropped else "what stands before it"
         shown = dropped if dropped.startswith("what") else f"`{dropped}`"
         text = f"`{each.text}` begins with a slash: {how} drops {shown}, and the path begins at the root"
-        mild = each.is_of_system or (each.role in ("aside", "test") and each.file.path != "setup.py")
+        unused = ", but nothing uses it" if each.is_unused else ""
+        mild = unused or each.is_of_system or (each.role in ("aside", "test") and each.file.path != "setup.py")
         better = each.text.lstrip("/")
         hint = f"write `{better}`" if better and not each.is_of_system else "remove what stands before it, or the slash"
-        yield Hit(each.file.path, each.span, f"{text}; {hint}", Severity.INFO if mild else None)
+        yield Hit(each.file.path, each.span, f"{text}{unused}; {hint}", Severity.INFO if mild else None)
