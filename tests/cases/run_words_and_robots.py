@@ -5,6 +5,8 @@ from __future__ import annotations
 from rospkg_cli.example import CMAKE, Example, manifest
 from rospkg_cli.rules.params import prm003_unknown_parameter_node as prm003
 
+from .idle_parameters import below
+from .run_things import CONTROLLED
 from .told_repairs_of_python import told
 from .uncalled_values import node, python
 
@@ -69,7 +71,19 @@ EXPANDED = """\
   </joint>
 </robot>
 """
+SHOWN = """\
+<launch>
+  <let name="model" value="$(find-pkg-share my_pkg)/urdf/arm.urdf"/>
+</launch>
+"""
 SPACE = ' xmlns:xacro="http://www.ros.org/wiki/xacro"'
+
+
+def moved_by(package: str) -> str:
+    """A robot whose ros2_control names a joint that is not there."""
+    hardware = f"<hardware><plugin>{package}/System</plugin></hardware>"
+    return CONTROLLED.replace('"system">', f'"system">{hardware}')
+
 
 SPACED = prm003.LAUNCH.replace('name="sim_node"', 'name="sim_node" namespace="left"')
 BLOCKS = prm003.GOOD.replace("sim_node", "sim")
@@ -123,9 +137,15 @@ CASES = {
         )
         for added in ADDED
     ),
-    "URD001": tuple(
-        Example(bad={path: EXPANDED.replace("__SPACE__", space)}, good={})
-        for path, space in (("urdf/arm.urdf", ""), ("urdf/arm.urdf", SPACE), ("urdf/arm.urdf.xacro", ""))
+    "URD001": (
+        *(
+            Example(bad={path: EXPANDED.replace("__SPACE__", space)}, good={})
+            for path, space in (("urdf/arm.urdf", ""), ("urdf/arm.urdf", SPACE), ("urdf/arm.urdf.xacro", ""))
+        ),
+        *(
+            below("Humble\n", {"urdf/arm.urdf": moved_by(name), "launch/a.launch.xml": SHOWN})
+            for name in ("gazebo_ros2_control", "topic_based_ros2_control")
+        ),
     ),
     "LCH014": (WORDS,),
     "DEP106": tuple(typed(name) for name in ("geometry_msgs/msg/Twist", "nav2_msgs/action/Spin")),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.install_table import InstallTable
 from ...package.urdf.robot_file import RobotFile
@@ -15,6 +16,8 @@ from .validation import VAIN, robot_faults
 from .xacro_calls import XacroCalls, ancestors
 from .xacro_problems import of_one_parameter
 from .xacro_slips import MUST_BE_GIVEN
+
+IN_GAZEBO = regex(r"(?:gazebo|gz|ign)_ros2_control/")
 
 
 @dataclass(frozen=True)
@@ -49,13 +52,19 @@ class JudgedRobot:
         """Return a fault as an error only where a launch file opens the robot, as an info where nothing does."""
         if fault.level == "info" or (fault.level is None and self.launched.has(self.robot.path)):
             return fault
-        if VAIN in fault.message and self.distribution.is_before_jazzy:
+        if VAIN in fault.message and self.distribution.is_before_jazzy and not self.is_simulated:
             return softer(fault, "info", "and stops from Jazzy on alone, which no page names")
         if MUST_BE_GIVEN in fault.message and self.may_be_given(fault):
             return replace(fault, level="info")
         if self.is_idle or (not self.launched.has(self.robot.path) and may_be_elsewhere(fault)):
             return softer(fault, "info", "as soon as something opens this robot")
         return replace(fault, level="warning")
+
+    @property
+    def is_simulated(self) -> bool:
+        """Whether Gazebo moves joints of a `<ros2_control>`: it passes over one that it lacks, in any distribution."""
+        plugins = (each.text for each in self.robot.document.root.walk() if each.tag == "plugin")
+        return any(IN_GAZEBO.match(text.strip()) for text in plugins)
 
     def may_be_given(self, fault: Fault) -> bool:
         """Return whether nothing is known to read the file without an argument: all launch files that do give it."""
