@@ -128,7 +128,7 @@ class ParameterReads:
                     if suggestion is not None:
                         is_asked_for = any(each.holds(span) for each in parts_on_request(file))
                         throws = throws and not MILD.search(file.source.text)
-                        dropped = not throws and is_dropped_in_python(file, span, self.python)
+                        dropped = not throws and is_dropped_in_python(file, span, self.every_python)
                         flags = (suggestion, throws, True, False, is_asked_for, dropped)
                         yield UnknownRead(file.source.path, span, read.name, *flags)
 
@@ -144,7 +144,7 @@ class ParameterReads:
         return {each.name for each in own if not any(same(each, read) for read in reads)}
 
     @cached_property
-    def python(self) -> tuple[PythonFile, ...]:
+    def every_python(self) -> tuple[PythonFile, ...]:
         """All files of Python that can be parsed."""
         paths = (path for path in self.modules.files.paths if path.endswith(".py"))
         return tuple(file for path in paths if (file := self.modules.at(path)))

@@ -44,9 +44,9 @@ FILES = {
     over=HomePaths,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "the file is not of the workspace, many have an account of that name, code asks first, nothing "
-        "installs or names the YAML, YAML replaces the default, nothing leads to the function or reads the variable, or "
-        "it is one of several places for modules"
+        Severity.INFO: "the file is not of the workspace, many have an account of that name, code asks first, "
+        "nothing installs or names the YAML, YAML replaces the default, nothing leads to the function or reads the "
+        "variable, or it is one of several places for modules"
     },
     examples=(
         Example(
