@@ -160,17 +160,32 @@ CASES = {
         )
         for more in ("", " EXECUTABLE talker_node")
     ),
-    "CMK201": tuple(
-        Example(
-            bad={
-                "CMakeLists.txt": CMAKE.replace("ament_package", "add_executable(a src/a.cpp)\nament_package"),
-                "include/my_pkg/other.hpp": "#pragma once\n",
-                "src/a.cpp": f'#include "my_pkg/{name}"\nint main() {{}}\n',
-            },
-            good={},
-            on="ament_cmake",
-        )
-        for name in ("topic.pb.h", "othre.hpp")
+    "CMK201": (
+        *(
+            Example(
+                bad={
+                    "CMakeLists.txt": CMAKE.replace(
+                        "ament_package", f"add_executable(a src/a.cpp)\n{line}\nament_package"
+                    ),
+                    "src/a.cpp": "#include <ros/ros.h>\nint main() {}\n",
+                },
+                good={},
+                on="ament_cmake",
+            )
+            for line in ("", "target_include_directories(a PRIVATE /opt/ros/noetic/include)", "link_libraries(roscpp)")
+        ),
+        *(
+            Example(
+                bad={
+                    "CMakeLists.txt": CMAKE.replace("ament_package", "add_executable(a src/a.cpp)\nament_package"),
+                    "include/my_pkg/other.hpp": "#pragma once\n",
+                    "src/a.cpp": f'#include "my_pkg/{name}"\nint main() {{}}\n',
+                },
+                good={},
+                on="ament_cmake",
+            )
+            for name in ("topic.pb.h", "othre.hpp")
+        ),
     ),
     "DEP118": (
         Example(

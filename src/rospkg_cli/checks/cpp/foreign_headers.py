@@ -27,6 +27,7 @@ FOLDER = regex(r"[a-z][a-z0-9_]{4,}")
 OLD_INTERFACE = regex(r"([a-z]\w*)/([A-Z]\w*)\.h")
 SHORT = 8
 """Letters of a folder's name from which two may be wrong."""
+PREFIX = regex(r"/opt/ros/(?:hydro|indigo|jade|kinetic|lunar|melodic|noetic)\b")
 ROS_1 = frozenset({"catkin", "roscpp"})
 
 
@@ -53,7 +54,7 @@ class ForeignHeaders:
         Headers of ROS 1 are told where the build meets them, one a file: what is left aside was not yet ported.
         """
         package, sources = self.headers.package, self.headers.sources
-        if not package.is_ament or not ROS_1.isdisjoint(each.name for each in package.cmake.packages):
+        if not package.is_ament or self.is_for_both:
             return
         for source, role in compiled_sources(package.cmake, sources):
             if role == "aside" or "__has_include" in source.source.text or source.path in self.headers.guarded:
@@ -68,6 +69,14 @@ class ForeignHeaders:
             old = [each for each in found if each.kind == "ros1"]
             yield from (each for each in found if each.kind == "folder")
             yield from old[:1] if source.path in self.headers.compiled else ()
+
+    @cached_property
+    def is_for_both(self) -> bool:
+        """Whether CMake looks for ROS 1, links its libraries or goes into its folders, as that of a bridge does."""
+        cmake = self.headers.package.cmake
+        texts = (text for call in cmake.calls for text in call.texts)
+        is_found = not ROS_1.isdisjoint(each.name for each in cmake.packages)
+        return is_found or any(text in ROS_1 or PREFIX.match(text) for text in texts)
 
     def judged(self, source: CppFile, each: IncludeDirective) -> Iterator[ForeignHeader]:
         kind: Literal["folder", "ros1"] = "ros1"
