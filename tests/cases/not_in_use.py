@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import CMAKE, Example, manifest, scripts
+from rospkg_cli.example import CMAKE, Example, manifest, scripts, setup_py
 
 VIEWER = """\
 import rclpy
@@ -134,19 +134,30 @@ CASES = {
     "DEP120": tuple(
         Example(bad={"my_pkg/talker.py": NESTED.format(name)}, good={}) for name in ("Publisher", "create_publishr")
     ),
-    "DEP117": tuple(
+    "DEP117": (
         Example(
             bad={
-                "setup.py": scripts("talker = my_pkg.talker:main"),
-                "my_pkg/talker.py": HEIRS.format(top, called).replace("Loud(Talker)", f"Loud({base})"),
+                "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+                "my_pkg/__init__.py": "def __init__(self):\n    super().__init__('a')\n    self.bridge = CvBridge()\n",
+                "my_pkg/talker.py": "class A:\n    def __init__(self):\n        super().__init__()\n\n\n"
+                "def main():\n    A()\n",
             },
             good={},
-        )
-        for top, base, called in (
-            ("import my_base", "Talker", ""),
-            ("import my_base", "Talker", " + self.lose()"),
-            ("import my_base", "my_base.Talking", ""),
-        )
+        ),
+        *(
+            Example(
+                bad={
+                    "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+                    "my_pkg/talker.py": HEIRS.format(top, called).replace("Loud(Talker)", f"Loud({base})"),
+                },
+                good={},
+            )
+            for top, base, called in (
+                ("import my_base", "Talker", ""),
+                ("import my_base", "Talker", " + self.lose()"),
+                ("import my_base", "my_base.Talking", ""),
+            )
+        ),
     ),
     "CMK108": tuple(
         Example(
@@ -197,7 +208,26 @@ CASES = {
             good={},
             on="ament_cmake",
         ),
-        Example(bad={"my_pkg/talker.py": "P = '/home/ada/ws/src/my_pkg/package.xml'\n"}, good={}),
+        *(
+            Example(bad={"my_pkg/talker.py": text, "my_pkg/a.txt": "a\n"}, good={})
+            for text in (
+                "P = '/home/ada/ws/src/my_pkg/package.xml'\n",
+                "P = '/home/ada/ws/src/my_pkg/my_pkg/a.txt'\n",
+                "P = '/home/ada/ws/src/my_pkg/my_pkg/out.txt'\n",
+                "raise RuntimeError('/home/ada/ws/src/my_pkg/package.xml')\n",
+            )
+        ),
+        *(
+            Example(
+                bad={
+                    "CMakeLists.txt": CMAKE.replace("ament_package", "add_executable(a src/a.cpp)\nament_package"),
+                    "src/a.cpp": f'{guard}\n#define DATA "/home/ada/ws/src/my_pkg/package.xml"\n#endif\n',
+                },
+                good={},
+                on="ament_cmake",
+            )
+            for guard in ("#ifndef DATA", "#ifndef OTHER")
+        ),
     ),
     "PRM006": tuple(
         Example(

@@ -21,13 +21,21 @@ PLAIN = regex(rf"(?m)(?<=[:-])[ \t]+(?:file://)?(?P<path>{PATH})(?=[ \t]*(?:#.*)
 
 IN_CMAKE = regex(rf"(?<![\w./-])(?<!DESTINATION )(?P<path>{PATH})(?![\w*$])")
 COMMENTS = {CPP: regex(r"(?s)/\*.*?\*/|//[^\n]*"), MARKUP: regex(r"(?s)<!--.*?-->")}
-IS_SOUGHT = regex(r"\bsys\.path\b(?:[^\n]*|[^)\]]*)\Z|\blink_directories\s*\([^)]*\Z")
-"""Whether what follows is one of the places for modules, or for libraries."""
+IS_SOUGHT = regex(r"\bsys\.path\b(?:[^\n]*|[^)\]]*)\Z|\b(?:target_)?(?:link|include)_directories\s*\([^)]*\Z")
+"""Whether what follows is one of the places for modules, headers or libraries."""
+MACRO = regex(r"[ \t]*#[ \t]*define[ \t]+(\w+)")
 OPENING = (NEWLINE, INDENT, DEDENT)
 """What a statement follows."""
 AFTER_HASH = regex(r"(?m)(?:^|(?<=\s))#[^\n]*")
 BUT_LINES = regex(r"[^\n]")
 ASKS = regex(r"\b(?:exists|isfile|is_file|isdir|is_dir|access)\(")
+
+
+def is_guarded_macro(text: str, place: int) -> bool:
+    """Return whether a place is in a macro of C++ that the build may define instead: `#ifndef DATA`, `#define DATA`."""
+    line = text[:place].rpartition("\n")[2]
+    macro = MACRO.match(line)
+    return macro is not None and re.search(rf"(?m)^[ \t]*#[ \t]*ifndef[ \t]+{macro[1]}\b", text) is not None
 
 
 def patterns(path: str) -> tuple[re.Pattern[str], ...]:

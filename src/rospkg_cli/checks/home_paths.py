@@ -21,8 +21,19 @@ from ..package.workspace import Workspace
 from ..source import Span
 from ..unreadable import READABLE
 from .home_accounts import is_of_container, is_of_many
-from .home_path_texts import ASKS, CPP, IS_SOUGHT, MARKUP, YAML, is_in_handler, patterns, without_comments
+from .home_path_texts import (
+    ASKS,
+    CPP,
+    IS_SOUGHT,
+    MARKUP,
+    YAML,
+    is_guarded_macro,
+    is_in_handler,
+    patterns,
+    without_comments,
+)
 from .launch.idle_actions import level_at
+from .logged_texts import is_said
 from .params.replaced_defaults import is_replaced
 from .reached_definitions import ReachedDefinitions
 from .unread_paths import UnreadPaths
@@ -97,11 +108,11 @@ class HomePaths:
             is_asked_here = is_asked or (path.endswith(".py") and is_in_handler(bare, match.start()))
             may_be_there = is_asked_here or self.is_of_many(match["user"] or match["mac"])
             place, home = Span(*match.span("path")), self.home_of(named)
-            if file is not None and is_unreached(file, place):
+            if file is not None and (is_unreached(file, place) or is_said(file, place)):
                 continue
             is_seldom_read = self.is_seldom_read(path) or IS_SOUGHT.search(bare, 0, match.start()) is not None
             is_seldom_read = is_seldom_read or (path.endswith(YAML) and not is_image and not self.is_used(path))
-            is_seldom_read = is_seldom_read or self.is_unused(path, place)
+            is_seldom_read = is_seldom_read or self.is_unused(path, place) or is_guarded_macro(bare, match.start())
             is_seldom_read = is_seldom_read or is_replaced(bare[: place.start], named, self.parameters)
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
             is_unread = self.unread is not None and self.unread.has(path, place)
@@ -154,13 +165,23 @@ class HomePaths:
         is_named = is_named_yaml(path, self.facts, self.workspace)
         return is_named and not is_of_another(places, self.facts, self.workspace)
 
+    def has(self, package: str, below: str) -> bool:
+        """Return whether a package has a file or folder: this one in its sources, another one where it is installed."""
+        facts = self.workspace.named(package)
+        if facts is None or package == self.facts.name:
+            return self.files.is_there(posixpath.normpath(below))
+        return any(f"{each}/".startswith(f"{below}/") for each in facts.share_files)
+
     def home_of(self, named: str) -> tuple[str | None, str]:
         """Return the package of the workspace that a path leads into, and the rest; None where none is known."""
         folders = named.rstrip("/").split("/")[3:]
-        for start in range(len(folders) - 1, 0, -1):
-            name, rest = folders[start - 1], "/".join(folders[start:])
-            if self.workspace.named(name) is not None:
-                return name, rest.removeprefix(f"share/{name}/")
+        into = [
+            (name, "/".join(folders[start:]).removeprefix(f"share/{name}/"))
+            for start in range(len(folders) - 1, 0, -1)
+            if self.workspace.named(name := folders[start - 1]) is not None
+        ]
+        if into:  # the module of a package has its name too
+            return next((each for each in into if self.has(*each)), into[0])
         for start in range(len(folders) - 1):
             rest = "/".join(folders[start:])
             if self.files.is_there(posixpath.normpath(rest)):

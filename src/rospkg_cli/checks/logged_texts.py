@@ -26,6 +26,12 @@ def logged_spans(file: PythonFile) -> list[Span]:
     return [file.span(call) for call in nodes_of_kind(file.tree, ast.Call) if is_log(call)]
 
 
+def is_said(file: PythonFile, span: Span) -> bool:
+    """Return whether a place is a text that code only says: in a log, or as the message of what it raises."""
+    raised = (file.span(each.exc) for each in nodes_of_kind(file.tree, ast.Raise) if each.exc is not None)
+    return any(each.holds(span) for each in (*logged_spans(file), *raised))
+
+
 def is_log(call: ast.Call) -> bool:
     match call.func:
         case ast.Attribute(attr=name) | ast.Name(id=name):

@@ -17,6 +17,9 @@ from .own_names import SELF, own_names
 from .run_imports import RunImports
 from .switches import Switches
 
+OF_MODULES = ("__getattr__", "__dir__")
+"""Functions of a module that Python calls; `super().__init__` means no function outside of a class."""
+
 
 @dataclass(frozen=True)
 class ReachedDefinitions:
@@ -65,7 +68,8 @@ class ReachedDefinitions:
         """The identity of each definition that is led to."""
         every: dict[str, list[Named]] = {}
         for each in (one for found in self.of_files.values() for one in found):
-            every.setdefault(each.node.name, []).append(each)
+            if each.owner or not each.node.name.startswith("__") or each.node.name in OF_MODULES:
+                every.setdefault(each.node.name, []).append(each)
         waiting = [each for name in self.entries for each in every.get(name, ())]
         waiting += [each for path, found in self.of_files.items() for each in found if self.is_start(path, each)]
         files = (file for _, file in self.run.files)

@@ -38,9 +38,9 @@ def is_included(paths: HomePaths, found: HomePath) -> bool:
 
 def is_made(paths: HomePaths, found: HomePath) -> bool:
     """Return whether the package that a path leads into has no such file or folder: what runs may write it."""
-    return found.of_package == paths.facts.name and not (
-        paths.files.is_there(found.below) or share_path(paths, found) or found.is_image
-    )
+    is_own = found.of_package == paths.facts.name and not found.is_image
+    begins_so = any(each.startswith(f"{found.below}.") for each in paths.files.paths)
+    return is_own and not (paths.files.is_there(found.below) or begins_so or share_path(paths, found))
 
 
 def share_path(paths: HomePaths, found: HomePath) -> str:
