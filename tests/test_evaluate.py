@@ -143,7 +143,7 @@ NOT_KNOWN = [
     "x = undefined",
     "x = [1][5]",
     "x = {'a': 1}['b']",
-    "import sys\nx = []\nfor n in 'ab':\n    if sys.platform == 'linux':\n        continue\n    x.append(n)",
+    "import os\nx = []\nfor n in 'ab':\n    if os.environ.get('Q'):\n        continue\n    x.append(n)",
     "import os\ndef f():\n    if os.environ.get('Q'):\n        return 1\n    return 2\nx = f()",
     "import os\nx = {'a': 1}\nif os.environ.get('Q'):\n    x['a'] = 2",
     "import os\nx = ''\nfor n in 'ab':\n    x = n\n    if os.environ.get('Q'):\n        break",

@@ -127,7 +127,7 @@ def test_a_class_that_is_no_node_may_get_anything() -> None:
     [
         (GETS, "Node", "", [("warning", STOPS)]),
         (f"{GETS}\n        {GETS}", "Node", "", [("warning", STOPS)]),
-        (f"try:\n            {GETS}\n        except Exception:\n            pass", "Node", "", [("warning", "")]),
+        (f"try:\n            {GETS}\n        except Exception:\n            pass", "Node", "", [("info", "")]),
         ("self.get_parameter_or('model', 1)", "Node", "", []),
         ("self.client.get_parameter('model')", "Node", "", []),
         ("self.get_parameter('robot_description')", "Node", "", []),

@@ -302,13 +302,14 @@ def test_a_robot_of_a_name_that_another_folder_has_too(included: str, level: str
     assert levels("RPK001", {}, {**files, "urdf/parts/leg.urdf": "<robot name='r'/>"}) == [level]
 
 
-@pytest.mark.parametrize(("name", "level"), [("game_backup", "info"), ("game", "warning")])
+@pytest.mark.parametrize(("name", "level"), [("game_backup", "info"), ("game", "error")])
 def test_a_module_called_a_backup_is_asked_mildly_about_fields(name: str, level: str) -> None:
     code = "from std_msgs.msg import String\n\n\ndef say():\n    text = String()\n    text.dta = 'a'\n"
     setup = SETUP_PY.replace(
         "    license=", "    entry_points={'console_scripts': ['a = my_pkg.a:main']},\n    license="
     )
-    files = {"setup.py": setup, "my_pkg/a.py": "def main():\n    pass\n", f"my_pkg/{name}.py": code}
+    main = f"from my_pkg.{name} import say\n\n\ndef main():\n    say()\n"
+    files = {"setup.py": setup, "my_pkg/a.py": main, f"my_pkg/{name}.py": code}
     assert levels("IDL010", PYTHON, {**files, "package.xml": manifest("  <exec_depend>std_msgs</exec_depend>\n")}) == [
         level
     ]
@@ -374,17 +375,17 @@ MAKES = "from .ears import Ears\n\n\ndef main():\n    ears = Ears(None)\n{}"
 @pytest.mark.parametrize(
     ("ears", "device", "makes", "level"),
     [
-        ("", "", "", "warning"),
-        ("", "", "    return [ears]\n", "error"),
+        ("", "", "", "info"),
+        ("", "", "    return [ears]\n", "info"),
         ("", "", "    ears.start()\n", "error"),
         ("", "", "    Ears(None).start()\n", "error"),
-        ("", "", "\n\nclass More(Ears):\n    pass\n", "error"),
+        ("", "", "\n\nclass More(Ears):\n    pass\n", "info"),
         ("; self.hear()", "", "", "error"),
         ("; self.start()", "", "", "error"),
-        ("; node.add(self)", "", "", "error"),
+        ("; node.add(self)", "", "", "info"),
         ("", "; self.start()", "", "error"),
-        ("", "; node.add(self)", "", "error"),
-        ("", "\n\n\nclass Other:\n    pass", "", "warning"),
+        ("", "; node.add(self)", "", "info"),
+        ("", "\n\n\nclass Other:\n    pass", "", "info"),
     ],
 )
 def test_a_method_of_an_object_that_is_made_and_never_used(ears: str, device: str, makes: str, level: str) -> None:
