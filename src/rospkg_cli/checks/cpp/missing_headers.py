@@ -12,6 +12,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.made_headers import HEADERS, made_header_names, may_make_headers
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
+from ...ros.headers import LIBRARIES, SHARED
 from ...ros.interfaces import KINDS
 from ...source import Span
 from ...suggest import near_names, nearest
@@ -70,12 +71,15 @@ class MissingHeaders:
         if not slash:
             meant = None if each.is_angled else self.beside(source, each.path)
             return (self.package.facts.name, meant) if meant and self.knows_own(each.path) else None
+        is_open = folder in LIBRARIES or folder in SHARED  # the library's headers are outside of the workspace
         if folder == self.package.facts.name:
-            meant = self.near(each.path, self.own, self.may_make)
-            return (folder, meant) if self.knows_own(each.path) and (meant or not self.may_make) else None
-        facts = self.workspace.named(folder)
-        meant = self.near(each.path, facts.header_files, not facts.knows("header_files")) if facts is not None else ""
-        return (folder, meant) if facts is not None and (meant or self.has_all(facts, folder)) else None
+            is_open = is_open or self.may_make
+            meant = self.near(each.path, self.own, is_open)
+            return (folder, meant) if self.knows_own(each.path) and (meant or not is_open) else None
+        if (facts := self.workspace.named(folder)) is None:
+            return None
+        meant = self.near(each.path, facts.header_files, is_open or not facts.knows("header_files"))
+        return (folder, meant) if meant or (not is_open and self.has_all(facts, folder)) else None
 
     def is_there(self, header: str) -> bool:
         """Return whether a file of the package ends with the path, or a package of the workspace has the header.

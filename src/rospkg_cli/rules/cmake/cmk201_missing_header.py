@@ -72,10 +72,11 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
 
     ## When it is quiet
     Where the build makes a header of that name (`configure_file()`), and, for names that are near to none, where
-    programs or commands of other packages may make any. Inside of `#if`, in headers that others include there alone,
-    in files with `__has_include`, for the path that an install or an export gives a header, where git ignores the
-    header or a submodule is not checked out, and in files that nothing compiles or installs. A header that the build
-    does not open, beside sources that it compiles, may be a leftover: an info.
+    programs or commands of other packages may make any, or a well-known library has a folder of that name (`pcl/`).
+    Inside of `#if`, in headers that others include there alone, in files with `__has_include`, for the path that an
+    install or an export gives a header, where git ignores the header or a submodule is not checked out, and in files
+    that nothing compiles or installs. A header that the build does not open, beside sources that it compiles, may be a
+    leftover: an info.
 
     ## Fix safety
     The intended header is a guess.
