@@ -58,7 +58,7 @@ def by_keyword(words: Sequence[Word], keywords: Collection[str]) -> dict[str, li
     found: dict[str, list[Word]] = {"": []}
     current = found[""]
     for word in words:
-        if word.text in keywords and not word.quoted:
+        if word.text in keywords:
             current = found.setdefault(word.text, [])
         else:
             current.append(word)
@@ -68,13 +68,16 @@ def by_keyword(words: Sequence[Word], keywords: Collection[str]) -> dict[str, li
 def flags_and_values(
     words: Sequence[Word], flags: Collection[str], single: Collection[str], many: Collection[str]
 ) -> tuple[set[str], dict[str, list[Word]], list[Word]]:
-    """Parse arguments as cmake_parse_arguments does: the flags, the words of each keyword, and the rest."""
+    """Parse arguments as cmake_parse_arguments does: the flags, the words of each keyword, and the rest.
+
+    Quotes make no difference: `"ENV"` is `ENV`.
+    """
     found: set[str] = set()
     values: dict[str, list[Word]] = {}
     rest: list[Word] = []
     current, room = rest, -1
     for word in words:
-        text = "" if word.quoted else word.text
+        text = word.text
         if text in flags:
             found.add(text)
             current, room = rest, -1

@@ -103,7 +103,7 @@ def meant_keywords(call: EvaluatedCommand) -> Iterator[tuple[Word, str | None]]:
     before = kind
     for word in call.words[1:]:
         yield word, None if word.quoted or before in TAKE_A_VALUE else meant_keyword(word.text, keywords)
-        before = "" if word.quoted else word.text
+        before = word.text
 
 
 def form_of(call: EvaluatedCommand) -> str:
@@ -138,7 +138,7 @@ def targets_rule(call: EvaluatedCommand, words: Sequence[Word]) -> InstallRule:
     place: Word | None = None
     export: Word | None = None
     for word in words:
-        text = "" if word.quoted else word.text
+        text = word.text
         if text in ARTIFACTS:
             artifact, keyword = text, text
         elif text in OPTIONS:
@@ -190,6 +190,6 @@ def destination_of(found: Mapping[str, Sequence[Word]]) -> tuple[str | None, Wor
 
 def patterns_in(words: Sequence[Word]) -> Iterator[Pattern]:
     for at, word in enumerate(words[:-1]):
-        if word.text in ("PATTERN", "REGEX") and not word.quoted:
+        if word.text in ("PATTERN", "REGEX"):
             exclude = at + 2 < len(words) and words[at + 2].text == "EXCLUDE"
             yield Pattern(words[at + 1].text, word.text == "REGEX", exclude)
