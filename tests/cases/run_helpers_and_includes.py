@@ -1,0 +1,40 @@
+"""What a helper hands on to launch, and what an include of a computed name may define."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import Example, manifest
+
+from .setups import python
+from .told_repairs_of_python import INCLUDED, LAUNCHES
+
+HELPED = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, SetEnvironmentVariable
+from launch_pal.include_utils import include_launch_py_description, include_scoped_launch_py_description
+
+
+def generate_launch_description():
+    return LaunchDescription([{}('my_pkg', ['launch', 'b.launch.py'], {})])
+"""
+NEEDS = "  <exec_depend>launch_pal</exec_depend>\n  <exec_depend>launch</exec_depend>\n"
+SCOPED, PLAIN = "include_scoped_launch_py_description", "include_launch_py_description"
+GIVEN = "{'mood': DeclareLaunchArgument('tone'), 'mode': 'fast'}"
+HANDED = (
+    (SCOPED, f"launch_arguments={GIVEN}"),
+    (SCOPED, "launch_arguments={'mood': 1}"),
+    (SCOPED, f"launch_arguments={GIVEN}, env_vars=[SetEnvironmentVariable('A', 'b')], namespace='arm'"),
+    (PLAIN, f"launch_arguments={GIVEN}"),
+    (PLAIN, "launch_arguments={'mood': 'a'}.items(), namespace='arm'"),
+)
+
+
+def helped(helper: str, arguments: str) -> Example:
+    """A launch file that includes one by a function that hands on its arguments, or their items."""
+    files = {"launch/a.launch.py": HELPED.format(helper, arguments), "launch/b.launch.py": INCLUDED}
+    return python({**files, "package.xml": manifest(NEEDS), "setup.py": LAUNCHES})
+
+
+CASES = {
+    "LCH014": tuple(helped(*each) for each in HANDED),
+    "LCH015": tuple(helped(SCOPED, f"launch_arguments={each}") for each in (GIVEN, "{'mode': 'fast'}")),
+}
