@@ -5,6 +5,7 @@ from __future__ import annotations
 from rospkg_cli.example import Example, manifest
 
 from .setups import python
+from .shown_xacro import HEAD, robot
 from .told_repairs_of_python import INCLUDED, LAUNCHES
 
 HELPED = """\
@@ -34,7 +35,36 @@ def helped(helper: str, arguments: str) -> Example:
     return python({**files, "package.xml": manifest(NEEDS), "setup.py": LAUNCHES})
 
 
+SENSOR = f"""\
+{HEAD}>
+  <xacro:macro name="sensor" params="name type">
+    <xacro:include filename="$(find my_pkg)/urdf/{{}}"/>
+    <xacro:sensor name="${{{{name}}}}"/>
+  </xacro:macro>
+</robot>
+"""
+OF_A_TYPE = f"""\
+{HEAD}>
+  <xacro:macro name="{{}}" params="name"><link name="${{{{name}}}}"/></xacro:macro>
+</robot>
+"""
+CALL = '<xacro:include filename="$(find my_pkg)/urdf/wheel.xacro"/><link name="a"/>'
+REDEFINED = (
+    ("${type}.urdf.xacro", "sensor"),
+    ("${type}.urdf.xacro", "other"),
+    ("${type * 2}.urdf.xacro", "sensor"),
+    ("${type}.sdf.xacro", "sensor"),
+    ("laser.urdf.xacro", "sensor"),
+)
+
+
+def redefined(path: str, name: str) -> Example:
+    """A macro that includes a file, which may define it again, and calls what it then is."""
+    return robot(CALL, wheel=SENSOR.format(path), **{"urdf/laser.urdf.xacro": OF_A_TYPE.format(name)})
+
+
 CASES = {
     "LCH014": tuple(helped(*each) for each in HANDED),
     "LCH015": tuple(helped(SCOPED, f"launch_arguments={each}") for each in (GIVEN, "{'mode': 'fast'}")),
+    "URD001": tuple(redefined(*each) for each in REDEFINED),
 }

@@ -5,18 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ....languages.xml.parser import Document, Element
+from ....lazy_regex import regex
 from ....light_dataclasses import dataclass, field, replace
 from ....source import Span
 from ..references import text_spans
 from .expansion import Expansion, Given, Node, XacroProblem
 from .expansion_state import Context, ExpansionState
 from .macro_calls import bound_scope
-from .macros import Macro, parameters_of
+from .macros import Macro, macro_name, parameters_of
 from .properties import keep_property
 from .values import Stored, XacroBlock, XacroScope, XacroUnknown, shown, truth
 
 MAX_NODES = 30_000
 MAX_DEPTH = 60
+COMPUTED = regex(r"[})](?:@\d+)?")
+"""The end of a part of a name that is computed, with the mark of its scope."""
 DYNAMIC = frozenset({"xacro:element", "xacro:attribute", "xacro:call"})
 
 
@@ -87,17 +90,27 @@ class Expander(ExpansionState):
             document = self.library.included(name, context.source.path)
         if document is None:
             self.found.is_open = self.found.lacks_files = True
+            if isinstance(name, XacroUnknown):
+                self.redefine(name, context)
             return
         self.found.reached.add(document.source.path)
         if context.is_certain:
             self.found.certain.add(document.source.path)
         self.inside(document.root, into, replace(context, source=document.source))
 
+    def redefine(self, name: XacroUnknown, context: Context) -> None:
+        """Mark the macros that a file of a computed name may define again: what they take is not known."""
+        tail = COMPUTED.split(name.text)[-1]
+        for each in context.scope.visible_macros():
+            macro = context.scope.macro(each)
+            if macro is not None and self.library.defining(each, tail) - {macro.source.path}:
+                context.scope.macros[each] = replace(macro, is_certain=False)
+
     def property(self, element: Element, _: list[Node], context: Context) -> None:
         keep_property(self, element, context)
 
     def macro(self, element: Element, _: list[Node], context: Context) -> None:
-        name = (element.get("name") or "").removeprefix("xacro:")
+        name = macro_name(element)
         certain = context.is_certain and (name not in context.scope.macros or context.scope.macros[name].is_certain)
         parameters = parameters_of(element.get("params") or "")
         made = context.scope.macros[name] = Macro(name, parameters, element, context.source, certain)

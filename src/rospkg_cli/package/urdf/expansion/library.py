@@ -13,9 +13,11 @@ from ....source import Source
 from ....tree import SkippedError
 from ....unreadable import UnreadableError
 from ...workspace import Workspace
+from .macros import macro_name
 from .texts import PACKAGE
 
 GLOB = regex(r"[*?\[]")
+ROBOTS = (".xacro", ".urdf")
 MAX_FILE = 2_000_000
 
 
@@ -46,6 +48,21 @@ class XacroLibrary:
         if "://" in name or name.startswith(("/", "~")):
             return None
         return self.read(posixpath.normpath(posixpath.join(posixpath.dirname(by), name)))
+
+    def defining(self, name: str, tail: str) -> set[str]:
+        """Return the files of the package that define a macro, and that a computed name of this end may be."""
+        return {path for path in self.macro_files.get(name, ()) if path.endswith(tail)}
+
+    @cached_property
+    def macro_files(self) -> dict[str, list[str]]:
+        """The files of the package that define each macro."""
+        found: dict[str, list[str]] = {}
+        for path in self.files.paths:
+            document = self.read(path) if path.endswith(ROBOTS) else None
+            for element in document.root.walk() if document is not None else ():
+                if element.tag == "xacro:macro":
+                    found.setdefault(macro_name(element), []).append(path)
+        return found
 
     def installed_as(self, path: str) -> str:
         """Return the one file of the package whose path ends in one below the share directory; "" for none."""

@@ -40,6 +40,10 @@ class Macro:
     """False where it is defined under an unknown condition, perhaps several times."""
 
 
+def macro_name(element: Element) -> str:
+    return (element.get("name") or "").removeprefix("xacro:")
+
+
 def parameters_of(text: str) -> tuple[MacroParameter, ...]:
     """Return the parameters of `params="a b:=1 c:=^ d:=^|2 *block **blocks"`."""
     found = []
