@@ -63,8 +63,14 @@ def redefined(path: str, name: str) -> Example:
     return robot(CALL, wheel=SENSOR.format(path), **{"urdf/laser.urdf.xacro": OF_A_TYPE.format(name)})
 
 
+OF_ADA = '<xacro:include filename="/home/ada/ws/src/arm/urdf/arm.xacro"/>'
+OF_INSTALLED = '<xacro:include filename="/home/ada/ws/install/arm/share/arm/urdf/arm.xacro"/>'
+SHOWN = '<link name="a"><visual><geometry><mesh filename="file:///home/ada/a.stl"/></geometry></visual></link>'
+PERSONAL = ((OF_ADA, '<link name="a"/>'), (OF_INSTALLED, '<link name="a"/>'), (OF_ADA, SHOWN), (SHOWN,))
+
 CASES = {
     "LCH014": tuple(helped(*each) for each in HANDED),
     "LCH015": tuple(helped(SCOPED, f"launch_arguments={each}") for each in (GIVEN, "{'mode': 'fast'}")),
+    "URD002": tuple(robot(*each) for each in PERSONAL),
     "URD001": tuple(redefined(*each) for each in REDEFINED),
 }

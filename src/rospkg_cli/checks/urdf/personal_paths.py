@@ -32,15 +32,27 @@ def personal_paths(document: Document) -> Iterator[tuple[Span, str]]:
                     yield Span(start, start + len(text.strip())), text.strip()
 
 
-def portable(path: str) -> str:
+def included_spans(document: Document) -> frozenset[Span]:
+    """Return the places of the names that xacro includes: it opens files, and knows no `package://`."""
+    includes = (each for each in document.root.walk() if each.tag == "xacro:include")
+    return frozenset(each.attributes["filename"].value_span for each in includes if "filename" in each.attributes)
+
+
+def portable(path: str, *, is_include: bool) -> str:
     """Return how everybody can name a file: by its package, where the path goes through an install folder."""
     found = INSTALLED.search(path)
-    return f"package://{found['package']}/{found['path']}" if found else "package://<package>/<path>"
+    package, rest = (found["package"], found["path"]) if found else ("<package>", "<path>")
+    return f"$(find {package})/{rest}" if is_include else f"package://{package}/{rest}"
 
 
-def of_one_machine(found: list[tuple[Span, str]]) -> tuple[str, str]:
-    """Return what is said of such paths, and what to do."""
+def of_one_machine(found: list[tuple[Span, str]], document: Document) -> tuple[str, str]:
+    """Return what is said of such paths, and what to do: as xacro includes files, and as meshes are named."""
     more = f" and {len(found) - 1} more" if found[1:] else ""
     verb, them = ("are", "they are") if more else ("is", "it is")
-    path = found[0][1]
-    return f"`{path}`{more} {verb} on one machine: elsewhere {them} missing", f"write `{portable(path)}`"
+    included, ways = included_spans(document), dict[bool, str]()
+    for span, path in found:
+        ways.setdefault(span in included, portable(path, is_include=span in included))
+    advice = f"write `{next(iter(ways.values()))}`"
+    if len(ways) > 1:
+        advice = f"write `{ways[True]}` in the include, and `{ways[False]}` elsewhere"
+    return f"`{found[0][1]}`{more} {verb} on one machine: elsewhere {them} missing", advice

@@ -109,7 +109,7 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
         level, message = judged(scope, each)
         yield Hit(scope.robot.path, each.span, message, level, again)
     if found := list(personal_paths(scope.robot.document)):
-        yield of_several(scope, found, *of_one_machine(found))
+        yield of_several(scope, found, *of_one_machine(found, scope.robot.document))
     if (bare := bare_meshes(scope.robot.document, scope.files, scope.package)) and not scope.is_idle:
         hit = of_several(scope, list(bare), *without_scheme(bare))
         yield hit if scope.launched.has(scope.robot.path) else replace(hit, level=Severity.INFO)
