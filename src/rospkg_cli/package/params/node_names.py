@@ -89,6 +89,9 @@ def texts_of(reading: ReaderInput, paths: Iterable[str]) -> Iterator[str]:
     """Yield the texts of sources, of the headers of the package that they include, and of the sources of these."""
     code = [path for path in reading.files.paths if path.endswith(SUFFIXES) and role_of(path) == "run"]
     ends = {path.rpartition("/")[2]: path for path in code} | {path.rpartition("include/")[2]: path for path in code}
+    alike: dict[str, list[str]] = {}
+    for path in code:
+        alike.setdefault(stem_of(path), []).append(path)
     waiting, seen = list(paths), set[str]()
     while waiting:
         path = waiting.pop()
@@ -98,8 +101,8 @@ def texts_of(reading: ReaderInput, paths: Iterable[str]) -> Iterator[str]:
         text = COMMENT.sub(lambda each: each[0] if each[0][0] == '"' else " ", reading.files.readable_text(path))
         yield text
         headers = [ends[name] for name in INCLUDED.findall(text) if name in ends]
-        stems = {stem_of(header) for header in headers}
-        waiting += [*headers, *(each for each in code if stem_of(each) in stems)]
+        stems = sorted({stem_of(header) for header in headers})
+        waiting += [*headers, *(each for stem in stems for each in alike[stem])]
 
 
 def stem_of(path: str) -> str:
