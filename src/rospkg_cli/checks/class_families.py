@@ -7,6 +7,10 @@ from collections.abc import Iterable
 
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import nodes_of_kind
+from .named_definitions import EMPTY, OF_NODES
+
+SHARED = OF_NODES | EMPTY | {"Thread", "QWidget"}
+"""Bases of many classes that call none of the members which these have by their own names."""
 
 
 def class_families(files: Iterable[PythonFile]) -> dict[str, str]:
@@ -26,12 +30,3 @@ def class_families(files: Iterable[PythonFile]) -> dict[str, str]:
                 if name not in SHARED:
                     head[first(owner.name)] = first(name)
     return {name: first(name) for name in head}
-
-
-SHARED = frozenset({"Node", "LifecycleNode", "object", "ABC", "Protocol", "Thread", "QWidget"})
-"""Bases of many classes that call none of the members which these have by their own names."""
-
-
-def is_of_self(node: ast.AST) -> bool:
-    """Return whether this is `self.name`, which names a member of the class around it or of its family alone."""
-    return isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "self"

@@ -170,7 +170,7 @@ class HomePaths:
         facts = self.workspace.named(package)
         if facts is None or package == self.facts.name:
             return self.files.is_there(posixpath.normpath(below))
-        return any(f"{each}/".startswith(f"{below}/") for each in facts.share_files)
+        return is_installed(below, facts)
 
     def home_of(self, named: str) -> tuple[str | None, str]:
         """Return the package of the workspace that a path leads into, and the rest; None where none is known."""
@@ -187,3 +187,8 @@ class HomePaths:
             if self.files.is_there(posixpath.normpath(rest)):
                 return self.facts.name, rest
         return None, named
+
+
+def is_installed(below: str, facts: PackageFacts) -> bool:
+    """Return whether a path in the share directory of a package is that of a file, or of a folder of some."""
+    return any(f"{each}/".startswith(f"{below}/") for each in facts.share_files)

@@ -9,7 +9,7 @@ from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..ros.distros import DISTROS
-from .setup.linked_build import build_files
+from .setup.linked_build import build_texts
 
 STARTABLE = (".py", ".xml", ".yaml", ".yml")
 BEFORE_DASHING = ("bouncy", "crystal")
@@ -33,8 +33,7 @@ class OlderDistribution:
     @cached_property
     def named(self) -> frozenset[str]:
         """The distributions that pages, scripts and workflows name, or those of which a page says so of this branch."""
-        texts = (whole.readable_text(path) for whole, path in build_files(self.files) if whole.has_file(path))
-        pages = [text.lower() for text in texts]
+        pages = [text.lower() for text in build_texts(self.files)]
         of_branch = frozenset(name for page in pages for name in OF_BRANCH.findall(page))
         return of_branch or frozenset(name for page in pages for name in names_in(page))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 
 from .home_path_texts import CPP
-from .home_paths import HomePath, HomePaths
+from .home_paths import HomePath, HomePaths, is_installed
 
 
 def advice(paths: HomePaths, found: HomePath) -> str:
@@ -48,7 +48,7 @@ def share_path(paths: HomePaths, found: HomePath) -> str:
     facts = paths.workspace.named(found.of_package or "")
     if facts is None or not facts.knows("share_files"):
         return found.below
-    if any(f"{each}/".startswith(f"{found.below}/") for each in facts.share_files):
+    if is_installed(found.below, facts):
         return found.below
     is_own = facts.name == paths.facts.name and paths.table is not None
     place = paths.table.destination_of(found.below) if is_own and paths.table is not None else None

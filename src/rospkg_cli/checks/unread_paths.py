@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator
 from functools import cached_property
 
+from ..languages.python.attributes import is_of_self
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import FunctionNode, nodes_below, nodes_of, nodes_of_kind
 from ..light_dataclasses import dataclass
@@ -42,9 +43,8 @@ class UnreadPaths:
             shared = (each for each in nodes_below(owner) if isinstance(each, ast.Global | ast.Nonlocal))
             return len(uses) == 1 and not is_dynamic(owner) and not any(target.id in each.names for each in shared)
         around = [each for each in nodes_of_kind(file.tree, ast.ClassDef) if owner in each.body]
-        is_member = isinstance(target, ast.Attribute) and ast.unparse(target.value) == "self"
         is_closed = len(around) == 1 and not is_open(around[0], ())  # a base of others may read it
-        return isinstance(target, ast.Attribute) and is_member and is_closed and target.attr not in self.read
+        return is_of_self(target) and is_closed and target.attr not in self.read
 
     @cached_property
     def read(self) -> frozenset[str]:

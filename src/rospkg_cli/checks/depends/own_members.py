@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 
+from ...languages.python.attributes import is_of_self
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import FunctionNode, nodes_of_kind
 from ...source import Span
@@ -24,9 +25,7 @@ def members(owner: ast.ClassDef) -> set[str]:
         )
         found |= {target.id for target in targets if isinstance(target, ast.Name)}
     attributes = nodes_of_kind(owner, ast.Attribute)
-    return found | {
-        each.attr for each in attributes if isinstance(each.ctx, ast.Store) and ast.unparse(each.value) == "self"
-    }
+    return found | {each.attr for each in attributes if isinstance(each.ctx, ast.Store) and is_of_self(each)}
 
 
 def methods(owner: ast.ClassDef) -> list[FunctionNode]:

@@ -28,12 +28,8 @@ class SimilarNames:
 
     def with_family_prefix(self, name: str) -> str | None:
         """Return the only package of the workspace that has the name after a family prefix: `acme_arm` for `arm`."""
-        matching = (
-            []
-            if self.workspace.is_listed(name)
-            else [each for each in self.workspace.names if each.endswith(f"_{name}")]
-        )
-        if len(matching) != 1:
+        matching = [each for each in self.workspace.names if each.endswith(f"_{name}")]
+        if len(matching) != 1 or self.workspace.is_listed(name):
             return None
         prefix = matching[0].removesuffix(name)
         family = [each for each in self.workspace.names if each.startswith(prefix)]
@@ -41,7 +37,9 @@ class SimilarNames:
 
     def renamed(self, name: str) -> str | None:
         """Return the only package of the workspace with the same last words that no other one declares, else None."""
-        words = name.split("_") if not self.workspace.is_listed(name) else []
+        if self.workspace.is_listed(name):
+            return None
+        words = name.split("_")
         for count in range(len(words) - 1, 0, -1):
             ending = "_" + "_".join(words[-count:])
             alike = [each for each in self.workspace.names - {name} if each.endswith(ending)]

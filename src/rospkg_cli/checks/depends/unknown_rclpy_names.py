@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 from functools import cached_property
 
-from ...languages.python.attributes import attribute_span
+from ...languages.python.attributes import attribute_span, is_of_self
 from ...languages.python.branches import is_under_condition
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
@@ -73,7 +73,7 @@ class UnknownRclpyNames:
                 continue
             for call in nodes_of_kind(owner, ast.Call):
                 method = call.func
-                if isinstance(method, ast.Attribute) and ast.unparse(method.value) == "self":
+                if is_of_self(method):
                     name = method.attr
                     is_known = name in known or name.startswith("_") or name in self.defined
                     near = [] if is_known or len(name) <= FAR * 3 else near_names(name, public(known), FAR)

@@ -28,13 +28,20 @@ class UnnamedSources:
         if path.endswith(HEADERS) or self.takes_all or posixpath.basename(path) in self.text or self.may_be_made(path):
             return False
         suffix = posixpath.splitext(path)[1]
-        beside = (each for each in self.files.paths if posixpath.dirname(each) == posixpath.dirname(path))
+        beside = self.by_folder[posixpath.dirname(path)]
         return sum(each.endswith(suffix) and each in self.text for each in beside) >= ENOUGH
 
     def may_be_made(self, path: str) -> bool:
         """Return whether a file of a folder around a source makes names of sources."""
         around = (each for each in self.lists if path.startswith(each.removesuffix("CMakeLists.txt")))
         return any(MAKES_NAMES.search(self.files.readable_text(each)) for each in around)
+
+    @cached_property
+    def by_folder(self) -> dict[str, list[str]]:
+        found: dict[str, list[str]] = {}
+        for path in self.files.paths:
+            found.setdefault(posixpath.dirname(path), []).append(path)
+        return found
 
     @cached_property
     def takes_all(self) -> bool:

@@ -6,6 +6,7 @@ import ast
 from collections import Counter
 from collections.abc import Iterator
 
+from ...languages.python.attributes import is_of_self
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_below, nodes_of_kind
 from .message_classes import MessageClasses
@@ -62,6 +63,6 @@ def registration(call: ast.Call, classes: MessageClasses) -> tuple[ast.Attribute
     name = classes.named(call.args[0])
     if name.split("/")[1:2] != [KINDS[call.func.attr]]:
         return None
-    if isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name) and function.value.id == "self":
+    if function is not None and is_of_self(function):
         return function, tuple(f"{name}{suffix}" for suffix in suffixes)
     return (function, tuple(f"{name}{suffix}" for suffix in suffixes)) if isinstance(function, ast.Name) else None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Iterator, Mapping
 
+from ...languages.python.attributes import is_of_self
 from ...languages.python.nodes import CHILDLESS, children_of, nodes_of
 from .message_classes import MessageClasses
 
@@ -55,7 +56,7 @@ def name_of(node: ast.AST) -> str:
     """Return `x` or `self.x`; "" for other expressions."""
     if isinstance(node, ast.Name):
         return node.id
-    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "self":
+    if is_of_self(node):
         return f"self.{node.attr}"
     return ""
 

@@ -6,11 +6,12 @@ import ast
 from collections.abc import Iterator
 from functools import cached_property
 
+from ...languages.python.attributes import is_of_self
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import FunctionNode, nodes_of, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...source import Span
-from ..class_families import class_families, is_of_self
+from ..class_families import class_families
 from ..logged_texts import logged_texts
 from ..run_imports import RunImports
 

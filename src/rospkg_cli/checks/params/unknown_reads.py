@@ -9,7 +9,7 @@ from ...languages.cpp.call import CppCall
 from ...languages.cpp.file import CppFile
 from ...languages.python.file import PythonFile
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.package_facts import PackageFacts
 from ...package.params.cpp_parameters import has_computed_cpp_names, read_in
 from ...package.params.declared_parameter import DeclaredParameter
@@ -129,8 +129,8 @@ class ParameterReads:
                         is_asked_for = any(each.holds(span) for each in parts_on_request(file))
                         throws = throws and not MILD.search(file.source.text)
                         dropped = not throws and is_dropped_in_python(file, span, self.every_python)
-                        flags = (suggestion, throws, True, False, is_asked_for, dropped)
-                        yield UnknownRead(file.source.path, span, read.name, *flags)
+                        found_here = UnknownRead(file.source.path, span, read.name, suggestion, throws, True)
+                        yield replace(found_here, on_request=is_asked_for, is_dropped=dropped)
 
     @property
     def run_files(self) -> Iterator[PythonFile]:
