@@ -8,6 +8,7 @@ ENDS = {
     "certainly": "the start ends here with NameError",
     "maybe": "the line raises NameError when it runs",
     "branch": "the line raises NameError where its condition holds",
+    "late": "the line raises NameError where `spin` returns, which Ctrl-C leaves by an exception of its own",
     "aside": "the line raises NameError when somebody runs this file, which nothing installs",
     "never": "the line raises NameError once something calls it, which nothing here does",
 }

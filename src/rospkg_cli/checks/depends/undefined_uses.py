@@ -18,6 +18,7 @@ from ...light_dataclasses import dataclass
 from ...package.file_role import Role, is_set_aside, role_of
 from ...package.install_table import InstallTable
 from ...source import Span
+from ..behind_spin import is_behind_spin
 from ..installed_modules import InstalledModules
 from ..interfaces.seldom_run import is_in_handler
 from ..interfaces.uncalled_methods import UncalledMethods
@@ -26,11 +27,11 @@ from ..reached_definitions import ReachedDefinitions
 from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
 
-When = Literal["certainly", "maybe", "branch", "never", "aside"]
-"""When a name is used: at every start or import, in some runs, under a condition or after another failure, where
-nothing leads, in what nothing installs."""
+When = Literal["certainly", "maybe", "branch", "late", "never", "aside"]
+"""When a name is used: at every start or import, in some runs, under a condition or after another failure, behind a
+`spin` that Ctrl-C leaves, where nothing leads, in what nothing installs."""
 
-ORDER: tuple[When, ...] = ("certainly", "maybe", "branch", "never", "aside")
+ORDER: tuple[When, ...] = ("certainly", "maybe", "branch", "late", "never", "aside")
 OF_LAUNCH = frozenset({"generate_launch_description", "generate_test_description"})
 PYTHON_2 = frozenset(
     "unicode xrange raw_input basestring long unichr reduce file cmp execfile buffer reload apply intern".split()
@@ -127,6 +128,8 @@ class UndefinedUses:
             return "certainly"
         if self.is_idle(file, found.span):
             return "never"
+        if is_behind_spin(file, found.span):
+            return "late"
         is_seldom = is_in_handler(file, found.span) or self.definitions.is_turned_off(file, found.span)
         is_seldom = is_seldom or self.is_by_path(file, found.span)
         return "branch" if is_seldom else "maybe"

@@ -15,6 +15,7 @@ from ...light_dataclasses import dataclass
 from ...ros.rclpy_names import OF_ROSPY, members_of_nodes, names_of_rclpy
 from ...source import Span
 from ...suggest import near_names
+from ..behind_spin import is_behind_spin
 from .own_members import members
 from .undefined_uses import UndefinedUses, When
 
@@ -58,8 +59,8 @@ class UnknownRclpyNames:
         certain = self.uses.certain_spans(file)
         is_certain = file.span(node.value) in certain and not is_test
         is_seldom = is_under_condition(file, span) or self.uses.is_by_path(file, span)
-        late: When = "branch" if is_seldom else "maybe"
-        when: When = "certainly" if is_certain else "never" if self.uses.is_idle(file, span) else late
+        seldom: When = "late" if is_behind_spin(file, span) else "branch" if is_seldom else "maybe"
+        when: When = "certainly" if is_certain else "never" if self.uses.is_idle(file, span) else seldom
         return UnknownName(file, span, node.attr, owner, better, when)
 
     def of_nodes(self, file: PythonFile) -> Iterator[tuple[ast.Attribute, str, str]]:

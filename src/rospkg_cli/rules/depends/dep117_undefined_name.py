@@ -56,7 +56,7 @@ WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
     levels={
         Severity.WARNING: "it is in a function or a branch that may not run, in a test, or in an annotation",
         Severity.INFO: "nothing in the package calls the function, imports the module, or installs the file, a switch "
-        "turns it off that nothing throws, or an attribute is read under a condition",
+        "turns it off that nothing throws, it stands behind `rclpy.spin`, or an attribute is read under a condition",
     },
     examples=(
         Example(
@@ -116,7 +116,11 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
         yield Hit(member.file.path, member.span, of_member(member), LEVELS[member.when], places)
 
 
-LEVELS = {"certainly": None, "maybe": Severity.WARNING, **dict.fromkeys(("branch", "never", "aside"), Severity.INFO)}
+LEVELS = {
+    "certainly": None,
+    "maybe": Severity.WARNING,
+    **dict.fromkeys(("branch", "late", "never", "aside"), Severity.INFO),
+}
 
 
 def advice(use: UndefinedUse, line: str) -> str:

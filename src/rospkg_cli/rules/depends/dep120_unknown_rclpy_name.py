@@ -41,8 +41,8 @@ def main():
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function that may not run, or in a test",
-        Severity.INFO: "it is under a condition (`__main__` of an entry point's module), or nothing in "
-        "the package calls the function, or imports the module",
+        Severity.INFO: "it is under a condition (`__main__` of an entry point's module), behind "
+        "`rclpy.spin`, or nothing in the package calls the function, or imports the module",
     },
     examples=(
         Example(
@@ -82,10 +82,11 @@ def unknown_rclpy_name(names: UnknownRclpyNames) -> Iterator[Hit]:
 
 
 WHAT = {"rclpy": "`rclpy` has no", "self": "a node has no"}
-LEVELS = {"certainly": None, "maybe": Severity.WARNING, "branch": Severity.INFO, "never": Severity.INFO}
+LEVELS = {"certainly": None, "maybe": Severity.WARNING, **dict.fromkeys(("branch", "late", "never"), Severity.INFO)}
 ENDS = {
     "certainly": "the start ends here",
     "maybe": "the line ends",
     "branch": "the line ends, under its condition,",
+    "late": "the line ends, where `spin` returns,",
     "never": "the line ends, once something calls it,",
 }

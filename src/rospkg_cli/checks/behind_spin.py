@@ -1,0 +1,56 @@
+"""Places in Python code that are reached only once a node that spins ends by itself."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator, Sequence
+
+from ..languages.python.file import PythonFile
+from ..languages.python.nodes import nodes_of, nodes_of_kind
+from ..source import Span
+
+SPIN = "spin"
+"""`rclpy.spin(node)`, `executor.spin()`: Ctrl-C leaves both by KeyboardInterrupt, or ExternalShutdownException."""
+LASTING = frozenset({"True", "1", "rclpy.ok()"})
+CATCHES = ("KeyboardInterrupt", "BaseException", "ExternalShutdownException")
+
+
+def is_behind_spin(file: PythonFile, span: Span) -> bool:
+    """Return whether a place follows a call of `spin`, or a loop for as long as ROS runs, that no `try` shields."""
+    for block in blocks(file.tree):
+        at = next((number for number, each in enumerate(block) if file.span(each).holds(span)), 0)
+        if any(is_left_by_interrupt(each) for each in block[:at]):
+            return True
+    return False
+
+
+def blocks(tree: ast.Module) -> Iterator[Sequence[ast.stmt]]:
+    for node in nodes_of(tree):
+        for name in ("body", "orelse", "finalbody"):
+            block = getattr(node, name, None)
+            if isinstance(block, list) and len(block) > 1:
+                yield block
+
+
+def is_left_by_interrupt(statement: ast.stmt) -> bool:
+    """Return whether a statement lasts until somebody stops the program, and hands the exception on."""
+    match statement:
+        case ast.Expr(value=ast.Call(func=ast.Attribute(attr=name))):
+            return name == SPIN
+        case ast.While():
+            is_left = nodes_of_kind(statement, ast.Break) or has_catch(statement)
+            return ast.unparse(statement.test) in LASTING and not is_left
+        case ast.With(body=body):
+            return any(is_left_by_interrupt(each) for each in body)
+        case ast.Try(body=body, handlers=handlers):
+            return not any(catches(each) for each in handlers) and any(is_left_by_interrupt(each) for each in body)
+    return False
+
+
+def has_catch(loop: ast.While) -> bool:
+    return any(catches(each) for each in nodes_of_kind(loop, ast.ExceptHandler))
+
+
+def catches(handler: ast.ExceptHandler) -> bool:
+    """Return whether a handler takes what Ctrl-C raises."""
+    return handler.type is None or any(name in ast.unparse(handler.type) for name in CATCHES)
