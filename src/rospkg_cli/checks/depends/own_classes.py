@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections import Counter
 from collections.abc import Iterator
 from functools import cached_property
 
@@ -55,14 +56,29 @@ class OwnClasses:
     def has_objects(self, owner: OwnClass) -> bool:
         """Return whether code calls a class, in its own file where another one has its name."""
         name = owner.node.name
-        alone = sum(each.node.name == name for each in self.all) == 1
+        alone = self.of_name[name] == 1
         calls = () if alone else nodes_of_kind(owner.file.tree, ast.Call)
         return name in self.created and (alone or any(last_name(each.func) == name for each in calls))
+
+    @cached_property
+    def of_name(self) -> Counter[str]:
+        """How many classes have a name."""
+        return Counter(each.node.name for each in self.all)
+
+    @cached_property
+    def bindings(self) -> dict[str, Counter[str]]:
+        return {}
+
+    def times_bound(self, file: PythonFile, name: str) -> int:
+        """Return how often a file binds a name at any level."""
+        if file.path not in self.bindings:
+            self.bindings[file.path] = bindings(file)
+        return self.bindings[file.path][name]
 
     def line(self, owner: OwnClass, depth: int = 0) -> Line | None:
         """Return a class with its bases; None where one of these is not known."""
         is_shaped = any(ast.unparse(each).partition("(")[0] not in SHAPING for each in owner.node.decorator_list)
-        if depth > DEPTH or owner.node.keywords or is_shaped or bindings_of(owner.file, owner.node.name) != 1:
+        if depth > DEPTH or owner.node.keywords or is_shaped or self.times_bound(owner.file, owner.node.name) != 1:
             return None
         found, is_node = [owner], False
         for base in owner.node.bases:
@@ -79,7 +95,7 @@ class OwnClasses:
     def base(self, file: PythonFile, base: ast.expr, depth: int) -> Line | str:
         """Return what a base is: classes of the package, "node", "empty", or "unknown"."""
         text = ast.unparse(base)
-        if bindings_of(file, text) == 1 and (own := top_class(file, text)):
+        if self.times_bound(file, text) == 1 and (own := top_class(file, text)):
             return self.line(OwnClass(file, own), depth + 1) or "unknown"
         module, _, name = text.rpartition(".")
         homes = [each for each in file.imports if name in each.names] if not module else []
@@ -107,13 +123,13 @@ def top_class(file: PythonFile, name: str) -> ast.ClassDef | None:
     return next((each for each in file.tree.body if isinstance(each, ast.ClassDef) and each.name == name), None)
 
 
-def bindings_of(file: PythonFile, name: str) -> int:
-    """Return how often a file binds a name at any level."""
-    found = sum(each.name == name for each in nodes_of_kind(file.tree, ast.ClassDef))
-    found += sum(each.name == name for each in nodes_of_kind(file.tree, ast.FunctionDef))
-    names = nodes_of_kind(file.tree, ast.Name)
-    found += sum(each.id == name and isinstance(each.ctx, ast.Store) for each in names)
-    return found + sum((each.asname or each.name) == name for each in nodes_of_kind(file.tree, ast.alias))
+def bindings(file: PythonFile) -> Counter[str]:
+    """Return how often a file binds each name at any level."""
+    found = Counter(each.name for each in nodes_of_kind(file.tree, ast.ClassDef))
+    found.update(each.name for each in nodes_of_kind(file.tree, ast.FunctionDef))
+    found.update(each.id for each in nodes_of_kind(file.tree, ast.Name) if isinstance(each.ctx, ast.Store))
+    found.update(each.asname or each.name for each in nodes_of_kind(file.tree, ast.alias))
+    return found
 
 
 def last_name(node: ast.expr) -> str:

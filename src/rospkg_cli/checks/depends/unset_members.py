@@ -52,8 +52,9 @@ class UnsetMembers:
         """Yield each name once a class."""
         roles = {file.path: role for role, file in self.uses.files}
         for owner in self.classes.all:
-            line = self.classes.line(owner) if owner.file.path in roles else None
-            if line is not None and self.classes.has_objects(owner) and not self.is_dynamic(line):
+            is_asked = owner.file.path in roles and self.classes.has_objects(owner)
+            line = self.classes.line(owner) if is_asked else None
+            if line is not None and not self.is_dynamic(line):
                 yield from self.of(owner, line, roles[owner.file.path])
 
     def of(self, owner: OwnClass, line: Line, role: Role) -> Iterator[UnsetMember]:
