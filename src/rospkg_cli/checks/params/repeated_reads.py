@@ -42,9 +42,10 @@ class RepeatedReads:
         reads, python = self.forgotten.reads, self.forgotten.python
         in_cpp = ((each.source, events_in_cpp(each)) for each in reads.cpp)
         in_python = ((each.source, events_in_python(each)) for each in python.modules)
-        for source, events in (*in_cpp, *in_python):
-            if not allows_any(source) and not BY_OTHERS.search(source.text):
-                for declared, read in in_place_of(source.text, sorted(events, key=lambda each: each.span.start)):
+        for source, found in (*in_cpp, *in_python):
+            events = sorted(found, key=lambda each: each.span.start)
+            if events and not allows_any(source) and not BY_OTHERS.search(source.text):
+                for declared, read in in_place_of(source.text, events):
                     if self.is_unread(declared.name):
                         yield RepeatedRead(source.path, read.span, read.name, declared.name)
 
