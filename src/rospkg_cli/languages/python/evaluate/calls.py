@@ -82,7 +82,10 @@ class Calls(Containers):
         rest: Unknown | None = None
         for each in node.args:
             if not isinstance(each, ast.Starred):
-                found.append(Argument("", self.evaluate(each, scope), self.span(each)))
+                value = self.evaluate(each, scope)
+                # behind `*x` of unknown length nobody knows which parameter a value is for
+                value = value if rest is None else self.unknown(self.span(each), rest.why)
+                found.append(Argument("", value, self.span(each)))
                 continue
             value = self.evaluate(each.value, scope)
             items = items_of(self, value)
