@@ -285,7 +285,9 @@ def test_no_expression_makes_it_fall_over(text: str) -> None:
 
 @pytest.mark.parametrize("name", "abcd")
 def test_what_stands_behind_unknown_arguments_is_for_no_known_parameter(name: str) -> None:
-    text = "import os\nmore = os.environ['MORE'].split()\ndef f(a, b, c=3, *, d=4):\n    return NAME\nx = f('a', *more, 5)"
+    text = (
+        "import os\nmore = os.environ['MORE'].split()\ndef f(a, b, c=3, *, d=4):\n    return NAME\nx = f('a', *more, 5)"
+    )
     found = value(text.replace("NAME", name))
     assert isinstance(found, Text if name == "a" else Unknown)
 

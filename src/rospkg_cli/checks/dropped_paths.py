@@ -9,12 +9,12 @@ from functools import cached_property
 
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import nodes_of_kind
+from ..languages.python.unread_values import never_added
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import Role
 from ..ros.share_layout import LAUNCH
 from ..source import Span
-from .launch.idle_actions import never_added
 from .run_imports import RunImports
 
 JOINS = frozenset({"os.path.join", "path.join", "osp.join", "posixpath.join"})

@@ -10,7 +10,7 @@ from ..files import PackageFiles
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
-from ..package.launch.text import uncommented
+from ..package.launch.live_text import live_text
 from ..package.params.named_yaml import ANY
 from ..package.workspace import Workspace
 from .share_references import references_folder
@@ -75,8 +75,8 @@ class ShareUses:
     def code(self) -> tuple[str, ...]:
         paths = (path for path in self.files.paths if path.endswith(CODE) and role_of(path) not in ("test", "aside"))
         paths = (path for path in paths if path.partition("/")[0] not in self.absent)
-        texts = ((path, self.files.readable_text(path)) for path in paths)
-        bare = (text if path.endswith(CPP) else uncommented(path, text) for path, text in texts)
+        files = self.files
+        bare = (files.readable_text(path) if path.endswith(CPP) else live_text(files, path) for path in paths)
         return tuple(text for text in bare if not FOR_ROS1.search(text))
 
     @cached_property

@@ -8,6 +8,7 @@ from functools import cached_property
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_file import LaunchFile
+from ...package.launch.live_text import without_unread
 from ...package.launch.text import uncommented
 from ...package.package_facts import PackageFacts
 from ...package.params.named_yaml import ANY
@@ -50,9 +51,13 @@ class OpenedParameters:
     @cached_property
     def launches(self) -> tuple[str, ...]:
         """The texts of launch files, without comments."""
-        return tuple(uncommented(file.path, file.source.text) for file in self.launch_files)
+        return tuple(map(live, self.launch_files))
 
     @cached_property
     def texts(self) -> tuple[str, ...]:
         """The texts of robots, which name parameter files by the packages that hold them, without comments."""
         return tuple(uncommented(robot.path, robot.source.text) for robot in self.robots)
+
+
+def live(file: LaunchFile) -> str:
+    return uncommented(file.path, without_unread(file.python) if file.python is not None else file.source.text)

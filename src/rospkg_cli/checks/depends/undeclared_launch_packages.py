@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import Annotated
 
 from ...files import PackageFiles
+from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
@@ -21,7 +22,6 @@ from ...ros.imports import may_serve
 from ...ros.names import NameKind
 from ...suggest import begins_alike, is_misspelt, nearest
 from ...unreadable import READABLE
-from ..launch.idle_actions import never_added
 from ..launch.launched_programs import is_program
 from ..launch.package_references import NAME, PackageReference, package_references
 from .brought_dependencies import brought_by

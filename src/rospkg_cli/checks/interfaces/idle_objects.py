@@ -8,9 +8,9 @@ from functools import cached_property
 
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import FunctionNode, nodes_below, nodes_of_kind
+from ...languages.python.unread_values import never_added
 from ...light_dataclasses import dataclass
 from ...source import Span
-from ..launch.idle_actions import never_added
 from ..run_imports import RunImports
 
 PLAIN = frozenset({"object", "ABC", "abc.ABC"})

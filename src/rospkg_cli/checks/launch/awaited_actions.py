@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of
-from .idle_actions import is_stored, never_added
+from ...languages.python.unread_values import is_stored, never_added
 
 TARGETS = frozenset({"target_action", "target_lifecycle_node"})
 ELSEWHERE = frozenset({"locals", "vars", "eval", "exec", "globals"})

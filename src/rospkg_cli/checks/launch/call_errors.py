@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from ...languages.python.evaluate.values import Argument, Call, Constant, Function, Sequence, Value
+from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.launch.evaluated_launch import EvaluatedLaunch
@@ -17,7 +18,7 @@ from ..fault import Fault, softer
 from ..logged_texts import logged_spans
 from ..older_distribution import OlderDistribution
 from .argument_types import TYPE_CHECKS, action_list_faults
-from .idle_actions import UNUSED, never_added
+from .idle_actions import UNUSED
 from .include_sources import source_faults
 from .joined_commands import joined_command, joined_mapping, joined_words
 from .joined_options import joined_options

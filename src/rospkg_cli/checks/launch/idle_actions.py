@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Iterator, Mapping
-from typing import cast
 
 from ...languages.python.evaluate.values import Call, Constant, Value
-from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_below, nodes_of_kind
+from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.argument_defaults import literal_defaults
@@ -20,7 +17,6 @@ from ...package.launch.text import LaunchText, Substitution
 from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from ..fault import Level
-from .bound_again import bound_again
 from .python_expressions import filled
 
 NEVER_ADDED = "but nothing adds the action"
@@ -52,61 +48,11 @@ def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
     return None, ""
 
 
-def never_added(file: PythonFile) -> tuple[Span, ...]:
-    """Return the calls in functions that nothing reads: bound to a local, perhaps for a while, or to nothing."""
-    known = vars(file)
-    if "never_added" not in known:  # asked for every action of the file
-        known["never_added"] = tuple(dict.fromkeys(unread_values(file)))
-    return cast("tuple[Span, ...]", known["never_added"])
-
-
-def unread_values(file: PythonFile) -> Iterator[Span]:
-    loads = [node for node in nodes_of_kind(file.tree, ast.Name) if not is_stored(node)]
-    again = {id(node) for node in loads_for_itself(file)}
-    loads = [node for node in loads if id(node) not in again]
-    if any(node.id == "locals" for node in loads):
-        return
-    waiting = list(local_values(file))
-    replaced = {id(each.value) for each in bound_again(file)}
-    while True:  # what only such a value reads is not read either
-        read = {node.id for node in loads}
-        lost = [value for names, value in waiting if read.isdisjoint(names) or id(value) in replaced]
-        if not lost:
-            return
-        yield from map(file.span, lost)
-        inside = {id(node) for value in lost for node in nodes_below(value)} | {id(value) for value in lost}
-        loads = [node for node in loads if id(node) not in inside]
-        waiting = [(names, value) for names, value in waiting if value not in lost]
-
-
-def local_values(file: PythonFile) -> Iterator[tuple[list[str], ast.expr]]:
-    """Yield what functions bind to plain names, with these."""
-    for function in nodes_of_kind(file.tree, ast.FunctionDef):
-        for node in nodes_below(function):
-            if isinstance(node, ast.Assign):
-                names = [target.id for target in node.targets if isinstance(target, ast.Name)]
-                if len(names) == len(node.targets):
-                    yield names, node.value
-
-
 def in_branches(file: LaunchFile) -> Iterator[Span]:
     """Yield the actions that Python makes only under an `if` of its own that can't be evaluated."""
     for call in file.evaluated.calls if file.evaluated and file.python else ():
         if not call.is_certain and call.get("condition") is None and class_of(call) in ACTIONS:
             yield call.span
-
-
-def loads_for_itself(file: PythonFile) -> Iterator[ast.Name]:
-    """Yield the reads of a name in what is made of it and bound to it again: `path = Replaced(path)`."""
-    for node in nodes_of_kind(file.tree, ast.Assign):
-        match node:
-            case ast.Assign(targets=[ast.Name(id=name)], value=ast.Call(func=ast.Name(id=made)) as value):
-                if made[:1].isupper():
-                    yield from (n for n in nodes_below(value) if isinstance(n, ast.Name) and n.id == name)
-
-
-def is_stored(name: ast.Name) -> bool:
-    return isinstance(name.ctx, ast.Store)
 
 
 @dataclass(frozen=True, slots=True)

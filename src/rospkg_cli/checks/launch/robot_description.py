@@ -13,6 +13,7 @@ from ...files import PackageFiles
 from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Value
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.evaluated_launch import EvaluatedLaunch
@@ -21,7 +22,6 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.launch.python_to_text import text_of
 from ...package.launch.text import LaunchText, Literal
 from ...source import Span
-from .idle_actions import never_added
 
 PRINTS_ROBOT = ("xacro", ".urdf")
 ROBOT_FILE = regex(r"(?<![\w.-])([\w.-]+\.(?:xacro|urdf))\b(?!\.)")

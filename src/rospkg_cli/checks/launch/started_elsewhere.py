@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...languages.python.evaluate.values import Call, Sequence
+from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...package.launch.launch_file import LaunchedNode, LaunchFile
 from ...package.launch.python_to_text import text_of
 from ...source import Span
-from .idle_actions import never_added
 
 STRING = regex(r"([\"'])([\w./-]+)\1")
 

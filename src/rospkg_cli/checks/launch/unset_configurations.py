@@ -11,6 +11,7 @@ from typing import Annotated, Literal
 
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
@@ -21,7 +22,6 @@ from ...source import Span
 from ...suggest import near_names, nearest
 from ...unreadable import READABLE
 from .entity_schema import entity_faults
-from .idle_actions import never_added
 
 State = Literal["undeclared", "late", "not added"]
 """`not added`: it is declared, and the launch description that the file returns does not hold the declaration."""

@@ -6,10 +6,12 @@ import ast
 import re
 from collections.abc import Iterator
 
+from ...languages.python.bound_again import bound_again
 from ...languages.python.evaluate.values import Call
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of
 from ...languages.python.undefined_names import undefined_names
+from ...languages.python.unread_values import is_stored
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_classes import class_of
 from ...package.launch.python_to_text import text_of
@@ -18,8 +20,6 @@ from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from ...suggest import near_names
 from .awaited_actions import only_awaited
-from .bound_again import bound_again
-from .idle_actions import is_stored
 from .started_elsewhere import started_elsewhere
 from .unset_configurations import LaunchConfigurations
 

@@ -10,7 +10,7 @@ from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.install_table import InstallTable
-from ...package.launch.text import uncommented
+from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import ParameterFile
 from ...package.workspace import Workspace
@@ -143,8 +143,8 @@ class ParameterFileUse:
         return self.package.knows("share_files") and self.file.path not in self.package.share_files
 
     def read(self, path: str) -> str:
-        text = self.files.readable_text(path)
-        return uncommented(path, text) if LAUNCH.fullmatch(path.rpartition("/")[2]) else text
+        is_launch = LAUNCH.fullmatch(path.rpartition("/")[2]) is not None
+        return live_text(self.files, path) if is_launch else self.files.readable_text(path)
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
-from ...package.launch.text import uncommented
+from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_words import ANY, words_of
 from ...package.workspace import Workspace
@@ -141,9 +141,9 @@ class OpenedRobots:
 
     def read(self, path: str) -> str:
         """Return a text without comments and headers, and without what a Python file tells of itself."""
-        text = self.files.readable_text(path)
-        text = (DOCSTRING if path.endswith(".py") else INCLUDE).sub("", text, 1 if path.endswith(".py") else 0)
-        return uncommented(path, text) if path.endswith(LAUNCH + ROBOTS) else text
+        is_launch_or_robot = path.endswith(LAUNCH + ROBOTS)
+        text = live_text(self.files, path) if is_launch_or_robot else self.files.readable_text(path)
+        return (DOCSTRING if path.endswith(".py") else INCLUDE).sub("", text, 1 if path.endswith(".py") else 0)
 
     @cached_property
     def texts(self) -> tuple[tuple[str, str], ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...files import ReaderInput
 from ...lazy_regex import regex
 from ..file_role import role_of
-from ..launch.text import uncommented
+from ..launch.live_text import live_text
 
 NAMING = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h", ".sh", ".bash", ".service", ".md")
 MARKS = (b".yaml", b".yml")
@@ -19,5 +19,5 @@ def named_yaml(reading: ReaderInput) -> frozenset[str]:
     files, found = reading.files, set()
     paths = (path for path in files.paths if path.endswith(NAMING) and role_of(path) not in ("test", "aside"))
     for path in (path for path in paths if any(files.holds(path, mark) for mark in MARKS)):
-        found.update(FILE.findall(uncommented(path, files.readable_text(path))))
+        found.update(FILE.findall(live_text(files, path)))
     return frozenset(ANY if name[:1] in ("", ".", "_", "-") else name for name in found)

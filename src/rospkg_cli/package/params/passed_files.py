@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from posixpath import normpath
 
 from ...files import ReaderInput
+from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
-from ..launch.launch_file import LaunchFile
+from ..launch.launch_file import LaunchedNode, LaunchFile
 from ..launch.text import LaunchText, Literal, Substitution
 from ..manifest import Manifest
 
@@ -34,8 +35,8 @@ def handed_yaml(reading: ReaderInput) -> frozenset[tuple[str, str]]:
     return frozenset(
         found
         for launch in reading.parts(LaunchFile).good
-        for node in launch.nodes
-        if node.kind in READ_BY_RCL and not launch.is_ros1
+        for node in started(launch)
+        if node.kind in READ_BY_RCL
         for entry in node.parameters
         if entry.file is not None
         for found in path_in_share(entry.file, launch)
@@ -50,12 +51,19 @@ def yaml_readers(reading: ReaderInput) -> frozenset[tuple[str, str, str, str]]:
     return frozenset(
         (*found, literal_of(node.package), literal_of(node.executable))
         for launch in reading.parts(LaunchFile).good
-        for node in launch.nodes
-        if not launch.is_ros1
+        for node in started(launch)
         for entry in node.parameters
         if entry.file is not None
         for found in path_in_share(entry.file, launch)
     )
+
+
+def started(launch: LaunchFile) -> Iterator[LaunchedNode]:
+    """Yield the nodes that a launch file of ROS 2 adds to its description, perhaps under a condition."""
+    lost = never_added(launch.python) if launch.python is not None else ()
+    for node in launch.nodes if not launch.is_ros1 else ():
+        if not any(span.contains(node.span) for span in lost):
+            yield node
 
 
 def literal_of(text: LaunchText | None) -> str:

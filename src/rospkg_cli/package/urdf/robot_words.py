@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...files import ReaderInput
 from ...lazy_regex import regex
 from ..file_role import is_set_aside, role_of
-from ..launch.text import uncommented
+from ..launch.live_text import live_text
 
 NAMING = (
     ".py",
@@ -42,10 +42,7 @@ def robot_words(reading: ReaderInput) -> tuple[frozenset[str], ...]:
     files = reading.files
     paths = (path for path in files.paths if path.endswith(NAMING) and role_of(path) not in ("test", "aside"))
     telling = (path for path in paths if path != "package.xml" and any(files.holds(path, mark) for mark in MARKS))
-    return tuple(
-        words_of(uncommented(path, files.readable_text(path))) | ({LAUNCH} if is_launch(path) else set())
-        for path in telling
-    )
+    return tuple(words_of(live_text(files, path)) | ({LAUNCH} if is_launch(path) else set()) for path in telling)
 
 
 def is_launch(path: str) -> bool:

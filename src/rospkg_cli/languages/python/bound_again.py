@@ -5,9 +5,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_below, nodes_of_kind
 from ...light_dataclasses import dataclass
+from .file import PythonFile
+from .nodes import nodes_below, nodes_of_kind
 
 
 @dataclass(frozen=True, slots=True)

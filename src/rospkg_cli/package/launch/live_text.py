@@ -1,0 +1,33 @@
+"""What a launch file says in what it does: without comments, and without actions that it makes and never adds."""
+
+from __future__ import annotations
+
+import contextlib
+
+from ...files import PackageFiles
+from ...languages.python.file import PythonFile, parse_python
+from ...languages.python.unread_values import never_added
+from ...unreadable import UnreadableError
+from .text import uncommented
+
+ENTRY = "generate_launch_description"
+
+
+def live_text(files: PackageFiles, path: str) -> str:
+    """Return the text of a file without comments; of a launch file in Python, without what nothing there reads, too.
+
+    A node that is taken out of the launch description leaves the paths of its files behind, which nothing opens.
+    """
+    text = files.readable_text(path)
+    if path.endswith(".py") and ENTRY in text:
+        with contextlib.suppress(UnreadableError):  # another rule tells of it
+            text = without_unread(parse_python(files.source(path)))
+    return uncommented(path, text)
+
+
+def without_unread(file: PythonFile) -> str:
+    """Return the text of a file without the values that are bound to local names which nothing reads."""
+    text, kept, at = file.source.text, "", 0
+    for span in sorted(never_added(file), key=lambda each: each.start):
+        kept, at = kept + text[at : span.start], max(at, span.end)
+    return kept + text[at:]

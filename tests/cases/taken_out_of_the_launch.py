@@ -1,0 +1,59 @@
+"""Files that only an action opens which a launch file makes and never adds: nothing opens them today."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest
+
+NEEDED = ("ament_index_python", "launch", "launch_ros", "robot_state_publisher", "ros2launch", "turtlesim", "xacro")
+LAUNCH = """\
+import os
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.substitutions import Command
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    share = get_package_share_directory('my_pkg')
+    config = os.path.join(share, 'config', 'sim.yaml')
+    sim = Node(package='turtlesim', executable='turtlesim_node', parameters=[config])
+    robot = os.path.join(share, 'urdf', 'robot.urdf.xacro')
+    shown = Node(
+        package='robot_state_publisher',
+        executable='robot_state_publisher',
+        parameters=[{'robot_description': Command(['xacro ', robot])}],
+    )
+    return LaunchDescription([ACTIONS])
+"""
+WITHOUT_KEY = "sim:\n  ros_parameters:\n    background_r: 0\n"
+SOME_LINK = """\
+<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">
+  <xacro:include filename="wheel.xacro"/>
+  <link name="base_link"/>
+</robot>
+"""
+
+
+def adding(actions: str) -> Example:
+    needed = "".join(f"  <exec_depend>{each}</exec_depend>\n" for each in NEEDED)
+    installed = "install(DIRECTORY config launch urdf DESTINATION share/${PROJECT_NAME})\nament_package"
+    return Example(
+        bad={
+            "CMakeLists.txt": CMAKE.replace("ament_package", installed),
+            "package.xml": manifest(
+                "".join(f"  <exec_depend>{each}</exec_depend>\n" for each in NEEDED), "ament_cmake"
+            ),
+            "config/sim.yaml": WITHOUT_KEY,
+            "urdf/robot.urdf.xacro": SOME_LINK,
+            "launch/robot.launch.py": LAUNCH.replace("ACTIONS", actions),
+        },
+        good={},
+        on="ament_cmake",
+    )
+
+
+CASES = {
+    "PRM001": (adding("sim, shown"), adding("shown")),
+    "URD002": (adding("sim, shown"), adding("sim")),
+}
