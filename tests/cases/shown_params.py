@@ -61,6 +61,10 @@ LOADING = (
     {"launch__a_DOT_launch_DOT_xml": "<launch/>\n"},
     {"launch__a_DOT_launch_DOT_xml": "<launch>\n  <arg name='a' default='config/robot.yaml'/>\n</launch>\n"},
     {"launch__a_DOT_launch_DOT_xml": "<launch>\n  <arg name='a' default='robot'/>\n</launch>\n"},
+    {
+        "launch__a_DOT_launch_DOT_xml": "<launch>\n  <arg name='a' default='robot'/>\n</launch>\n",
+        "launch__b_DOT_launch_DOT_xml": "<launch>\n  <arg name='b' default='$(var a).yaml'/>\n</launch>\n",
+    },
     {"launch__a_DOT_launch_DOT_py": "def generate_launch_description():\n    return []  # 'robot.yaml'\n"},
     {"launch__a_DOT_launch_DOT_py": "def generate_launch_description():\n    return [f('robot.yaml')]\n"},
     {"launch__a_DOT_launch_DOT_xml": "<launch/>\n", "README_DOT_md": "Wheels are in config/robot.yaml\n"},

@@ -17,7 +17,7 @@ from launch_ros.actions import Node
 def generate_launch_description():
     share = get_package_share_directory('my_pkg')
     config = os.path.join(share, 'config', 'sim.yaml')
-    sim = Node(package='turtlesim', executable='turtlesim_node', parameters=[config])
+    sim = Node(package='turtlesim', executable='turtlesim_node', name='sim', parameters=[config])
     robot = os.path.join(share, 'urdf', 'robot.urdf.xacro')
     shown = Node(
         package='robot_state_publisher',
@@ -26,6 +26,7 @@ def generate_launch_description():
     )
     return LaunchDescription([ACTIONS])
 """
+OTHER = "Node(package='turtlesim', executable='mimic', name='sim')"
 WITHOUT_KEY = "sim:\n  ros_parameters:\n    background_r: 0\n"
 SOME_LINK = """\
 <robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">
@@ -41,9 +42,7 @@ def adding(actions: str) -> Example:
     return Example(
         bad={
             "CMakeLists.txt": CMAKE.replace("ament_package", installed),
-            "package.xml": manifest(
-                "".join(f"  <exec_depend>{each}</exec_depend>\n" for each in NEEDED), "ament_cmake"
-            ),
+            "package.xml": manifest(needed, "ament_cmake"),
             "config/sim.yaml": WITHOUT_KEY,
             "urdf/robot.urdf.xacro": SOME_LINK,
             "launch/robot.launch.py": LAUNCH.replace("ACTIONS", actions),
@@ -54,6 +53,6 @@ def adding(actions: str) -> Example:
 
 
 CASES = {
-    "PRM001": (adding("sim, shown"), adding("shown")),
+    "PRM001": (adding("sim, shown"), adding("shown"), adding(f"shown, {OTHER}")),
     "URD002": (adding("sim, shown"), adding("sim")),
 }

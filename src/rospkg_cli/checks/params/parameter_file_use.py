@@ -12,6 +12,7 @@ from ...light_dataclasses import dataclass
 from ...package.install_table import InstallTable
 from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
+from ...package.params.named_yaml import ANY
 from ...package.params.parameter_file import ParameterFile
 from ...package.workspace import Workspace
 from ...ros.python_nodes import PYTHON_PACKAGES, is_python_package
@@ -107,19 +108,26 @@ class ParameterFileUse:
         folder, _, name = self.file.path.rpartition("/")
         if not (launches or self.is_left_out or SHOWN.search(name)) or self.is_for_moveit(name):
             return False
-        stem = re.compile(rf"[\"'/]{re.escape(name.rpartition('.')[0])}[\"'.]")
         paths = [path for path in self.files.paths if path.endswith(f"/{name}") and path != self.file.path]
         others = [posixpath.dirname(path) for path in paths]
-        told = re.compile(rf"params[-_]file\S*[ \t]*\S*{re.escape(name)}")
-        for path in self.files.paths:
-            wanted = stem if STARTING.search(path) else told if DOCS.search(path) else None
-            if wanted is None or not wanted.search(text := self.read(path)):
-                continue
+        for text in filter(None, map(self.naming, self.files.paths)):
             if named_in(folder, name, text) or not any(
                 named_in(posixpath.dirname(each), name, text) for each in others
             ):
                 return False
         return not is_named_elsewhere(name.rpartition(".")[0], self.package, self.workspace)
+
+    def naming(self, path: str) -> str:
+        """Return the text of a file that names this one, "" of any other; a node may be called like its file."""
+        name = self.file.path.rpartition("/")[2]
+        stem = re.escape(name.rpartition(".")[0])
+        if DOCS.search(path):
+            told = re.search(rf"params[-_]file\S*[ \t]*\S*{re.escape(name)}", self.read(path))
+            return self.read(path) if told else ""
+        text = self.read(path) if STARTING.search(path) else ""
+        is_named = re.search(rf"[\"'/]{stem}\.", text) is not None
+        in_parts = ANY in self.package.named_yaml and re.search(rf"[\"'/]{stem}[\"']", text) is not None
+        return text if is_named or in_parts else ""
 
     def is_for_moveit(self, name: str) -> bool:
         """Return whether the launch files that MoveIt makes give the file to ros2_control, by its usual name."""
