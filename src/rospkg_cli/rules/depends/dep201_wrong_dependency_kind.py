@@ -14,6 +14,14 @@ from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule
 
 BAD = manifest("  <build_depend>rclpy</build_depend>\n")
+CHANGES = """\
+Changelog for package my_pkg
+============================
+
+1.0.0 (2026-01-02)
+------------------
+* Drive.
+"""
 GOOD = manifest("  <build_depend>rclpy</build_depend>\n  <exec_depend>rclpy</exec_depend>\n")
 
 
@@ -23,12 +31,13 @@ GOOD = manifest("  <build_depend>rclpy</build_depend>\n  <exec_depend>rclpy</exe
     over=DependencyKinds,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where another dependency, or `ros2 launch`, brings or may bring it, for examples, and "
-        "for what an option of CMake asks for; and for libraries, which Debian packages bring by themselves"
+        Severity.INFO: "where nothing shows that the package is released, where another dependency, or `ros2 launch`, "
+        "brings or may bring it, for examples, and for what an option of CMake asks for; and for libraries, which "
+        "Debian packages bring by themselves"
     },
     examples=(
         Example(
-            bad={"package.xml": BAD, "my_pkg/node.py": "import «rclpy»\n"},
+            bad={"CHANGELOG.rst": CHANGES, "package.xml": BAD, "my_pkg/node.py": "import «rclpy»\n"},
             good={"package.xml": GOOD},
             fix=Safety.UNSAFE,
         ),
@@ -48,6 +57,10 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     alone need not be there when the package is built.
 
     ## When it is quiet
+    `rosdep install` installs the dependencies of all tags, and colcon builds them all first: who builds from source
+    meets nothing. It is a warning where the package is released with most packages of its repository, or has a
+    CHANGELOG.rst, or where a file that builds the repository runs `rosdep install --dependency-types …` or bloom; an
+    info elsewhere.
     What another dependency brings at that time or may bring, or `ros2 launch` itself to a launch file, is an info, and
     so is what only a launch file needs that is called an example or a demo, and what only files include that an option
     of CMake must ask for. What others bring is one finding. A `<build_export_depend>` is right for headers that are
@@ -70,7 +83,8 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
             (brought if each.bringer else loaded).append(each)
             continue
         is_example = each.use.need == "launch" and kinds.launch.is_example(each.use.path)
-        yield hit(kinds, each, Severity.INFO if is_example or each.use.is_optional else None)
+        is_mild = is_example or each.use.is_optional or not kinds.told.are_told
+        yield hit(kinds, each, Severity.INFO if is_mild else None)
     for group in (brought, loaded):
         if group:
             yield hit(kinds, group[0], Severity.INFO) if len(group) == 1 else in_one(kinds, group)
