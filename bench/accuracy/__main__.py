@@ -1,4 +1,7 @@
-"""python -m bench.accuracy count FOLDER… | sheet FOLDER… [--warnings N --seed N] | tally SHEET FIRST SECOND
+"""python -m bench.accuracy count FOLDER… | sheet FOLDER… [--warnings N --seed N] [--base PYTHON --most N] |
+tally SHEET FIRST SECOND
+
+With --base the sheet has what the rospkg_cli of another Python does not say.
 
 Options of lint follow a `--`: python -m bench.accuracy count ~/src/* -- --target jazzy
 """
@@ -10,6 +13,7 @@ import sys
 from pathlib import Path
 
 from bench.accuracy.count import count
+from bench.accuracy.new import new_reports
 from bench.accuracy.reports import reports
 from bench.accuracy.sheet import read_lines, sheet
 from bench.accuracy.tally import tally
@@ -22,7 +26,10 @@ def main() -> None:
     if given.verb == "count":
         print(count(list(reports(given.folders, options))))
     elif given.verb == "sheet":
-        print(*sheet(list(reports(given.folders, options)), given.warnings, given.seed), sep="\n")
+        found = reports(given.folders, options)
+        if given.base:
+            found = new_reports(given.folders, given.base, options, given.most, given.seed)
+        print(*sheet(list(found), given.warnings, given.seed), sep="\n")
     else:
         print(tally(read_lines(given.sheet), given.first, given.second))
 
@@ -35,6 +42,8 @@ def parser() -> argparse.ArgumentParser:
         parts.add_argument("folders", nargs="+", type=Path)
         parts.add_argument("--warnings", type=int, default=150)
         parts.add_argument("--seed", type=int, default=1)
+        parts.add_argument("--base", default="")
+        parts.add_argument("--most", type=int, default=5)
     parts = verbs.add_parser("tally")
     for name in ("sheet", "first", "second"):
         parts.add_argument(name, type=Path)

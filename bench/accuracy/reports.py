@@ -34,13 +34,13 @@ def reports(repositories: list[Path], options: list[str]) -> Iterator[Report]:
         yield lint(repository.resolve(), options)
 
 
-def lint(repository: Path, options: list[str]) -> Report:
-    """Return the report of one repository, which is its own workspace.
+def lint(repository: Path, options: list[str], python: str = sys.executable) -> Report:
+    """Return the report of one repository, which is its own workspace, by the rospkg_cli of some Python.
 
     Raises:
         RuntimeError: lint did not end with a report.
     """
-    command = [sys.executable, "-m", "rospkg_cli", "lint", ".", "--format", "json", *options]
+    command = [python, "-m", "rospkg_cli", "lint", ".", "--format", "json", *options]
     run = subprocess.run(command, cwd=repository, capture_output=True, text=True, check=False)
     if run.returncode not in (0, 1):
         raise RuntimeError(f"{repository}: exit {run.returncode}: {run.stderr.strip()[-500:]}")
