@@ -38,6 +38,8 @@ class UnknownDependency:
     """The names, where one tag holds several."""
     is_uncertain: bool = False
     """Whether another distribution, or a repository that is not here, may have a package of that name."""
+    is_needless: bool = False
+    """Whether the line is to go, as what is meant needs none."""
 
 
 @dataclass(frozen=True)
@@ -90,15 +92,40 @@ class DependencyNames:
         for each in self.active():
             if not self.declared.workspace.is_available(each.name):
                 found = self.wrong(each)
-                if found is None:
-                    yield from () if self.is_of_ros1(each.name) else self.unavailable(each)
-                else:
-                    what = (found.suggestion, found.reason, found.rosdep_error, found.advice)
-                    if found.suggestion and self.is_found_by_name(each.name):
-                        todo = f"write `{found.suggestion}`, and find and link `{each.name}` in CMakeLists.txt yourself"
-                        what = (None, f"{found.reason}, and ament_auto finds it by that", found.rosdep_error, todo)
-                    same = [each, *self.repeated(each)]
-                    yield UnknownDependency(each, *what, parts=found.parts, is_uncertain=not self.is_certain(same))
+                if found is not None:
+                    yield self.misnamed(each, found)
+                elif not self.is_of_ros1(each.name):
+                    yield from self.unavailable(each)
+
+    def misnamed(self, dependency: Dependency, found: WrongDependencyName) -> UnknownDependency:
+        """Return a dependency by a wrong name, with what to do about it."""
+        suggestion, reason, todo = found.suggestion, found.reason, found.advice
+        same = [dependency, *self.repeated(dependency)]
+        if needless := self.needless(same, suggestion):
+            suggestion, todo = None, needless
+        elif suggestion and self.is_found_by_name(dependency.name):
+            todo = f"write `{suggestion}`, and find and link `{dependency.name}` in CMakeLists.txt yourself"
+            suggestion, reason = None, f"{reason}, and ament_auto finds it by that"
+        return UnknownDependency(
+            dependency,
+            suggestion,
+            reason,
+            found.rosdep_error,
+            todo,
+            found.parts,
+            is_uncertain=not self.is_certain(same),
+            is_needless=bool(needless),
+        )
+
+    def needless(self, same: Iterable[Dependency], name: str | None) -> str:
+        """Return what to do where a name stands for the package itself, or for what it declares already; else ""."""
+        if name is None:
+            return ""
+        if name == self.declared.facts.name:
+            return "did you mean this package itself? Remove the line"
+        tags = {each.tag for each in self.by_name.get(name, ()) if each.active(self.targets)}
+        is_declared = "depend" in tags or tags.issuperset(each.tag for each in same)
+        return f"`{name}` is declared already: remove the line" if is_declared else ""
 
     def wrong(self, dependency: Dependency) -> WrongDependencyName | None:
         """Return what is wrong with a name in any case; of one that ROS 1 had, no more than its name elsewhere."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.unknown_dependencies import DependencyNames
-from ...edits.manifest import rename_dependency, split_dependency
+from ...edits.manifest import remove_element, rename_dependency, split_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
@@ -64,8 +64,9 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
     project of the workspace, which colcon builds and rosdep does not know.
 
     ## Fix safety
-    The name is replaced by the suggested one; where only a letter differs, another one may be right. There is none
-    where `ament_auto_find_build_dependencies()` finds what is meant by the name that package.xml has.
+    The name is replaced by the suggested one; where only a letter differs, another one may be right. The line goes
+    where that is the package itself, or declared already. There is none where
+    `ament_auto_find_build_dependencies()` finds what is meant by the name that package.xml has.
     """
     manifest = names.declared.manifest
     for each in names.unknown():
@@ -76,6 +77,9 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
         if each.suggestion:
             edits = tuple(rename_dependency(manifest, d, each.suggestion) for d in (each.dependency, *others))
             fix = Fix(f"write `{each.suggestion}`", edits, Safety.UNSAFE)
+        elif each.is_needless:
+            doomed = tuple(remove_element(manifest, d.element) for d in (each.dependency, *others))
+            fix = Fix("remove the line", doomed, Safety.UNSAFE)
         elif each.parts:
             edit = split_dependency(manifest, each.dependency, each.parts)
             fix = Fix(f"Write {len(each.parts)} dependencies", (edit,))
