@@ -33,6 +33,7 @@ from .home_path_texts import (
     without_comments,
 )
 from .launch.idle_actions import level_at
+from .left_files import LeftFiles
 from .logged_texts import is_said
 from .params.replaced_defaults import is_replaced
 from .reached_definitions import ReachedDefinitions
@@ -58,9 +59,9 @@ class HomePath:
     """Whether many have an account of that name, or the container of the repository has; or code asks first whether
     it exists, or tries another one first."""
     is_seldom_read: bool
-    """Whether RViz, a script in a folder of its own or YAML that is not installed, or that nothing names, has it, which
-    few start; or the parameter files of the package replace it; or it is one of several places for modules, or a launch
-    file has it that nothing uses."""
+    """Whether RViz, a script in a folder of its own, a file that nothing compiles, installs or starts, or YAML that
+    nothing names, has it, which few start; or the parameter files of the package replace it; or it is one of several
+    places for modules, or a launch file has it that nothing uses."""
     is_unreached: bool = False
     """Whether it is in a function of Python that nothing leads to."""
     is_unread: bool = False
@@ -75,6 +76,7 @@ class HomePaths:
     table: InstallTable | None = None
     definitions: ReachedDefinitions | None = None
     unread: UnreadPaths | None = None
+    left: LeftFiles | None = None
     launches: Annotated[tuple[LaunchFile, ...], READABLE] = ()
     parameters: Annotated[tuple[ParameterFile, ...], READABLE] = ()
 
@@ -147,7 +149,8 @@ class HomePaths:
     def is_seldom_read(self, path: str) -> bool:
         folder = path.partition("/")[0]
         is_aside = path.endswith(".py") and folder not in (self.facts.name, *FOR_CODE)
-        return path.endswith(".rviz") or is_aside or (path.endswith(YAML) and self.is_left_out(path))
+        is_left = self.left is not None and self.left.has(path)
+        return path.endswith(".rviz") or is_aside or is_left or (path.endswith(YAML) and self.is_left_out(path))
 
     def is_unused(self, path: str, place: Span) -> bool:
         """Return whether a launch file has a place only in what never comes to the launch description."""

@@ -24,6 +24,7 @@ from ...suggest import begins_alike, is_misspelt, nearest
 from ...unreadable import READABLE
 from ..launch.launched_programs import is_program
 from ..launch.package_references import NAME, PackageReference, package_references
+from ..left_files import LeftFiles
 from .brought_dependencies import brought_by
 from .compiled_sources import named_sources
 from .declared_dependencies import DeclaredDependencies, normalized
@@ -52,6 +53,7 @@ class LaunchDependencies:
     cmake: CMake | None
     table: InstallTable | None
     python: PackageImports
+    left: LeftFiles
 
     def role(self, path: str) -> Role:
         """Return the role of a launch file; `aside` if it is in no launch folder and not installed."""
@@ -75,6 +77,10 @@ class LaunchDependencies:
     def is_for_examples(self, name: str, uses: Iterable[PackageReference]) -> bool:
         """Return whether only examples need a package, or it is one of the demos of ROS."""
         return FOR_DEMOS.fullmatch(name) is not None or all(self.is_example(use.path) for use in uses)
+
+    def is_left(self, uses: Iterable[PackageReference]) -> bool:
+        """Return whether all places are in launch files that nothing installs and no page names."""
+        return all(map(self.left.has, {use.path for use in uses}))
 
     @cached_property
     def test_files(self) -> frozenset[str]:

@@ -46,8 +46,8 @@ BAD_XML = """\
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "for launch itself, which users of launch files have, where a declared dependency brings it, "
-        "where an argument must turn it on, for examples, for nodes that other code describes, and where package.xml "
-        "has it in a comment"
+        "where an argument must turn it on, for examples, for launch files that nothing installs or names, for nodes "
+        "that other code describes, and where package.xml has it in a comment"
     },
     examples=(
         Example(
@@ -80,11 +80,12 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
 
     ## When it is quiet
     What `ros2 launch` needs (launch, launch_ros, rclpy, PyYAML) is there. What a declared dependency certainly installs
-    or may bring, as anything may come with a package that is not here, is one info; what only an
-    argument turns on (`sim:=true`) is an info that names the argument; so are packages for examples, and unknown ones
-    where a `.repos` file lists repositories that are not here, or a README links to theirs. Left out are computed
-    names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`), files for
-    ROS 1, actions that nothing adds, and what a module imports too (DEP101).
+    or may bring, as anything may come with a package that is not here, is one info; what only an argument turns on
+    (`sim:=true`) is an info that names the argument; so are packages for examples, what only launch files need that
+    nothing installs and no page or other file names, and unknown packages where a `.repos` file lists repositories that
+    are not here, or a README links to theirs. Left out are computed names, uses that catch PackageNotFoundError or ask
+    first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, actions that nothing adds, and what a module
+    imports too (DEP101).
 
     ## Fix safety
     The fix is unsafe where no released package has the name, where a comment of package.xml leaves it out, or where
@@ -128,6 +129,7 @@ def undeclared(launch: LaunchDependencies, tag: str, name: str, uses: list[Packa
         fix_or_none = declaration(declared, tag, name)
     is_meant = meant is None and (is_left_out(declared, name) or launch.is_told(name))
     is_aside = tag == "exec_depend" and launch.is_for_examples(name, uses)
+    is_aside = is_aside or launch.is_left(uses)
     mild = is_meant or is_aside or first.only_with or all(use.is_usual for use in uses)
     places = related((use.path, use.span) for use in uses)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix_or_none)

@@ -1,0 +1,67 @@
+"""Rule input: files of code and launch files that no build, program, page or other file of a package leads to."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from functools import cached_property
+from typing import Annotated
+
+from ..files import PackageFiles
+from ..languages.cpp.file import CppFile
+from ..light_dataclasses import dataclass
+from ..package.cmake.cmake_project import CMake
+from ..package.install_table import InstallKind, InstallTable
+from ..unreadable import READABLE
+from .depends.compiled_sources import sources_by_use
+from .home_path_texts import CPP, MARKUP
+from .reached_definitions import is_collected
+from .reached_modules import NAMING, PAGES, ReachedModules
+from .setup.linked_build import build_texts
+
+KINDS: tuple[InstallKind, ...] = ("executable", "share", "module", "other")
+BESIDE = ("CMakeLists.txt", ".cmake", "Makefile")
+
+
+@dataclass(frozen=True)
+class LeftFiles:
+    files: PackageFiles
+    table: InstallTable | None = None
+    reached: ReachedModules | None = None
+    cmake: CMake | None = None
+    sources: Annotated[tuple[CppFile, ...], READABLE] = ()
+
+    def has(self, path: str) -> bool:
+        """Return whether nothing that is known compiles, installs, imports, starts or names a file."""
+        if path.endswith(CPP):
+            return self.is_uncompiled(path)
+        if not path.endswith((".py", *MARKUP)) or is_collected(path):
+            return False
+        if path.endswith(".py") and self.reached is not None and self.reached.is_left(path):
+            return True
+        return self.is_uninstalled(path) and not self.is_named(path)
+
+    def is_uncompiled(self, path: str) -> bool:
+        """Return whether no target compiles a source, nor a file that includes it, beside others that are compiled."""
+        if self.cmake is None:
+            return False
+        known, _ = sources_by_use(self.cmake, self.sources)
+        return known.is_known and bool(known.run) and path in known.paths and known.role(path) is None
+
+    def is_uninstalled(self, path: str) -> bool:
+        table = self.table
+        return table is not None and all(map(table.knows, KINDS)) and path not in self.installed
+
+    @cached_property
+    def installed(self) -> frozenset[str]:
+        return frozenset(row.source for row in self.table.rows) if self.table is not None else frozenset()
+
+    def is_named(self, path: str) -> bool:
+        """Return whether another file, of the package or of what builds the repository, has the name of a file."""
+        name = posixpath.basename(path)
+        stem = re.escape(name.removesuffix(".py"))
+        word = re.compile(rf"(?<![\w-]){re.escape(name)}(?!\w)|\b(?:import|from)\b[^\n]*(?<!\w){stem}(?!\w)")
+        paths = (each for each in self.files.paths if each != path and each.endswith((*PAGES, *NAMING, *BESIDE)))
+        if any(word.search(self.files.readable_text(each)) for each in paths):
+            return True
+        return any(map(word.search, build_texts(self.files)))
