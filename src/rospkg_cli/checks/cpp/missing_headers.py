@@ -74,7 +74,7 @@ class MissingHeaders:
         is_open = folder in LIBRARIES or folder in SHARED  # the library's headers are outside of the workspace
         if folder == self.package.facts.name:
             is_open = is_open or self.may_make
-            meant = self.near(each.path, self.own, is_open)
+            meant = self.near(each.path, self.others(source, self.own), is_open)
             return (folder, meant) if self.knows_own(each.path) and (meant or not is_open) else None
         if (facts := self.workspace.named(folder)) is None:
             return None
@@ -134,9 +134,14 @@ class MissingHeaders:
         """Return the header in the folder of a file that is one or two letters off."""
         folder = posixpath.dirname(source.path)
         paths = self.package.cmake.package_files.paths
-        headers = (path for path in paths if posixpath.dirname(path) == folder and path.endswith(HEADERS))
+        beside = (path for path in paths if posixpath.dirname(path) == folder and path.endswith(HEADERS))
+        headers = (path for path in beside if path != source.path)
         alike = with_digits_of(name, map(posixpath.basename, headers))
         return next(iter(near_names(name, alike, 1 if len(name) < SHORT else 2)), None)
+
+    def others(self, source: CppFile, headers: frozenset[str]) -> frozenset[str]:
+        """Return the headers without the one that includes: a file is never meant by an include in itself."""
+        return frozenset(each for each in headers if not f"/{source.path}".endswith(f"/{each}"))
 
     @cached_property
     def by_name(self) -> dict[str, list[str]]:

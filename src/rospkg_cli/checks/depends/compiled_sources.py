@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cpp.file import CppFile, IncludeDirective
 from ...package.cmake.cmake_project import CMake
+from ...package.cmake.foreign_commands import foreign_commands
 from ...package.file_role import Role, role_of
 from ..fault import Level
 
@@ -70,11 +71,19 @@ def harm_in(cmake: CMake, sources: Iterable[CppFile], path: str) -> Level:
     """Return how bad it is that a file can't be compiled: an error where the package's own build certainly does it.
 
     What is compiled on demand, for tests, or by others alone is a warning, a leftover beside what is compiled an info.
+    So is what lies in a package that compiles nothing and hands nothing out: nobody opens it.
     """
     known, _ = sources_by_use(cmake, sources)
     if not known.is_known or not known.own:
-        return "warning"
+        return "info" if known.is_known and path not in known.tests and hands_nothing_out(cmake) else "warning"
     return "error" if path in known.certain else "warning" if path in known.own | known.tests else "info"
+
+
+def hands_nothing_out(cmake: CMake) -> bool:
+    """Return whether nothing is installed, so that no other package gets a header of this one."""
+    is_known = cmake.is_complete and cmake.ends_a_package and not cmake.includes_unknown_files
+    is_automatic = any(call.name.endswith("ament_auto_package") for call in cmake.calls)
+    return is_known and not cmake.installs and not is_automatic and next(foreign_commands(cmake), None) is None
 
 
 def compiled_on_demand(cmake: CMake, sources: Iterable[CppFile]) -> set[str]:

@@ -35,7 +35,7 @@ int main()
     levels={
         Severity.WARNING: "in a file that only others compile, tests do, or that is compiled on demand, or in a folder "
         "that no command names",
-        Severity.INFO: "in a file that nothing compiles, beside others",
+        Severity.INFO: "in a file that nothing compiles, beside others or in a package that installs nothing",
     },
     examples=(
         Example(
@@ -76,7 +76,7 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     Inside of `#if`, in headers that others include there alone, in files with `__has_include`, for the path that an
     install or an export gives a header, where git ignores the header or a submodule is not checked out, and in files
     that nothing compiles or installs. A header that the build does not open, beside sources that it compiles, may be a
-    leftover: an info.
+    leftover: an info. So is one in a package that has no target and installs nothing.
 
     ## Fix safety
     The intended header is a guess.

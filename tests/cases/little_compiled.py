@@ -1,0 +1,62 @@
+"""What nobody compiles, links or opens today: packages without targets, libraries that a program does without."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest
+
+INSTALL = "install(DIRECTORY include/ DESTINATION include)\n"
+INCLUDE = '#include "my_pkg/{}"\n'
+HEADERS = {
+    "include/my_pkg/core.hpp": INCLUDE.format("core_types.h") + INCLUDE.format("cor.hpp"),
+    "include/my_pkg/types.hpp": "int types();\n",
+}
+BESIDE = {"src/talker.cpp": '#include "words.hpp"\nint main() {return 0;}\n', "src/words.hpp": '#include "word.hpp"\n'}
+PROGRAM = """\
+add_executable(talker src/talker.cpp{})
+target_include_directories(talker PRIVATE include)
+install(TARGETS talker DESTINATION lib/${{PROJECT_NAME}})
+"""
+LINKED = """\
+include_directories(include)
+add_library(core SHARED src/core.cpp)
+add_executable(talker src/talker.cpp{})
+target_link_libraries(talker core)
+install(TARGETS talker DESTINATION lib/${{PROJECT_NAME}})
+"""
+CORE = {
+    "src/core.cpp": INCLUDE.format("core.hpp") + "int core() {return 1;}\n",
+    "src/talker.cpp": INCLUDE.format("core.hpp") + "int main() {return core();}\n",
+    "include/my_pkg/core.hpp": "int core();\n",
+}
+FOUND = "find_package(std_msgs REQUIRED)\n"
+USING = {"src/talker.cpp": "#include <std_msgs/msg/string.hpp>\nint main() {return 0;}\n"}
+ROBOT = '<robot name="robot"><link name="base"/></robot>\n'
+LONE = CORE | {"src/talker.cpp": "int main() {return 0;}\n"}
+
+
+def package(lines: str, files: dict[str, str], body: str = "") -> Example:
+    text = CMAKE.replace("ament_package", lines + "ament_package")
+    files = {"package.xml": manifest(body, "ament_cmake"), "CMakeLists.txt": text, **files}
+    return Example(bad=files, good={}, on="ament_cmake")
+
+
+def beside(files: dict[str, str]) -> Example:
+    """A package that another one depends on."""
+    user = manifest("  <exec_depend>my_pkg</exec_depend>\n", "ament_cmake").replace("<name>my_pkg", "<name>user")
+    own = {f"my_pkg/{path}": text for path, text in package("", files).bad_files().items()}
+    beside = {
+        "user/package.xml": user,
+        "user/CMakeLists.txt": CMAKE.replace("(my_pkg)", "(user)"),
+        "user/launch/a.launch.xml": "<launch/>\n",
+    }
+    return Example(bad={**own, **beside}, good={}, on="")
+
+
+CASES = {
+    "CMK201": (
+        package("", HEADERS),
+        package(INSTALL, HEADERS),
+        package("ament_auto_package()\n", HEADERS),
+        package(PROGRAM.format(""), BESIDE),
+    ),
+}
