@@ -53,6 +53,13 @@ def beside(files: dict[str, str]) -> Example:
 
 
 CASES = {
+    "CMK103": (
+        package(LINKED.format(""), CORE),
+        package(LINKED.format(" src/core.cpp"), CORE),
+        package(LINKED.format(""), LONE),
+        package(LINKED.format("").replace("src/core.cpp", "src/core.cpp ${MORE}"), LONE),
+        package(LINKED.format("") + "ament_export_libraries(core)\n", LONE),
+    ),
     "CMK201": (
         package("", HEADERS),
         package(INSTALL, HEADERS),

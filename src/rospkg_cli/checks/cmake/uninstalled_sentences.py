@@ -15,7 +15,8 @@ USERS = {
 }
 
 
-def uninstalled(package: CMakePackage, forgotten: UninstalledTarget) -> str:
+def uninstalled(package: CMakePackage, forgotten: UninstalledTarget, *, why_idle: str = "") -> str:
+    """Return the sentence for a target; `why_idle` says of a library why what is linked with it may not need it."""
     name = package.cmake.quoted(forgotten.target.word)
     user = USERS[forgotten.needed_by.user].format(forgotten.needed_by.name) if forgotten.needed_by else ""
     if forgotten.stops:
@@ -28,6 +29,9 @@ def uninstalled(package: CMakePackage, forgotten: UninstalledTarget) -> str:
             f"the executable {name} is built and not installed: `ros2 run {package.facts.name} "
             f"{forgotten.target.name}` does not find it; install it into lib/${{PROJECT_NAME}}"
         )
+    if why_idle:
+        start = f"the library {name} is built and not installed"
+        return f"{start}: {user} {why_idle}; install it into lib, or don't link it"
     return f"the library {name} is built and not installed: {user} can't load it; install it into lib"
 
 

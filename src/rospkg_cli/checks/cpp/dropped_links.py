@@ -10,6 +10,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.target_links import TargetLinks
+from ...package.cmake.uninstalled_targets import UninstalledTarget
 from ..cmake.misplaced_libraries import MisplacedLibraries, MisplacedLibrary, is_wrong
 from ..cmake.source_targets import SourceTargets
 from ..depends.compiled_sources import HEADERS, Inclusions
@@ -24,18 +25,34 @@ class DroppedLinks:
     sources: tuple[CppFile, ...]
 
     def has(self, found: MisplacedLibrary) -> bool:
+        """Return whether it is not certain that anything needs a library that is installed elsewhere."""
+        return found.needed_by.user != "component" and self.is_idle(found.word.text)
+
+    def why_idle(self, found: UninstalledTarget) -> str:
+        """Return why nothing may need a library that is not installed; "" where something does, or that is unknown."""
+        needed, name = found.needed_by, found.target.name
+        is_linked = needed is not None and needed.user == "linked target" and not found.stops
+        if not (is_linked and needed is not None and self.compiled.is_complete(name) and self.is_idle(name)):
+            return ""
+        has_all = self.has_all_of(needed.name, name)
+        return "compiles its sources itself" if has_all else "seems to include none of its headers"
+
+    def is_idle(self, library: str) -> bool:
         """Return whether it is not certain that anything needs a library when it starts.
 
-        A program needs one whose header it certainly includes: one that stands with the library's sources. How a
-        library that lies beside is loaded is its host's affair.
+        A program needs one whose header it certainly includes: one that stands with the library's sources, if it does
+        not compile all of these itself. How a library that lies beside is loaded is its host's affair.
         """
-        cmake, offered = self.package.cmake, self.offered(found.word.text)
-        if found.needed_by.user == "component":
-            return False
-        linked = [link.target for link in TargetLinks(cmake).with_word(found.word.text) if not link.package]
-        users = list(filter(self.is_started, linked))
+        cmake, offered = self.package.cmake, self.offered(library)
+        linked = [link.target for link in TargetLinks(cmake).with_word(library) if not link.package]
+        users = [each for each in linked if self.is_started(each) and not self.has_all_of(each, library)]
         is_kept = any(OTHERWISE.search(file.source.text) for file in cmake.files)
         return not any(is_kept or not offered.isdisjoint(self.opened(user)) for user in users)
+
+    def has_all_of(self, user: str, library: str) -> bool:
+        """Return whether a target compiles each source of a library itself: the linker asks the library for nothing."""
+        own = self.sources_of(library)
+        return bool(own) and self.compiled.is_complete(library) and own <= self.sources_of(user)
 
     def includes_nothing(self, found: MisplacedLibrary) -> bool:
         """Return whether what is linked with a library surely includes none of its headers."""

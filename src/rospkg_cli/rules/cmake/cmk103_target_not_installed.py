@@ -30,6 +30,8 @@ install(TARGETS talker
 )
 """
 BOTH = TWO.replace("«listener»", "listener").replace("TARGETS talker", "TARGETS talker listener")
+USE = '#include "core.hpp"\n'
+CORE = {"src/talker.cpp": USE + MAIN, "src/core.cpp": USE, "src/core.hpp": "int core();\n"}
 LIBRARY = """\
 add_library(«core» SHARED src/core.cpp)
 add_executable(talker src/talker.cpp)
@@ -61,7 +63,7 @@ def cmake(lines: str) -> str:
         Severity.ERROR: "an exported target needs it: CMake stops",
         Severity.INFO: "an executable is no node: its sources leave ROS alone, and nothing starts it by `ros2 run`; or "
         "a comment has its `install()`, or a page starts it where it is built; or it is not certain that a program "
-        "needs a library in another folder",
+        "needs a library",
     },
     examples=(
         Example(
@@ -71,7 +73,7 @@ def cmake(lines: str) -> str:
             fix=Safety.SAFE,
         ),
         Example(
-            bad={"CMakeLists.txt": cmake(LIBRARY), "src/talker.cpp": MAIN, "src/core.cpp": "int core() {return 1;}\n"},
+            bad={"CMakeLists.txt": cmake(LIBRARY), **CORE},
             good={"CMakeLists.txt": cmake(LIBRARY.replace("«core»", "core") + CORE_INSTALLED)},
             on="ament_cmake",
             fix=Safety.SAFE,
@@ -94,9 +96,10 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
     ## When it is quiet
     Where an install rule can't be evaluated or runs code. For executables that a test or another command uses, and in
     folders of tests, benchmarks, examples or third parties. For static libraries, with EXCLUDE_FROM_ALL, and for what
-    is linked where the RPATH of what is installed names the build folder. A library in another folder is an info where
-    what is linked with it does not surely include a header of it: the linker leaves it out (`--as-needed`); or where
-    that is a MODULE, or lies beside it: a host loads these. So is a program that a README starts as `./talker`.
+    is linked where the RPATH of what is installed names the build folder. A library is an info where what is linked
+    with it does not surely include a header of it, or compiles its sources itself: the linker leaves it out
+    (`--as-needed`); and one in another folder where that is a MODULE, or lies beside it: a host loads these. So is
+    a program that a README starts as `./talker`.
     """
     package = dropped.package
     if not package.is_ament:
@@ -109,7 +112,9 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
             continue  # the install rule that means it is CMK110's
         fix = only_plain_names(Fix(f"install `{word.text}`", (edit(package, forgotten),)), word.text)
         told.add(word.text)
-        yield Hit(word.path, word.span, uninstalled(package, forgotten), level(forgotten, programs), fix=fix)
+        why_idle = dropped.why_idle(forgotten)
+        text, worth = uninstalled(package, forgotten, why_idle=why_idle), level(forgotten, programs)
+        yield Hit(word.path, word.span, text, Severity.INFO if why_idle else worth, fix=fix)
     for each in DoubledNames(package.cmake).all():
         if each.target.name not in told:
             related = (Related(each.first.path, each.first.span, "it stands here first"),)
