@@ -51,6 +51,11 @@ class OlderDistribution:
         return bool(self.named) and self.named.issubset(BEFORE_DASHING)
 
     @property
+    def is_before_humble(self) -> bool:
+        """Whether one before Humble is named, and none after it: there all packages share one folder of headers."""
+        return bool(self.named) and self.named.issubset(UNSUPPORTED)
+
+    @property
     def is_before_jazzy(self) -> bool:
         """Whether one before Jazzy is named, and none after it."""
         return bool(self.named) and self.named.issubset(BEFORE_JAZZY)
@@ -67,8 +72,7 @@ class OlderDistribution:
 
     def is_for_unsupported(self, path: str) -> bool:
         """Return whether none that is supported is named, or a file or a folder is called as being for an older one."""
-        is_named = bool(self.named) and self.named.issubset(UNSUPPORTED)
-        return is_named or is_called_older(path) or self.is_in_older_folder
+        return self.is_before_humble or is_called_older(path) or self.is_in_older_folder
 
     @property
     def is_in_older_folder(self) -> bool:

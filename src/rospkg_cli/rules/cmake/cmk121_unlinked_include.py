@@ -41,7 +41,8 @@ def example(package: str, header: str, linked: str) -> Example:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where another package's folder of headers may hold them as well, or another one that the "
-        "target is linked with may bring them, or a library is given in vain"
+        "target is linked with may bring them, or a library is given in vain, or the repository is for distributions "
+        "before Humble"
     },
     examples=(
         example("sensor_msgs", "sensor_msgs/msg/image.hpp", "${sensor_msgs_TARGETS}"),
@@ -67,7 +68,8 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     a package (`${tf2_INCLUDE_DIRS}`); where one link or folder is not known, nothing is said of the target, and where
     that is not known of one package, or it brings it on some distributions alone, all that it may bring is one info.
     What rclcpp is linked with for itself alone from Jazzy on, as it is with ament_index_cpp, it does not bring; where
-    the pages, scripts and workflows of the repository name Humble or older ones alone, that is an info.
+    the pages, scripts and workflows of the repository name Humble or older ones alone, that is an info, and all is
+    where they name distributions before Humble alone.
     Targets of `ament_auto_add_…()`, includes under `#if`, and calls under a condition are left alone.
 
     ## References
@@ -82,15 +84,18 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
             perhaps.append(each)
             continue
         ends = 'the build ends with "No such file or directory"'
+        is_shared = includes.distribution.is_before_humble and each.is_own_folder
         if each.keeper:
             ends = f"up to Humble `{each.keeper}` brings it, from Jazzy on the build stops"
+        elif is_shared:
+            ends = "from Humble on the build stops, as each package has a folder of headers of its own"
         elif not each.is_own_folder:
             ends = "it builds only where the headers lie in a folder that others share"
         message = (
             f"`{each.header}` is included here, and `{each.target.name}` is not linked with `{each.package}`: {ends}; "
             f"{'' if each.is_found else 'find it, and '}add it to `target_link_libraries({each.target.name} …)`"
         )
-        is_later = each.keeper and includes.distribution.is_before_jazzy
+        is_later = is_shared or (each.keeper and includes.distribution.is_before_jazzy)
         is_told = (each.is_own_folder or each.keeper) and not is_later
         yield Hit(each.path, each.span, message, None if is_told else Severity.INFO)
     for target in dict.fromkeys(each.target.name for each in perhaps):
