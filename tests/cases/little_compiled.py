@@ -60,6 +60,10 @@ CASES = {
         package(LINKED.format("").replace("src/core.cpp", "src/core.cpp ${MORE}"), LONE),
         package(LINKED.format("") + "ament_export_libraries(core)\n", LONE),
     ),
+    "CMK101": (
+        beside({"rviz/robot.rviz": "Panels: []\n"}),
+        beside({"rviz/robot.rviz": "Panels: []\n", "rviz/robot.urdf": ROBOT}),
+    ),
     "CMK121": tuple(
         package(FOUND + PROGRAM.format(""), USING | {"README.md": f"For {names}.\n"}, "  <depend>std_msgs</depend>\n")
         for names in ("Foxy", "Foxy and Humble", "Humble")

@@ -99,7 +99,9 @@ class ShareUses:
 
         Of YAML it is known which files the texts of each package name, and RViz goes on without its config.
         """
-        paths = [path for path in self.files.below(folder) if not path.endswith(".rviz")] or self.files.below(folder)
+        paths = [path for path in self.files.below(folder) if not path.endswith(".rviz")]
+        if not paths:
+            return False
         stems = {posixpath.splitext(path)[0].rpartition("/")[2] for path in paths}
         is_yaml = all(path.endswith((".yaml", ".yml")) for path in paths)
         needing = [facts for facts in self.workspace.needing(self.name) if not facts.is_metapackage]
@@ -108,7 +110,7 @@ class ShareUses:
     def consequence(self, folder: str) -> str:
         """Return what happens where a folder is not installed, for a message."""
         if folder == "launch":
-            return f"the build is green, and `ros2 launch {self.name} …` does not find it"
+            return f"`ros2 launch {self.name} …` does not find it"
         if self.level(folder) != "info":
             return "what opens it in the share directory does not find it"
         if self.opens_in_source(folder):
