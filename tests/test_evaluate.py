@@ -84,6 +84,12 @@ KNOWN = [
     "d = {}\nd.setdefault('k', []).append(1)\nd.setdefault('k', []).append(2)\nx = d",
     "x = ['b', 'a']\nx.remove('b')\nx.append('c')\ny = x.pop()",
     "x = 'naïve – ü' + f'{\"é\"}'",
+    "x = ['c', 'a', 'b']\nx.sort()\nx = [x[0], x]",
+    "x = ['bb', 'a', 'ccc']\nx.sort(key=len, reverse=True)",
+    "x = ['a', 'b', 'c']\nx[0] = 'z'\ndel x[1]\nx[-1], x[0] = x[0], x[-1]",
+    "it = iter(['a', 'b'])\nx = [next(it), next(it), next(it, 'end')]",
+    "x = [callable(lambda: 1), callable('a')]",
+    "x = {'a': 1} | {'a': 2, **dict(b=3)}\nx = list(x.items())",
 ]
 
 
@@ -149,6 +155,18 @@ NOT_KNOWN = [
     "import os\nx = ''\nfor n in 'ab':\n    x = n\n    if os.environ.get('Q'):\n        break",
     "import os\nfor x in 'ab':\n    if os.environ.get('Q'):\n        break",
     "x = 'a' % ()['b']",
+    "import os\nx = 'a'\ndef f():\n    global x\n    if os.environ.get('Q'):\n        x = 'b'\nf()",
+    "import os\nd = {}\nif os.environ.get('Q'):\n    d['a'] = 1\nx = 'a' in d",
+    "import os\nd = {}\nif os.environ.get('Q'):\n    d.update(a=1)\nx = len(d)",
+    "import os\nd = {}\nif os.environ.get('Q'):\n    d['a'] = 1\nx = list(d)",
+    "import os\nd = {}\nif os.environ.get('Q'):\n    d['a'] = 1\nx = {'a': 2, **d}['a']",
+    "import os\nd = {}\nif os.environ.get('Q'):\n    d['a'] = 1\nx = 'y' if d else 'n'",
+    "import os\nd = {}\nif os.environ.get('Q'):\n    d['a'] = 1\nx = list(d.items())",
+    "import os\nx = ['a', 'b']\nif os.environ.get('Q'):\n    x[0] = 'c'\nx = x[0]",
+    "import os\nx = ['a', 'b']\nif os.environ.get('Q'):\n    x.pop(0)\nx = x[0]",
+    "import os\nx = ['a', 'b']\ndel x[int(os.environ['Q'])]\nx = x[0]",
+    "from somewhere import f\ndef g():\n    try:\n        f()\n        return 1\n    except ValueError:\n        pass\n"
+    "    return 2\nx = g()",
 ]
 
 
@@ -167,6 +185,23 @@ def test_what_perhaps_is_there_is_kept_aside() -> None:
     assert perhaps.is_many
     assert [to_python(option) for option in perhaps.options] == ["b"]
     assert "os.environ" in perhaps.why
+
+
+def test_a_key_that_perhaps_is_there_keeps_its_options() -> None:
+    start = "import os\nd = {}\nif os.environ.get('Q'):\n    d['a'] = 1\n"
+    (found,) = unknowns(value(start + "x = d.get('a', 2)"))
+    assert [to_python(option) for option in found.options] == [1, 2]
+    kept = value(start + "x = {**d}['a']")
+    assert isinstance(kept, Unknown)
+    assert not kept.is_many
+    call = evaluate(start + "from m import Node\nNode(**d)").calls[-1]
+    assert call.rest is not None
+
+
+def test_the_else_of_a_loop_that_perhaps_ends_early_is_run() -> None:
+    start = "import os\nfrom m import Node\nfor n in 'ab':\n    if os.environ.get('Q'):\n        break\n"
+    (call,) = evaluate(start + "else:\n    Node()").calls
+    assert not call.is_certain
 
 
 def test_a_choice_keeps_its_options() -> None:

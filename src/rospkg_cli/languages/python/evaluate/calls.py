@@ -8,6 +8,7 @@ from ....source import Span
 from .containers import Containers
 from .iterables import is_many, items_of
 from .methods import call_method
+from .operators import certainly
 from .values import (
     Argument,
     Call,
@@ -100,8 +101,9 @@ class Calls(Containers):
             if keyword.arg is not None:
                 found.append(Argument(keyword.arg, value, self.span(keyword)))
             elif isinstance(value, Mapping):
-                found += [Argument(str(k), v, key.span) for k, (key, v) in value.items.items()]
-                rest = value.rest[0] if value.rest else rest
+                found += [Argument(str(k), certainly(v), key.span) for k, (key, v) in value.items.items()]
+                perhaps = (v for _, v in value.items.values() if isinstance(v, Unknown) and v.is_many)
+                rest = next(iter((*value.rest, *perhaps)), rest)
             else:
                 rest = self.unknown(
                     self.span(keyword), getattr(value, "why", f"{self.quoted(self.span(keyword))} can't be evaluated")

@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from .conversion import NoPythonValueError, to_python
+from .dict_methods import merge
 from .iterables import is_many, items_of
-from .limits import ITEM, MAX_ITEMS, LimitError, spend
+from .limits import MAX_ITEMS, LimitError
 from .state import EvaluationState, Intrinsic
 from .truthiness import truth
 from .values import Call, Constant, Sequence, Text, Value
@@ -47,9 +48,7 @@ def as_dict(state: EvaluationState, call: Call) -> Value | None:
     result = MappingValue(call.span, open_conditions=len(state.conditions))
     source = call.positional[0] if call.positional else None
     if isinstance(source, MappingValue):
-        spend(len(source.items) * ITEM)
-        result.items.update(source.items)
-        result.rest += source.rest
+        merge(result, source)
     elif source is not None:
         for pair in items_of(state, source) or [source]:
             if not isinstance(pair, Sequence) or len(pair.items) != 2:

@@ -125,6 +125,7 @@ class CompoundStatements(SimpleStatements):
             self.assign(node.target, item, scope)
             self.branch([node.body], scope, why)
             scope.names = self.join_scopes([scope.names, before], why)
+        self.branch([node.orelse], scope, why)
         return Flow.MAYBE if any(isinstance(each, ast.Return) for each in nodes_of(node)) else Flow.NEXT
 
     do_AsyncFor = do_For
@@ -153,7 +154,7 @@ class CompoundStatements(SimpleStatements):
         if flow is Flow.NEXT:
             flow = self.execute(node.orelse, scope)
         if raises and node.handlers:
-            ends = [] if flow is Flow.RAISE else [scope.names]
+            ends = [scope.names] if flow in (Flow.NEXT, Flow.MAYBE) else []
             for handler in node.handlers:
                 spend(len(before))
                 scope.names = dict(before)
@@ -162,8 +163,9 @@ class CompoundStatements(SimpleStatements):
                 with self.assuming("it is unknown whether an exception is raised"):
                     if self.execute(handler.body, scope) in (Flow.NEXT, Flow.MAYBE):
                         ends.append(scope.names)
+            is_left = flow not in (Flow.NEXT, Flow.MAYBE, Flow.RAISE)
+            flow = Flow.NEXT if flow is Flow.RAISE else Flow.MAYBE if is_left and ends else flow
             scope.names = self.join_scopes(ends or [before], "it is unknown whether an exception is raised")
-            flow = flow if flow is not Flow.RAISE else Flow.NEXT
         final = self.execute(node.finalbody, scope)
         return flow if final is Flow.NEXT else final
 

@@ -6,10 +6,10 @@ import ast
 from collections.abc import Iterator
 
 from .conversion import NoPythonValueError, to_python
-from .dict_methods import set_item
+from .dict_methods import merge, set_item
 from .expressions import Expressions
 from .iterables import is_many, items_of
-from .limits import ITEM, spend
+from .list_methods import put_item
 from .operators import slice_of, subscript
 from .truthiness import truth
 from .values import (
@@ -54,9 +54,7 @@ class Containers(Expressions):
             if key is not None:
                 set_item(self, result, self.evaluate(key, scope), value, self.span(key))
             elif isinstance(value, Mapping):
-                spend(len(value.items) * ITEM)
-                result.items.update(value.items)
-                result.rest += value.rest
+                merge(result, value)
             else:
                 self.mark_unknown(result, self.span(item), f"{self.quoted(self.span(item))} can't be evaluated")
         return result
@@ -130,8 +128,13 @@ class Containers(Expressions):
     def assign(self, target: ast.expr, value: Value, scope: Namespace) -> None:
         """Bind a target, the left side of an `=`."""
         match target:
-            case ast.Name():
-                scope.bind(target.id, value)
+            case ast.Name(id=name):
+                if name in scope.outer and not self.certain:  # of a scope that no branch puts back
+                    old = scope.find(name)
+                    value = self.unknown(
+                        self.span(target), self.conditions[-1], options=(*([old] if old else ()), value)
+                    )
+                scope.bind(name, value)
             case ast.Tuple() | ast.List():
                 self.unpack(target.elts, value, scope)
             case ast.Starred():
@@ -140,8 +143,14 @@ class Containers(Expressions):
                 holder = self.evaluate(target.value, scope)
                 if isinstance(holder, Mapping):
                     set_item(self, holder, self.evaluate(target.slice, scope), value, self.span(target))
+                elif isinstance(holder, Sequence):
+                    put_item(self, holder, self.index(target.slice, scope), value, self.span(target))
                 else:
                     self.mark_unknown(holder, self.span(target), f"{self.quoted(self.span(target))} can't be followed")
+
+    def index(self, node: ast.expr, scope: Namespace) -> Value | None:
+        """Return the index that a subscript asks for; None for a slice."""
+        return None if isinstance(node, ast.Slice) else self.evaluate(node, scope)
 
     def unpack(self, targets: list[ast.expr], value: Value, scope: Namespace) -> None:
         items = items_of(self, value)

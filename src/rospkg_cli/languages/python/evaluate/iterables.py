@@ -22,7 +22,7 @@ def items_of(state: EvaluationState, value: Value) -> list[Value] | None:
         case MappingValue():
             spend(len(value.items) * ITEM)
             rest = [state.unknown(value.span, each.why, many=True) for each in value.rest[:1]]
-            return [key for key, _ in value.items.values()] + rest
+            return [as_doubtful(item, (key,)) or key for key, item in value.items.values()] + rest
         case Text() if not value.is_path:
             state.tick(len(value.text))
             return [Text(value.span, char) for char in value.text]
@@ -32,6 +32,15 @@ def items_of(state: EvaluationState, value: Value) -> list[Value] | None:
             state.tick(len(lines))
             return None if left is None else [Text(value.span, line) for line in lines]
     return None
+
+
+def as_doubtful(item: Value, options: tuple[Value, ...]) -> Unknown | None:
+    """Return what stands for a key of a dict, or for its pair, where it is only perhaps there; else None."""
+    return (
+        Unknown(item.span, item.why, is_many=True, options=options)
+        if isinstance(item, Unknown) and item.is_many
+        else None
+    )
 
 
 def read_rest(state: EvaluationState, opened: OpenedFile) -> str | None:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 
 from .collection_builtins import COLLECTION_BUILTINS
 from .iterables import is_many, items_of, plain_function
+from .list_methods import take_item
 from .state import EvaluationState, Intrinsic
 from .truthiness import truth
 from .values import Call, Constant, Sequence, Text, Value
@@ -105,17 +106,21 @@ def as_len(state: EvaluationState, call: Call) -> Value | None:
     value = call.positional[0] if call.positional else None
     if isinstance(value, Sequence) and value.is_complete:
         return Constant(call.span, len(value.items))
-    if isinstance(value, MappingValue) and not value.rest:
+    if isinstance(value, MappingValue) and value.is_complete:
         return Constant(call.span, len(value.items))
     return Constant(call.span, len(value.text)) if isinstance(value, Text) else None
 
 
 def as_next(state: EvaluationState, call: Call) -> Value | None:
-    """next(): of a list that was made by a generator expression, its first item."""
-    items = items_of(state, call.positional[0]) if call.positional else None
-    if items is None or (items and is_many(items[0])):
+    """next(): of a list that was made by a generator expression, its first item, which is taken out of it."""
+    source = call.positional[0] if call.positional else None
+    if not isinstance(source, Sequence) or (source.items and is_many(source.items[0])):
         return None
-    return items[0] if items else call.positional[1] if len(call.positional) > 1 else None
+    if not source.items:
+        return call.positional[1] if len(call.positional) > 1 else None
+    first = source.items[0]
+    take_item(state, source, Constant(call.span, 0), call.span)
+    return first
 
 
 ITERATOR_BUILTINS: Mapping[str, Intrinsic] = {

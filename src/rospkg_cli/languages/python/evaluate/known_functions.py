@@ -11,7 +11,7 @@ from .iterator_builtins import ITERATOR_BUILTINS
 from .path_functions import PATH_FUNCTIONS
 from .state import EvaluationState, Intrinsic
 from .truthiness import truth
-from .values import Call, Constant, Function, Sequence, Symbol, Text, Value
+from .values import Call, Class, Constant, Function, Sequence, Symbol, Text, Value
 from .values import Mapping as MappingValue
 
 MAX_DIGITS = 1_000
@@ -73,7 +73,10 @@ def returns_none(state: EvaluationState, call: Call) -> Value | None:
 
 
 def is_callable(state: EvaluationState, call: Call) -> Value | None:
-    return Constant(call.span, isinstance(call.positional[0], Function)) if call.positional else None
+    value = call.positional[0] if call.positional else None
+    if isinstance(value, Function | Class):
+        return Constant(call.span, True)
+    return Constant(call.span, False) if isinstance(value, Constant | Text | Sequence | MappingValue) else None
 
 
 ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from ....light_dataclasses import replace
+from ....source import Span
 from .conversion import NoPythonValueError, to_python
-from .iterables import items_of
-from .limits import ITEM, MAX_ITEMS, spend
+from .iterables import is_many, items_of
+from .limits import ITEM, MAX_ITEMS, STEP, spend
 from .state import EvaluationState
-from .truthiness import compare
+from .truthiness import compare, truth
 from .values import Call, Constant, Sequence, Value
 
 
@@ -71,16 +72,54 @@ def remove(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
 def pop(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
     at = call.positional[0].value if call.positional and isinstance(call.positional[0], Constant) else -1
     if not value.is_complete or not isinstance(at, int) or len(state.conditions) > value.open_conditions:
-        return mark_unknown(state, value, call)
+        doubt_items(state, value, call.span)
+        return None
     if not -len(value.items) <= at < len(value.items):
         return None
     value.places.pop(at)
     return value.items.pop(at)
 
 
+def place_of(state: EvaluationState, value: Sequence, at: Value | None) -> int | None:
+    """Return the index of the item that a certain change is about; None where that is unknown."""
+    index = at.value if isinstance(at, Constant) else None
+    if not isinstance(index, int) or not value.is_complete or len(state.conditions) > value.open_conditions:
+        return None
+    return index if -len(value.items) <= index < len(value.items) else None
+
+
+def put_item(state: EvaluationState, value: Sequence, at: Value | None, item: Value, span: Span) -> None:
+    """`items[at] = item`, certainly or possibly."""
+    index = place_of(state, value, at)
+    if index is not None:
+        value.items[index], value.places[index] = item, span
+        return
+    doubt_items(state, value, span)
+    state.mark_unknown(value, span, f"{state.quoted(span)} can't be followed")
+
+
+def take_item(state: EvaluationState, value: Sequence, at: Value | None, span: Span) -> None:
+    """`del items[at]`, certainly or possibly."""
+    index = place_of(state, value, at)
+    if index is None:
+        doubt_items(state, value, span)
+        return
+    del value.items[index], value.places[index]
+
+
+def doubt_items(state: EvaluationState, value: Sequence, span: Span) -> None:
+    """Mark each item of a list as one that may be there, or not any more."""
+    why = f"{state.quoted(span)} can't be followed"
+    spend(len(value.items) * STEP)
+    value.items[:] = [
+        item if is_many(item) else state.unknown(item.span, why, many=True, options=(item,)) for item in value.items
+    ]
+
+
 def clear(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
     if len(state.conditions) > value.open_conditions:
-        return mark_unknown(state, value, call)
+        doubt_items(state, value, call.span)
+        return Constant(call.span, None)
     value.items.clear()
     value.places.clear()
     return Constant(call.span, None)
@@ -91,12 +130,26 @@ def copy_list(state: EvaluationState, value: Sequence, call: Call) -> Value | No
     return replace(value, items=list(value.items), places=list(value.places), open_conditions=len(state.conditions))
 
 
-def reorder(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
-    """sort and reverse: the order hardly ever matters in a setup.py or a launch file."""
+def sort(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
+    """list.sort; where the order is not known, it hardly ever matters in a setup.py or a launch file."""
+    spend(len(value.items) * STEP)
+    key, backwards = call.get("key"), call.get("reverse")
+    try:
+        keys = [to_python(state.apply(key, [item], call.span) if key else item) for item in value.items]
+        order = sorted(range(len(keys)), key=keys.__getitem__, reverse=bool(backwards and truth(backwards)))  # type: ignore[arg-type]
+    except (NoPythonValueError, TypeError):
+        return Constant(call.span, None)
+    return rearrange(value, order, call)
+
+
+def reverse(state: EvaluationState, value: Sequence, call: Call) -> Value | None:
     spend(len(value.items))
-    if call.callee == "reverse":
-        value.items.reverse()
-        value.places.reverse()
+    return rearrange(value, range(len(value.items))[::-1], call)
+
+
+def rearrange(value: Sequence, order: Iterable[int], call: Call) -> Value:
+    places = list(order)
+    value.items[:], value.places[:] = [value.items[at] for at in places], [value.places[at] for at in places]
     return Constant(call.span, None)
 
 
@@ -127,8 +180,8 @@ LIST_METHODS: Mapping[str, Callable[[EvaluationState, Sequence, Call], Value | N
     "pop": pop,
     "clear": clear,
     "copy": copy_list,
-    "sort": reorder,
-    "reverse": reorder,
+    "sort": sort,
+    "reverse": reverse,
     "count": count,
     "add": add,
 }

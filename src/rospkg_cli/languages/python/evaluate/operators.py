@@ -11,6 +11,7 @@ from typing import Any
 from ....light_dataclasses import replace
 from ....source import Span
 from .conversion import NoPythonValueError, from_python, join_texts, to_python
+from .dict_methods import merge
 from .formatting import percent_format
 from .limits import ITEM, MAX_ITEMS, MAX_TEXT, STEP, spend
 from .values import (
@@ -51,8 +52,10 @@ def binary_operation(kind: type, left: Value, right: Value, span: Span) -> Value
     if kind is ast.Mult and isinstance(left, Sequence | Text):
         return repeat(left, right, span)
     if kind is ast.BitOr and isinstance(left, Mapping) and isinstance(right, Mapping):
-        spend((len(left.items) + len(right.items)) * ITEM)
-        return Mapping(span, left.items | right.items, left.rest + right.rest)
+        result = Mapping(span)
+        merge(result, left)
+        merge(result, right)
+        return result
     return compute(kind, left, right, span)
 
 
@@ -165,7 +168,7 @@ def subscript(value: Value, index: Value, span: Span) -> Value | None:
             found = value.items.get(to_python(index))
         except (NoPythonValueError, TypeError):
             return None
-        return found[1] if found and not value.rest else None
+        return certainly(found[1]) if found and not value.rest else None
     at = index.value if isinstance(index, Constant) else None
     if not isinstance(at, int):
         return None
@@ -177,6 +180,11 @@ def subscript(value: Value, index: Value, span: Span) -> Value | None:
         return Text(span, value.text[at]) if isinstance(value, Text) else None
     except IndexError:
         return None
+
+
+def certainly(item: Value) -> Value:
+    """Return the value of a key that is there, since Python goes on."""
+    return replace(item, is_many=False) if isinstance(item, Unknown) and item.is_many else item
 
 
 def slice_of(value: Value, bounds: slice, span: Span) -> Value | None:

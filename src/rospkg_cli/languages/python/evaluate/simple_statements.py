@@ -7,7 +7,7 @@ import sys
 
 from .calls import Calls
 from .limits import Flow
-from .list_methods import extend_by
+from .list_methods import extend_by, take_item
 from .operators import binary_operation
 from .values import Call, Constant, Namespace, Sequence, Symbol
 
@@ -54,7 +54,10 @@ class SimpleStatements(Calls):
                 scope.names.pop(target.id, None)
             elif isinstance(target, ast.Subscript):
                 holder = self.evaluate(target.value, scope)
-                self.mark_unknown(holder, self.span(node), f"{self.quoted(self.span(node))} can't be followed")
+                if isinstance(holder, Sequence):
+                    take_item(self, holder, self.index(target.slice, scope), self.span(node))
+                else:
+                    self.mark_unknown(holder, self.span(node), f"{self.quoted(self.span(node))} can't be followed")
 
     def do_Return(self, node: ast.Return, scope: Namespace) -> Flow:
         value = self.evaluate(node.value, scope) if node.value else Constant(self.span(node), None)

@@ -31,7 +31,7 @@ def truth(value: Value) -> bool | None:
             return True
         case Sequence() if any(not (isinstance(item, Unknown) and item.is_many) for item in value.items):
             return True
-        case Mapping() if value.items:
+        case Mapping() if any(not (isinstance(item, Unknown) and item.is_many) for _, item in value.items.values()):
             return True
         case PartialText() if any(isinstance(part, Text) for part in value.parts):
             return True
@@ -42,7 +42,7 @@ def truth(value: Value) -> bool | None:
 
 
 def compare(kind: type, left: Value, right: Value) -> bool | None:
-    if kind in (ast.In, ast.NotIn) and isinstance(right, Mapping) and not right.rest:
+    if kind in (ast.In, ast.NotIn) and isinstance(right, Mapping) and right.is_complete:
         right = Sequence(right.span, "list", [key for key, _ in right.items.values()])
     if kind in (ast.Is, ast.IsNot, ast.Eq, ast.NotEq) and is_none(right) and not_none(left):
         return kind in (ast.IsNot, ast.NotEq)

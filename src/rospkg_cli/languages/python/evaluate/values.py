@@ -65,11 +65,16 @@ class Sequence:
 class Mapping:
     span: Span
     items: dict[Hashable, tuple[Value, Value]] = field(default_factory=dict)
-    """By plain key: the key and the value."""
+    """By plain key: the key and the value. An `Unknown` with `many` is one that is perhaps not there."""
     rest: list[Unknown] = field(default_factory=list)
     """Why there may be other keys, or other values for these."""
     is_display: bool = False
     open_conditions: int = 0
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether all keys are known, and are certainly there."""
+        return not self.rest and not any(isinstance(i, Unknown) and i.is_many for _, i in self.items.values())
 
     def get(self, key: Hashable) -> Value | None:
         found = self.items.get(key)
