@@ -53,6 +53,15 @@ def test_what_is_added_or_may_be(actions: str, before: str) -> None:
     assert told(actions, before) == []
 
 
+def test_what_the_handler_holds_is_added_by_itself() -> None:
+    assert told(f"second, {WAITS}") == [("info", "first")]
+    assert told(f"second, {WAITS.replace('[second]', 'second')}") == [("info", "first")]
+    assert told(f"second, {WAITS.replace('[second]', '[second, LogInfo(msg=str())]')}") == [("warning", "first")]
+    again = WAITS.replace("first", "third").replace("Exit", "Start").replace("on_exit", "on_start")
+    both = f"{WAITS}, {again}"
+    assert told(both, "third = ExecuteProcess(cmd=['true'])") == [("warning", "first"), ("warning", "third")]
+
+
 def test_a_comment_or_a_handler_that_is_not_added_makes_it_an_info() -> None:
     assert told(WAITS, "# first is started by hand") == [("info", "first")]
     assert "warning" not in [level for level, _ in told("second", f"handler = {WAITS}")]

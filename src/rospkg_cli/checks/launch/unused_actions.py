@@ -45,6 +45,8 @@ class UnusedAction:
     """The line that binds its name to something else."""
     is_awaited: bool = False
     """Whether an event handler waits for it, and no comment mentions it."""
+    is_vain: bool = False
+    """Whether what the event handler holds is added by itself, too."""
 
 
 def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedAction]:
@@ -54,11 +56,13 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
         return
     calls = {call.span: call for call in launch.calls if class_of(call) in ACTIONS}
     told = told_arguments(configurations)
-    for name, node, value in only_awaited(file):
-        call = calls.get(file.span(value))
+    for each in only_awaited(file):
+        call = calls.get(file.span(each.value))
         if call is not None and class_of(call) in HARM:
-            harm = f"{HARM[class_of(call)]}, and neither is what waits for it"
-            yield UnusedAction(file.span(node), f"`{name}`", harm, is_awaited=not is_mentioned(name, file))
+            waits = "what waits for it starts at once" if each.is_vain else "neither is what waits for it"
+            harm, is_met = f"{HARM[class_of(call)]}, and {waits}", not (each.is_vain or is_mentioned(each.name, file))
+            span, what = file.span(each.target), f"`{each.name}`"
+            yield UnusedAction(span, what, harm, is_awaited=is_met, is_vain=each.is_vain)
     for name, node, value, line in (*((*each, 0) for each in unread(file)), *overwritten(file)):
         call = calls.get(file.span(value))
         if call is None or is_told(call, told) or (not line and is_mentioned(name, file)):

@@ -74,7 +74,7 @@ def unused_action(configurations: LaunchConfigurations) -> Iterator[Hit]:
     A name that a comment mentions was taken out on purpose, and so was one that begins with `_`. Arguments whose use
     LCH008 or LCH017 reports are left to these. It is an info: many an action is left out on purpose. Where an event
     handler waits for it (`OnProcessExit(target_action=…)`), and no comment mentions it, it is a warning: nothing that
-    the handler holds starts.
+    the handler holds starts. Not so where the launch description holds all of that too.
     """
     for action in unused_actions(configurations):
         message = f"{action.what} is made and never added to the launch description: {action.harm}"
@@ -85,6 +85,8 @@ def unused_action(configurations: LaunchConfigurations) -> Iterator[Hit]:
 
 
 def advice(action: UnusedAction, configurations: LaunchConfigurations) -> str:
+    if action.is_vain:
+        return "remove it and the event handler, or let the handler alone start the rest"
     if action.is_gone:
         return "its executable is not here any more; remove it"
     if action.starter:
