@@ -104,7 +104,7 @@ BOTH = (
     ),
     *(declared(LINES.format(each, "a")) for each in ("'__RATE__'", "'5__'", "'<5>'", "'5'")),
 )
-OLD = LIFECYCLE.replace("Node(executable='b', nam='c')", "Node(package='a', node_executable='b')")
+OLD = "import os\n" + LIFECYCLE.replace("Node(executable='b', nam='c')", "Node(package='a', node_executable='b')")
 OLD_XML = LAUNCH.format('<node pkg="a" type="b"/><let name="c" value="d"/>')
 SPAWNS = LAUNCH.format('<node pkg="controller_manager" exec="spawner.py"/><node pkg="nav2_recoveries" exec="{}"/>')
 REMOVED = SPAWNS.format("recoveries_server")
@@ -123,6 +123,9 @@ def generate_launch_description():
     load = ExecuteProcess(cmd=['ros2', 'control', 'load_controller', '--set-state', 'start', 'arm'])
     return LaunchDescription([])
 """
+LOADS = NEVER_ADDED.replace("([])", "([load])").replace(
+    "\n\n\n", "\nfrom launch.conditions import IfCondition\n\n\n", 1
+)
 NAMED = """\
 from launch import LaunchDescription
 from launch.actions import LogInfo
@@ -208,6 +211,15 @@ CASES = {
         *(below(each, {"launch/a.launch.py": OLD}) for each in (*PAGES, GALACTIC[0])),
         below(PAGES[0], {"launch/a.launch.xml": OLD_XML}),
         below("", {"launch/a.launch.py": NEVER_ADDED}),
+        *(below(each, {"launch/a.launch.py": LOADS}) for each in ("Any.\n", PAGES[0], *GALACTIC)),
+        below("", {"launch/a.launch.py": LOADS.replace("'arm'])", "'arm'], condition=IfCondition('0'))")}),
+        below("", {"launch/a.launch.py": OLD.replace("    return", "    if os.environ.get('OLD'):\n        return")}),
+        below(PAGES[0], {"launch/a.launch.py": OLD.replace("node_executable", "type")}),
+        Example(
+            on="",
+            bad={"foxy/my_pkg/package.xml": manifest(build_type="cmake"), "foxy/my_pkg/launch/a.launch.py": OLD},
+            good={},
+        ),
     ),
     "PRM006": (*BOTH, *IDLE, *REFUSED, *(below(each, {**VALUES, "launch/a.launch.xml": NAMES}) for each in PAGES)),
     "PRM008": (*PUBLISHED, *REFUSED),

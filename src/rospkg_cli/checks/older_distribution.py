@@ -70,6 +70,11 @@ class OlderDistribution:
         others = (each for each in self.files.paths if role_of(each) == "launch" and each.endswith(STARTABLE))
         return names_older(path) and not all(map(names_older, others))
 
+    def is_for_older(self, path: str) -> bool:
+        """Return whether one before Galactic is named alone, or a file or a folder is called as being for one."""
+        folder = called(self.files.folder)
+        return self.is_named_alone or names_older(path) or (bool(folder) and folder.issubset(OLDER))
+
     def is_for_unsupported(self, path: str) -> bool:
         """Return whether none that is supported is named, or a file or a folder is called as being for an older one."""
         return self.is_before_humble or is_called_older(path) or self.is_in_older_folder

@@ -10,7 +10,6 @@ from ...package.launch.launch_file import LaunchFile
 from ...source import Source, Span
 from ..enumeration import in_ticks
 from ..fault import Fault, TextRepair, joined
-from .removed_commands import removed_commands
 
 RENAMED = {
     "node_executable": "executable",
@@ -36,7 +35,6 @@ def removed_arguments(file: LaunchFile) -> Iterator[Fault]:
     for entity in file.root.walk() if file.root is not None and not file.is_ros1 else ():
         if entity.name == "node" and "type" in entity.attributes:
             yield removed(entity.attribute_spans["type"], "type", "exec", "exec" in entity.attributes)
-    yield from removed_commands(file)
 
 
 def renamed(name: str) -> Mapping[str, str]:

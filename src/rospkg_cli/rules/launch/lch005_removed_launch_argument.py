@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.fault import Fault, Level, softer
 from ...checks.launch.call_errors import LaunchCalls
-from ...checks.launch.idle_actions import level_at
+from ...checks.launch.idle_actions import IN_BRANCH, NO_ENTRY, level_at
 from ...checks.launch.removed_arguments import removed_arguments
+from ...checks.launch.removed_commands import removed_commands
 from ...edits.fault_hits import hits
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...light_dataclasses import replace
 from ...rule import rule
 
+LATER = "launch no longer takes"
+"""What Foxy takes; the rest is ROS 1's."""
 PYTHON = """\
 from launch import LaunchDescription
 from launch_ros.actions import Node
@@ -42,8 +46,8 @@ FILES = {
     over=LaunchCalls,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "pages and scripts name Foxy alone, which takes it",
-        Severity.INFO: "the action is never added to the launch description",
+        Severity.WARNING: "its condition is false by default, or it stands in a branch that is not always taken",
+        Severity.INFO: "the action is never added to the launch description, or the repository is for Foxy",
     },
     examples=(
         Example(
@@ -72,13 +76,29 @@ def removed_launch_argument(calls: LaunchCalls) -> Iterator[Hit]:
 
     ## When it is quiet
     Files that check which distribution they run on are left alone, and so are launch files for ROS 1. Where pages and
-    scripts of the repository name Foxy and no later distribution, it is a warning. A Python file whose name or folder
-    says that it is for Foxy or an older one (`launch/foxy/`, `eloquent_start.py`), beside launch files for others, is
-    left alone.
+    scripts of the repository name Foxy and no later distribution, or a folder is called after it, it is an info; so is
+    a word of `ros2 control` where they name Foxy or Galactic alone. A Python file whose name or folder says that it is
+    for Foxy or an older one (`launch/foxy/`, `eloquent_start.py`), beside launch files for others, is left alone.
     """
     if calls.file.frontend == "python" and calls.distribution.is_kept_for_older(calls.file.path):
         return
-    is_taken = calls.file.frontend == "python" and calls.distribution.is_named_alone
-    for fault in removed_arguments(calls.file):
-        softer = "info" if level_at(calls.file, fault.span)[0] == "info" else "warning" if is_taken else fault.level
-        yield from hits(calls.file.path, [replace(fault, level=softer)])
+    file, distribution = calls.file, calls.distribution
+    keywords, commands = list(removed_arguments(file)), list(removed_commands(file))
+    if file.frontend == "python" and distribution.is_for_older(file.path):
+        keywords = [
+            softer(each, "info", "but not in Foxy") if each.message.startswith(LATER) else each for each in keywords
+        ]
+    if distribution.is_for_unsupported(file.path):
+        commands = [softer(each, "info", "but not in Foxy and Galactic") for each in commands]
+    for fault in keywords:
+        level, why = level_at(file, fault.span)
+        if why in (NO_ENTRY, IN_BRANCH):  # a condition of launch does not help: Python refuses to make the action
+            fault = softer(fault, milder(fault, "warning"), why)
+        yield from hits(file.path, [replace(fault, level="info") if level == "info" else fault])
+    for fault in commands:
+        level, why = level_at(file, fault.span)
+        yield from hits(file.path, [softer(fault, milder(fault, level), why) if level else fault])
+
+
+def milder(fault: Fault, level: Level) -> Level:
+    return "info" if fault.level == "info" else level
