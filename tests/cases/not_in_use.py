@@ -231,7 +231,14 @@ CASES = {
     ),
     "PRM006": tuple(
         Example(
-            bad={"launch/a.launch.xml": SLAM, "README.md": f"For ROS 2 {name}\n", "config/slam.yaml": SLAM_YAML},
+            bad={
+                "CMakeLists.txt": CMAKE.replace(
+                    "ament_package", "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package"
+                ),
+                "launch/a.launch.xml": SLAM,
+                "README.md": f"For ROS 2 {name}\n",
+                "config/slam.yaml": SLAM_YAML,
+            },
             good={},
             on="config",
         )

@@ -24,15 +24,16 @@ def is_out_of_reach(block: NodeBlock, launched: LaunchParameters) -> bool:
     return all(each.known_name != name for each in launched.node_arguments) and name not in coded
 
 
-def unread_costmaps(launched: LaunchParameters) -> Iterator[tuple[ParameterFile, NodeBlock, str]]:
-    """Yield the blocks that no costmap reads, where the block of its server stands beside, with that server."""
+def unread_costmaps(launched: LaunchParameters) -> Iterator[tuple[ParameterFile, NodeBlock, NodeBlock]]:
+    """Yield the blocks that no costmap reads, where the block of its server stands beside, with that one."""
     for file in launched.files:
-        names = {last(block) for block in file.blocks}
+        named = {last(block): block for block in file.blocks}
         lost = [block for block in file.blocks if is_out_of_reach(block, launched)]
         for block in lost:
             alike = [each for each in file.blocks if last(each) == last(block)]
-            if COSTMAPS[last(block)] in names and all(any(one is each for one in lost) for each in alike):
-                yield file, block, COSTMAPS[last(block)]
+            server = named.get(COSTMAPS[last(block)])
+            if server is not None and all(any(one is each for one in lost) for each in alike):
+                yield file, block, server
 
 
 def told_of(name: str, server: str) -> str:

@@ -20,7 +20,7 @@ from ...ros.known_nodes import known_nodes
 from ...suggest import near_names
 from ...unreadable import READABLE, Unreadable
 from ..launch.ros1_syntax import is_refused
-from .declaring_packages import ParameterContext, is_its_own
+from .declaring_packages import is_its_own
 from .handed_on import may_hand_on
 from .mistyped_blocks import WILD, MistypedBlock, last, mistyped_blocks
 
@@ -235,14 +235,6 @@ class LaunchParameters:
                 names = each.names()
                 if missing := [one for one in needed if one.name not in names]:
                     yield each, missing
-
-
-@dataclass(frozen=True)
-class MissingParameters:
-    """What launch files give to nodes, and what the code of packages declares (PRM008)."""
-
-    launched: LaunchParameters
-    code: ParameterContext
 
 
 def default_name(launch: LaunchFile, node: LaunchedNode) -> str | None:

@@ -9,10 +9,10 @@ from ...package.params.parameter_file import ParameterFile
 from ...ros.known_nodes import newer_parameters
 from ...source import Span
 from ..older_distribution import OlderDistribution
+from .block_readers import BlockReaders
 from .declaring_packages import ParameterContext
 from .idle_nodes import Start, hardest
 from .known_given import GivenValue, KnownNodes, PartKind
-from .parameter_file_use import ParameterFileUses
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class MistypedValues:
 
     given: ParameterContext
     known: KnownNodes
-    uses: ParameterFileUses
+    readers: BlockReaders
     distribution: OlderDistribution
 
     def with_types(self) -> Iterator[tuple[str, Span]]:

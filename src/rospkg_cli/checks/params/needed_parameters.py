@@ -25,6 +25,7 @@ def needed_faults(scope: LaunchParameters) -> Iterator[tuple[str, Fault]]:
             continue
         if not may_be_given(each, needed):
             level, why = level_at(each.launch, started.span)
+            level = "info" if scope.is_left_out(each.launch) else level
             message = f"this node is not given `{needed.name}`: `{started.literal}` {needed.harm}"
             yield each.launch.path, Fault(started.span, f"{message}{why and ', '}{why}; give a value here", level)
 

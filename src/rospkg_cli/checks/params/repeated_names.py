@@ -6,19 +6,26 @@ from collections.abc import Iterator
 from typing import Annotated
 
 from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.params.parameter_file import Parameter, ParameterFile, below, is_key
 from ...package.params.scalar_types import TRUE, type_of
 from ...source import Span
 from ...unreadable import READABLE
 from ..fault import Fault
+from .block_readers import BlockReaders
 
 
 @dataclass(frozen=True)
 class ParameterFiles:
-    """All parameter files of a package."""
+    """All parameter files of a package, and what is known of those that read them (PRM002)."""
 
     files: Annotated[tuple[ParameterFile, ...], READABLE]
+    readers: BlockReaders
+
+    def faults(self, file: ParameterFile) -> Iterator[Fault]:
+        """Yield what is twice in a file; where no node reads it, an info."""
+        for fault in repetition_faults(file):
+            yield replace(fault, level="info") if self.readers.is_idle(file.path, fault.span) else fault
 
 
 def repetition_faults(file: ParameterFile) -> Iterator[Fault]:

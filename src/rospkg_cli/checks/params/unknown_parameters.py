@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.params.parameter_file import Parameter, ParameterFile
 from ..depends.compiled_sources import HEADERS, own_compiled
-from ..fault import Level
+from ..fault import Fault, Level
 from ..older_distribution import OlderDistribution
+from .block_readers import BlockReaders
 from .declaring_packages import ParameterContext
 from .forgotten_declarations import ForgottenDeclarations
+from .idle_nodes import hardest, level_of
 from .joint_limits import JointLimits, MistypedLimit
 from .known_given import KnownNodes
-from .launched_names import LaunchedNames
+from .launched_names import LaunchedNames, strange_names, why_dropped
 from .other_variants import unlike_variants
-from .parameter_file_use import ParameterFileUses
 from .repeated_reads import RepeatedRead, RepeatedReads
 from .unknown_reads import ParameterReads, UnknownRead
 
@@ -31,7 +34,7 @@ class UnknownParameters:
     forgotten: ForgottenDeclarations
     launched: LaunchedNames
     known: KnownNodes
-    uses: ParameterFileUses
+    readers: BlockReaders
     joints: JointLimits
     distribution: OlderDistribution
 
@@ -62,9 +65,15 @@ class UnknownParameters:
         found = {(each[0].path, each[1].key.span): each for each in unlike_variants(self.given)}
         return [each for place, each in found.items() if place not in told]
 
-    def is_idle(self, file: ParameterFile | None) -> bool:
-        """Return whether nothing names a parameter file."""
-        return file is not None and self.uses.of(file).is_unnamed
+    def strange_names(self) -> Iterator[tuple[str, Fault]]:
+        """Yield path and fault of the names that no node has, each place once."""
+        found = strange_names(self.known.launched)
+        for each in hardest(((one.path, one.span), one) for one in found):
+            softer, why = level_of(each.start)
+            is_mild = softer == "info" or self.readers.is_idle(each.path, each.span)
+            what = f"the value is dropped, and {why_dropped(each.name, each.meant)}{why}; write `{each.meant}`"
+            message = f"no node has a parameter `{each.name}`: {what}"
+            yield each.path, Fault(each.span, message, "info" if is_mild else "warning")
 
 
 def undeclared(read: UnknownRead) -> str:

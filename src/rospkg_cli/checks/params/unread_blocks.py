@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass
 from ...package.params.parameter_file import NodeBlock, ParameterFile
+from .block_readers import BlockReaders
 from .declaring_packages import is_its_own
 from .launch_parameters import LaunchParameters, NodeArguments
 from .mistyped_blocks import WILD, last
@@ -21,6 +22,7 @@ class NodeBlocks:
 
     launched: LaunchParameters
     uses: ParameterFileUses
+    readers: BlockReaders
 
     def unread(self) -> Iterator[tuple[ParameterFile, NodeBlock, str]]:
         """Yield each block that the one node of the package does not read, with the name of that node.

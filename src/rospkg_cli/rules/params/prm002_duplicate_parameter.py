@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.repeated_names import ParameterFiles, repetition_faults
+from ...checks.params.repeated_names import ParameterFiles
 from ...edits.fault_hits import hits
 from ...edits.same_infos import same_infos_once
 from ...example import Example
@@ -24,7 +24,7 @@ talker:
     "duplicate-parameter",
     over=ParameterFiles,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "both hold mappings, which rcl joins, or one value"},
+    levels={Severity.INFO: "both hold mappings, which rcl joins, or one value, or no node reads it"},
     examples=(
         Example(
             on="config",
@@ -56,10 +56,11 @@ def duplicate_parameter(every: ParameterFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Names in different blocks, or in different documents of a file, may well be the same. Where both values are written
-    alike nothing changes, and it is an info.
+    alike nothing changes, and it is an info; so it is where nothing opens the file, or no node that is started with it
+    reads the block.
 
     ## References
     ros2/rclcpp#2166
     """
-    found = (hit for file in every.files for hit in hits(file.path, repetition_faults(file)))
+    found = (hit for file in every.files for hit in hits(file.path, every.faults(file)))
     yield from same_infos_once(found, "remove what is there twice")

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 from ...checks.params.costmap_blocks import told_of, unread_costmaps
 from ...checks.params.launched_names import displaced_blocks
-from ...checks.params.mistyped_blocks import misspelt_spawns
+from ...checks.params.spawn_faults import spawn_faults
 from ...checks.params.unread_blocks import NodeBlocks, shown_readers
+from ...edits.fault_hits import hits
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -45,7 +46,7 @@ controller_manager:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "a default gives the node its name, nothing names the file, several nodes get it, or the launch "
-        "file that names it is not installed"
+        "file that names it is not installed or never adds the node"
     },
     examples=(
         Example(
@@ -95,37 +96,36 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     ## When it is quiet
     Blocks of nodes that any launch file here starts are left alone, and those of several whose name is like that of no
     node which lacks one: nodes that other packages start may read them. So are names that a launch file here holds, and
-    those that differ by a number. Where the only launch files that give the file to a node are not installed, it is an
-    info.
+    those that differ by a number. Where the only launch files that give the file to a node are not installed, or
+    nothing adds the action that starts the node, it is an info.
 
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.
     """
-    launched = scope.launched
-    if not launched.is_whole:
+    if not (launched := scope.launched).is_whole:
         return
     for file, block, readers in launched.misnamed():
         names = sorted({each.known_name or "" for each in readers})
-        is_sure = len(names) == 1 and all(each.name or each.in_code for each in readers)
-        is_sure = is_sure and not all(launched.is_left_out(each.launch) for each in readers)
+        is_named = len(names) == 1 and all(each.name or each.in_code for each in readers)
+        level = None if is_named and any(map(scope.readers.is_met, readers)) else Severity.INFO
         where = tuple(Related(each.launch.path, each.node.span, "the node") for each in readers)
         fix = renaming(file, block, names[0]) if len(names) == 1 else None
         message = f"no node is called `{block.key.text}`: {shown_readers(readers[0], names)}"
-        yield Hit(file.path, block.key.span, message, None if is_sure else Severity.INFO, where, fix)
+        yield Hit(file.path, block.key.span, message, level, where, fix)
     for file, block, given in displaced_blocks(launched):
         message = f"`{block.name}` is no node: the one that `{given.launch.path}` starts is `{given.full_name}`"
         where = (Related(given.launch.path, given.node.span, "the node"),)
-        level = Severity.INFO if launched.is_left_out(given.launch) else None
+        level = None if scope.readers.is_met(given) else Severity.INFO
         yield Hit(file.path, block.key.span, f"{message}, which never reads the block", level, where)
-    for launch, spawned, span, meant in misspelt_spawns(launched.files, launched.launches):
-        message = f"no controller manager here has a controller `{spawned}`: the spawner ends with an error"
-        yield Hit(launch.path, span, f"{message}; did you mean `{meant}`?")
+    for path, fault in spawn_faults(launched):
+        yield from hits(path, [fault])
     for file, wrong in launched.mistyped():
         message = f"no node is called `{wrong.block.key.text}`: {wrong.owner} and runs with its defaults"
-        yield Hit(file.path, wrong.block.key.span, message, fix=renaming(file, wrong.block, wrong.meant))
+        level = Severity.INFO if scope.readers.is_unopened(file) else None
+        yield Hit(file.path, wrong.block.key.span, message, level, fix=renaming(file, wrong.block, wrong.meant))
     for file, block, server in unread_costmaps(launched):
-        level = Severity.INFO if scope.uses.of(file).is_unnamed else None
-        yield Hit(file.path, block.key.span, told_of(block.key.text, server), level)
+        level = Severity.INFO if scope.readers.is_idle(file.path, server.key.span) else None
+        yield Hit(file.path, block.key.span, told_of(block.key.text, server.key.text), level)
     for file, block, name in scope.unread():
         message = f"no node is called `{block.key.text}`: this package's is `{name}`, and never reads the block"
         yield Hit(file.path, block.key.span, message, Severity.INFO, fix=renaming(file, block, name))

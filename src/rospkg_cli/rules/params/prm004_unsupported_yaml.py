@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.parameter_file_use import ParameterFileUse
 from ...checks.params.rcl_validation import EMPTY_LIST, rcl_faults
+from ...checks.params.refused_values import RefusedValues
 from ...edits.fault_hits import hits
 from ...example import Example, manifest
 from ...finding import Hit, Severity
@@ -40,12 +40,12 @@ def example(bad: str, good: str) -> Example:
 @rule(
     "PRM004",
     "unsupported-yaml",
-    over=ParameterFileUse,
+    over=RefusedValues,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a list is empty, at which only C++ nodes stop, or no launch file is known to give the file "
         "to a node",
-        Severity.INFO: "nodes are launched, and nothing names the file",
+        Severity.INFO: "nodes are launched, and nothing names the file, or a list is empty in a block that none reads",
     },
     examples=(
         example("    limits: [1, «2.5»]\n", "    limits: [1.0, 2.5]\n"),
@@ -57,7 +57,7 @@ def example(bad: str, good: str) -> Example:
         example("«version»: 2\n", ""),
     ),
 )
-def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
+def unsupported_yaml(scope: RefusedValues) -> Iterator[Hit]:
     """
     ## What it does
     Finds valid YAML in a parameter file that rcl does not accept.
@@ -74,14 +74,14 @@ def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
     launch file parses itself, to hand on values (and what a `RewrittenYaml` fills in), or that only code names and
     parses. rcl takes a list of mappings with one key each (`- a: 1`), and makes parameters of it. An empty list is a
     warning: a Python node takes it; nothing is said of it where launch files give the file to such nodes alone (of a
-    Python package, or an executable `*.py`). All of a file is a warning that no launch file of the workspace gives a
-    node by its path. Of a file that no launch file, program or README of the workspace names, it is an info, where
-    nodes are launched, or the file is not installed, or called an example.
+    Python package, or an executable `*.py`); in a block that no node reads it is an info. All of a file is a warning
+    that no launch file of the workspace gives a node by its path. Of a file that no launch file, program or README of
+    the workspace names, it is an info, where nodes are launched, or the file is not installed, or called an example.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
     """
-    file = use.file
+    use, file = scope.use, scope.use.file
     if use.is_parsed_by_launch:
         return
     seen: set[tuple[int, str]] = set()  # `{0.0, 0.0}` lacks two values for one reason
@@ -92,4 +92,5 @@ def unsupported_yaml(use: ParameterFileUse) -> Iterator[Hit]:
         if place not in seen:
             seen.add(place)
             is_info = "info" in (fault.level, use.level)
+            is_info = is_info or (fault.message.startswith(EMPTY_LIST) and scope.is_unread(fault.span))
             yield from hits(file.path, [replace(fault, level="info" if is_info else fault.level or use.level)])

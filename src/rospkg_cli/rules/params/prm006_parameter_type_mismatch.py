@@ -56,8 +56,8 @@ def example(bad: str, good: str, fix: Safety | None = None) -> Example:
     over=MistypedValues,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "nothing names the file or adds the action, the block is one of a well-known node by its name "
-        "alone, or another file has a double"
+        Severity.INFO: "nothing names the file, adds the action or reads the block, the block is one of a well-known "
+        "node by its name alone, or another file has a double"
     },
     examples=(
         example("rate: «50»", "rate: 50.0", Safety.SAFE),
@@ -92,11 +92,11 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
     three names. Where declarations differ, a type is not known, or a launch file or script fills the value in, nothing
     is said. So it is where the releases of a well-known package differ; what Humble does not declare yet is an info,
-    unless pages name newer distributions alone. Where pages and scripts name Foxy alone, which
-    takes any type, only what well-known packages declare is told, as an info. Where nothing names the file, or nothing
-    adds the action that starts the node, and where only the name of a block tells which well-known package is meant, it
-    is an info; nav2's nodes are known by several blocks together. Launch files that ROS 2 refuses for what they have of
-    ROS 1 (LCH006) are left alone.
+    unless pages name newer distributions alone. Where pages and scripts name Foxy alone, which takes any type, only
+    what well-known packages declare is told, as an info. Where nothing names the file, nothing adds the action that
+    starts the node, no node that is started with the file reads the block, and where only the name of a block tells
+    which well-known package is meant, it is an info; nav2's nodes are known by several blocks together. Launch files
+    that ROS 2 refuses for what they have of ROS 1 (LCH006) are left alone.
     """
     told, is_old = set(), scope.distribution.is_named_alone
     for group in () if is_old else scope.given.groups():
@@ -107,14 +107,14 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
                 fix = as_double(group.file.path, parameter) if (given, wanted[0]) in INTEGERS else None
                 what = f"{message}: {article(given)} stops the node when it starts; write {article(wanted[0])}"
                 told.add((group.file.path, parameter.value.span))
-                level = Severity.INFO if scope.uses.of(group.file).is_unnamed else None
+                level = Severity.INFO if scope.readers.is_idle(group.file.path, parameter.value.span) else None
                 yield Hit(group.file.path, parameter.value.span, what, level, fix=fix)
     for each in mistyped_known(scope.known):
         if (each.path, each.value.value) not in told:
             message = f"`{each.value.name}` is declared as {each.wanted} by `{each.package}`"
             fix = known_as_double(each) if (each.value.type, each.wanted) in INTEGERS else None
             given = f"{article(each.value.type)} stops the {each.kind} when it starts"
-            is_idle = each.file is not None and scope.uses.of(each.file).is_unnamed
+            is_idle = scope.readers.is_idle(each.path, each.value.value)
             is_newer = each.is_newer and not scope.distribution.is_from_jazzy_on
             given += ", but not in Foxy" if is_old else NEWER if is_newer else level_of(each.start)[1]
             is_mild = is_idle or is_old or is_newer or not each.is_certain or not may_start(each.start)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...checks.params.idle_nodes import hardest, level_of
-from ...checks.params.launched_names import strange_names, unknown_to_known, why_dropped
+from ...checks.params.launched_names import unknown_to_known
 from ...checks.params.unknown_parameters import UnknownParameters, repeated, unread
+from ...edits.fault_hits import hits
 from ...edits.parameter_names import renamed
 from ...edits.plain_names import only_plain_names
 from ...example import Example, manifest
@@ -53,8 +54,8 @@ talker:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code gets a parameter that is not declared, and nothing may catch what it throws",
-        Severity.INFO: "older releases had it, nothing names the file, adds the action or reads the variable, only the "
-        "block's name tells the node, or the repository is for Crystal",
+        Severity.INFO: "older releases had it, nothing names the file, adds the action or reads block or variable, "
+        "only the block's name tells the node, or the repository is for Crystal",
     },
     examples=(
         Example(
@@ -97,9 +98,9 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     ## When it is quiet
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
     three names. Code is left alone where nodes allow undeclared parameters, or names of them are computed; where other
-    packages may choose the options of a node, or a function or library that it calls may declare them.
-    One that is got into a variable, has an alternative, is like no other, or whose exception may be caught is a
-    warning; into one that nothing reads, an info.
+    packages may choose the options of a node, or a function or library that it calls may declare them. One that is got
+    into a variable, has an alternative, is like no other, or whose exception may be caught is a warning; into one that
+    nothing reads, an info. So is a value in a block that no node reads which is started with the file.
 
     ## Fix safety
     The similar name may not be the right one. A value of another type is not renamed, a single one for a list is put
@@ -109,23 +110,22 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         for parameter, meant in group.unknown():
             last, by = meant.rpartition(".")[2], group.owners[0].name
             message = f"`{by}` declares no parameter `{parameter.name}`: the value is dropped; did you mean `{last}`?"
-            is_idle, fix = scope.is_idle(group.file), only_plain_names(renamed(group, parameter, meant), last)
+            is_idle = scope.readers.is_idle(group.file.path, parameter.key.span)
+            fix = only_plain_names(renamed(group, parameter, meant), last)
             yield Hit(group.file.path, parameter.key.span, message, Severity.INFO if is_idle else None, fix=fix)
     for file, parameter, meant, other in scope.unlike_variants():
         message = f"`{scope.given.package.name}` declares no parameter `{parameter.name}`: the value is dropped"
-        level = Severity.INFO if scope.is_idle(file) else None
+        level = Severity.INFO if scope.readers.is_idle(file.path, parameter.key.span) else None
         yield Hit(file.path, parameter.key.span, f"{message}; `{other}` has `{meant}` in its place", level)
     names = (*scope.launched.unknown(), *unknown_to_known(scope.known))
     for named in hardest(((each.path, each.span, each.meant), each) for each in names):
         more, (softer, why) = " any more" if named.is_removed else "", level_of(named.start)
-        is_mild = more or softer == "info" or not named.is_certain or scope.is_idle(named.file)
+        is_mild = more or softer == "info" or not named.is_certain or scope.readers.is_idle(named.path, named.span)
         message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped{why}"
         others, level = also(named.path, named.others), Severity.INFO if is_mild else None
         yield Hit(named.path, named.span, f"{message}; did you mean `{named.meant}`?", level, others)
-    for each in hardest(((one.path, one.span), one) for one in strange_names(scope.known.launched)):
-        softer, why = level_of(each.start)
-        what = f"the value is dropped, and {why_dropped(each.name, each.meant)}{why}; write `{each.meant}`"
-        yield Hit(each.path, each.span, f"no node has a parameter `{each.name}`: {what}", Severity(softer or "warning"))
+    for path, fault in scope.strange_names():
+        yield from hits(path, [fault])
     for limit in scope.joints.mistyped():
         others = tuple(Related(limit.path, span, "and here") for span in limit.others)
         yield Hit(limit.path, limit.span, unread(limit), related=others)

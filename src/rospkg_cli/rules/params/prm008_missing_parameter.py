@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ...checks.older_distribution import is_called_older
-from ...checks.params.launch_parameters import MissingParameters
+from ...checks.params.idle_nodes import level_of, start_of
+from ...checks.params.missing_parameters import MissingParameters
 from ...checks.params.needed_parameters import needed_faults
-from ...checks.params.plugin_lists import doubled_plugins, lost_plugins, unfound_plugins
+from ...checks.params.plugin_faults import plugin_faults
 from ...edits.fault_hits import hits
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
+from ...light_dataclasses import replace
 from ...rule import rule
 
 SHOWN = 5
@@ -60,7 +61,10 @@ FILES = {
     "missing-parameter",
     over=MissingParameters,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "nothing adds the action that starts the node"},
+    levels={
+        Severity.INFO: "nothing adds the action that starts the node, its launch file is not installed, or no node "
+        "that is started reads the block"
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -96,9 +100,10 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
 
     ## When it is quiet
     A node that is given values which can't be evaluated, or a file that is not here, may have all that it needs. So may
-    one whose declaration lies behind a condition, or has a default. A launch file that
-    ROS 2 refuses for what it has of ROS 1 starts no node (LCH006). Lists of plugins in a file that is called as being
-    for Foxy or another unsupported distribution had other names there.
+    one whose declaration lies behind a condition, or has a default. A launch file that ROS 2 refuses for what it has of
+    ROS 1 starts no node (LCH006). Lists of plugins in a file that is called as being for Foxy or another unsupported
+    distribution had other names there. Where nobody starts the node, or no node that is started reads the block, it is
+    an info.
     """
     if not scope.launched.is_whole:
         return
@@ -107,25 +112,18 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
         if started is not None:
             names, code = listed([one.name for one in missing]), missing[0].path
             message = f"this node is not given {names}, and `{code}` declares no default: it stops when it starts"
-            yield Hit(given.launch.path, started.span, f"{message}; give a value here")
+            _, why = level_of(start_of(given.launch, given.node))
+            level = None if scope.readers.is_met(given) else Severity.INFO
+            yield Hit(given.launch.path, started.span, f"{message}{why}; give a value here", level)
     for path, fault in needed_faults(scope.launched):
         yield from hits(path, [fault])
     for left in scope.code.left_out():
         message = f"{listed(left.names)} is missing here, and `{left.path}` of `{left.facts.name}` declares no default"
-        yield Hit(left.file.path, left.block.key.span, f"{message}: the node stops when it starts; give a value here")
-    for file in scope.code.files:
-        for block in file.blocks if not is_called_older(file.path) else ():
-            meant = dict(unfound_plugins(block))
-            for item, group in meant.items():
-                message = f"`{item.text}` has no `{item.text}.plugin` here: the plugin can't be loaded"
-                yield Hit(file.path, item.span, f"{message}; did you mean `{group}`, which no list names?")
-            for item, name, group in doubled_plugins(block):
-                message = f"`{name}` names `{item.text}` twice, and `{group}` never: that plugin is not loaded"
-                yield Hit(file.path, item.span, f"{message}; did you mean `{group}`?")
-            for item, name in lost_plugins(block):
-                if item not in meant and not any(f"{item.text}:" in each.source.text for each in scope.code.files):
-                    message = f"`{item.text}` of `{name}` has no `{item.text}.plugin`: the server stops when it starts"
-                    yield Hit(file.path, item.span, f"{message}; give it one, or take it out of the list")
+        place = left.block.key.span
+        level = Severity.INFO if scope.level_at(left.file.path, place) else None
+        yield Hit(left.file.path, place, f"{message}: the node stops when it starts; give a value here", level)
+    for path, fault in plugin_faults(scope.code.files):
+        yield from hits(path, [replace(fault, level=scope.level_at(path, fault.span))])
 
 
 def listed(names: Sequence[str]) -> str:

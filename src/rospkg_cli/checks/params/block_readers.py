@@ -1,0 +1,83 @@
+"""Whether anything may read a block of a parameter file: rcl gives it to nodes of its name alone."""
+
+from __future__ import annotations
+
+from ...light_dataclasses import dataclass
+from ...package.params.parameter_file import NodeBlock, ParameterFile
+from ...ros.known_nodes import known_nodes
+from ...source import Span
+from .costmap_blocks import COSTMAPS, is_out_of_reach
+from .handed_on import may_hand_on
+from .idle_nodes import may_start, start_of
+from .launch_parameters import LaunchParameters, NodeArguments
+from .launched_names import displaced_blocks
+from .mistyped_blocks import WILD, last
+from .parameter_file_use import ParameterFileUses
+
+TO_SPAWNERS = "param-file"
+"""How a spawner is given a file, for a controller whose name is not that of a node here."""
+
+
+@dataclass(frozen=True)
+class BlockReaders:
+    """The parameter files of a package, and the nodes that launch files give them to."""
+
+    launched: LaunchParameters
+    uses: ParameterFileUses
+
+    def is_idle(self, path: str, place: Span) -> bool:
+        """Return whether a place is in a parameter file that nothing opens, or in a block that no node reads."""
+        file = next((each for each in self.launched.files if each.path == path), None)
+        blocks = file.blocks if file is not None else ()
+        block = next((each for each in blocks if each.key.span == place or each.value.span.holds(place)), None)
+        return file is not None and (self.is_unopened(file) or (block is not None and self.is_unread(file, block)))
+
+    def is_unopened(self, file: ParameterFile) -> bool:
+        """Return whether nothing names a file, or launch files give it to nodes alone that nobody starts."""
+        given = self.given(file)
+        is_dead = bool(given) and not any(map(self.is_met, given)) and self.is_only_given(file, given)
+        return is_dead or self.uses.of(file).is_unnamed
+
+    def is_unread(self, file: ParameterFile, block: NodeBlock) -> bool:
+        """Return whether launch files give a file to nodes, and none of those that they start reads a block of it."""
+        given = self.given(file)
+        met = [each for each in given if self.is_met(each)]
+        if not met or any(may_read(each, block) for each in met) or not self.is_only_given(file, given):
+            return False
+        return any(may_read(each, block) for each in given) or self.is_for_others(block, met)
+
+    def given(self, file: ParameterFile) -> list[NodeArguments]:
+        return [each for each in self.launched.node_arguments if file in each.files]
+
+    def is_met(self, each: NodeArguments) -> bool:
+        """Return whether somebody may start a node: its action is added, and its launch file is not left out."""
+        return may_start(start_of(each.launch, each.node)) and not self.launched.is_left_out(each.launch)
+
+    def is_only_given(self, file: ParameterFile, given: list[NodeArguments]) -> bool:
+        """Return whether nothing opens a file but the launch files that give it to some nodes, and these alone."""
+        name, package, workspace = file.path.rpartition("/")[2], self.launched.package, self.launched.workspace
+        giving = {each.launch.path: each.launch for each in given}
+        others = (launch.source.text for launch in self.launched.launches if launch.path not in giving)
+        if any(name in text for text in others) or any(TO_SPAWNERS in each.source.text for each in giving.values()):
+            return False
+        places = self.launched.share_paths(file)
+        handing = {facts.name for path in places for facts in workspace.having("handed_yaml", package.name, path)}
+        return handing <= {package.name} and not any(may_hand_on(each, name, workspace) for each in giving.values())
+
+    def is_for_others(self, block: NodeBlock, given: list[NodeArguments]) -> bool:
+        """Return whether a block is for a node that none of those that are started is, as far as names tell."""
+        told = (*(each for _, each, _ in self.launched.misnamed()), *(b for _, b, _ in displaced_blocks(self.launched)))
+        if any(each is block for each in told) or is_out_of_reach(block, self.launched):
+            return True
+        name = COSTMAPS.get(last(block), last(block))
+        packages = {each.node.package.literal if each.node.package else None for each in given}
+        owners = known_nodes().get(name, ())
+        if any(each.name == name for facts in self.launched.workspace.packages for each in facts.node_names):
+            return True
+        return bool(owners) and None not in packages and packages.isdisjoint(owners)
+
+
+def may_read(each: NodeArguments, block: NodeBlock) -> bool:
+    """Return whether a node may read a block; a server of nav2 makes a costmap, which gets the same files."""
+    names = (last(block), COSTMAPS.get(last(block)))
+    return last(block) in WILD or each.known_name is None or each.known_name in names
