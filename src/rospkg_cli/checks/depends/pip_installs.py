@@ -1,4 +1,4 @@
-"""Which Python libraries the files of a repository have pip install: its requirements, and its Dockerfiles."""
+"""Which Python libraries a repository has pip install: by its requirements, its Dockerfiles, scripts and pages."""
 
 from __future__ import annotations
 
@@ -13,8 +13,13 @@ from ...ros.aliases import key_for_pip
 from ...ros.names import Names
 
 REQUIREMENTS = regex(r"(?:.*/)?requirements[^/]*\.txt")
-DOCKER = regex(r"(?:.*/)?(?:[^/]*\.)?Dockerfile[^/]*")
-ABOVE = ("requirements.txt", "docker/requirements.txt", "Dockerfile", "docker/Dockerfile", ".devcontainer/Dockerfile")
+TYPED = regex(r"(?:.*/)?(?:(?:[^/]*\.)?Dockerfile[^/]*|README[^/]*|[^/]*\.(?:md|rst|sh|bash))")
+"""Files with commands: some run them, and people type those of the others."""
+ABOVE = (
+    "requirements.txt", "docker/requirements.txt", "Dockerfile", "docker/Dockerfile", ".devcontainer/Dockerfile",
+    "README.md", "README.rst", "README", "INSTALL.md", "install.sh", "setup.sh", "scripts/install.sh",
+    "scripts/setup.sh",
+)  # fmt: skip
 LISTED = regex(r"^[ \t]*([A-Za-z][\w.-]*)", re.MULTILINE)
 INSTALLS = regex(r"\bpip3?\s+install\b((?:[^\n&|;\\]|\\\n)*)")
 WORD = regex(r"(?<![\w./:-])[A-Za-z][\w.-]*")
@@ -36,7 +41,7 @@ class PipInstalls:
     @cached_property
     def written(self) -> frozenset[str]:
         """The names of distributions, as the files of the package and of the folders above it write them."""
-        own = [path for path in self.files.paths if REQUIREMENTS.fullmatch(path) or DOCKER.fullmatch(path)]
+        own = [path for path in self.files.paths if REQUIREMENTS.fullmatch(path) or TYPED.fullmatch(path)]
         found = {name for path in own for name in names_in(path, self.files.readable_text(path))}
         whole = PackageFiles(self.files.whole) if self.files.whole is not None else None
         for each in ABOVE if whole is not None else ():
@@ -46,10 +51,10 @@ class PipInstalls:
 
 
 def names_in(path: str, text: str) -> Iterator[str]:
-    """Yield the names in a file of requirements, or behind `pip install` in a Dockerfile."""
+    """Yield the names in a file of requirements, or behind `pip install` in commands."""
     if REQUIREMENTS.fullmatch(path):
         yield from (match[1] for match in LISTED.finditer(text))
-    elif DOCKER.fullmatch(path):
+    elif TYPED.fullmatch(path):
         for command in INSTALLS.finditer(text):
             yield from (word[0] for word in WORD.finditer(command[1]))
 
