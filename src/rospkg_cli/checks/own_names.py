@@ -15,8 +15,12 @@ SELF = "self."
 
 def own_names(file: PythonFile, scope: ast.AST, off: Collection[int] = ()) -> Iterator[str]:
     """Yield the names and strings that a scope mentions, without the bodies of definitions in it, without logs, and
-    without what is turned `off`."""
+    without what is turned `off`.
+
+    To import a name leads to nothing before that is used, under its own or another name; a package offers it to others.
+    """
     logged = logged_texts(file)
+    is_package = file.path.endswith("__init__.py")
     waiting = children_of(scope)
     while waiting:
         node = waiting.pop()
@@ -29,7 +33,7 @@ def own_names(file: PythonFile, scope: ast.AST, off: Collection[int] = ()) -> It
                 yield name
             case ast.Constant(value=str(name)) if id(node) not in logged:
                 yield name
-            case ast.alias(name=name):
+            case ast.alias(name=name, asname=asname) if asname or is_package:
                 yield name
         if isinstance(node, FunctionNode):
             waiting += [node.args, *node.decorator_list]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import ast
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from ..languages.python.file import PythonFile
@@ -19,6 +20,11 @@ from .switches import Switches
 
 OF_MODULES = ("__getattr__", "__dir__")
 """Functions of a module that Python calls; `super().__init__` means no function outside of a class."""
+SHAPING = frozenset(
+    "staticmethod classmethod property setter getter deleter cached_property cache lru_cache abstractmethod final "
+    "override overload dataclass total_ordering contextmanager no_type_check typechecked jit njit".split()
+)
+"""Decorators by which nobody calls a definition."""
 
 
 @dataclass(frozen=True)
@@ -96,12 +102,18 @@ class ReachedDefinitions:
         """Return whether a definition counts as called: by a decorator, a framework, or who imports the package."""
         has_programs = bool(self.entries) or any(True for _ in self.table.of("executable"))
         is_called = each.node.name.startswith("generate_") or self.is_test(path, each)  # by ros2 launch, by pytest
-        return bool(each.node.decorator_list) or is_called or not (has_programs or takes_no_object(each))
+        return registers(each.node.decorator_list) or is_called or not (has_programs or takes_no_object(each))
 
     def is_test(self, path: str, each: Named) -> bool:
         """Return whether pytest calls a definition: in the files that it collects, also in a `TestCase` of any name."""
         is_of_tests = not each.owner or each.owner.startswith("Test") or each.owner not in self.closed
         return is_collected(path) and is_of_tests and each.node.name.startswith(("test", "Test"))
+
+
+def registers(decorators: Iterable[ast.expr]) -> bool:
+    """Return whether decorators may call a definition, or hand it to something that does."""
+    names = (ast.unparse(each).partition("(")[0].rpartition(".")[2] for each in decorators)
+    return any(name not in SHAPING for name in names)
 
 
 def is_collected(path: str) -> bool:

@@ -9,12 +9,16 @@ from ..languages.python.file import Import
 from ..light_dataclasses import dataclass
 from ..package.file_role import Role, role_of
 from ..package.install_table import InstallTable
+from ..package.launch.text import uncommented
+from .home_path_texts import without_comments
 from .installed_modules import InstalledModules
 from .run_imports import RunImports
 
 PAGES = (".md", ".rst", ".sh")
 """Files that may tell how a module is started by its path."""
 
+PROSE = (".md", ".rst")
+"""Files in which a `#` begins no comment."""
 NAMING = (".py", ".cfg", ".toml", ".xml", ".yaml", ".yml", ".urdf", ".xacro", ".txt", ".launch")
 """Files that name modules: entry points, plugins, launch files."""
 
@@ -75,8 +79,15 @@ class ReachedModules:
         name, module = re.escape(path.rpartition("/")[2]), re.escape(self.installed.names[path])
         word = re.compile(rf"(?<!\w)(?:{name}|{module})(?!\w)")  # `my_pkg.dot` is not named by `my_pkg.dot_qt`
         pages = (each for each in self.installed.files.paths if each.endswith((*PAGES, *NAMING)))
-        texts = (self.installed.files.readable_text(each) for each in pages if each != path)
-        return not any(map(word.search, texts))
+        return not any(self.names(each, word) for each in pages if each != path)
+
+    def names(self, path: str, word: re.Pattern[str]) -> bool:
+        """Return whether a text names a module; a comment of code or of a list does not."""
+        text = self.installed.files.readable_text(path)
+        if path.endswith(PROSE) or not word.search(text):
+            return bool(word.search(text))
+        bare = without_comments(path, text) if path.endswith(".py") else uncommented(path, text)
+        return bool(word.search(bare))
 
     def is_for_launch(self, path: str) -> bool:
         """Return whether a file is a module that only launch files import or name, at first or second hand."""
@@ -134,8 +145,7 @@ class ReachedModules:
         """Return whether a text of the package that is no installed module names one."""
         word, files = re.compile(rf"(?<![\w.]){re.escape(module)}(?!\w)"), self.installed.files
         paths = (path for path in files.paths if path.endswith(NAMING) and path not in self.installed.names)
-        texts = (files.readable_text(path) for path in paths if role_of(path) in (*roles, "aside"))
-        return any(map(word.search, texts))
+        return any(self.names(path, word) for path in paths if role_of(path) in (*roles, "aside"))
 
     def imported_by(self, each: Import, path: str) -> list[str]:
         inner = self.installed.absolute(each, path)

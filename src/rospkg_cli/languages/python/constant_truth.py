@@ -11,6 +11,8 @@ from .nodes import nodes_of
 ROS_VERSION = frozenset({"ROS_VERSION", "ros_version", "get_ros_version"})
 """How the number 1 or 2 is called of the ROS that a file for both runs in: a variable, or a function of the package."""
 
+ENDING = frozenset({"sys.exit", "exit", "quit", "os._exit", "os.abort"})
+"""Calls that do not return, in a statement of their own."""
 LEAVING = ast.Return | ast.Raise | ast.Break | ast.Continue
 BLOCKS = ("body", "orelse", "finalbody")
 
@@ -81,5 +83,15 @@ def unreached_statements(nodes: Iterable[ast.AST], names: Mapping[str, bool]) ->
 
 
 def behind_leaving(block: list[ast.stmt]) -> list[ast.stmt]:
-    ends = (number for number, each in enumerate(block, start=1) if isinstance(each, LEAVING))
+    ends = (number for number, each in enumerate(block, start=1) if leaves(each))
     return block[next(ends, len(block)) :]
+
+
+def leaves(statement: ast.stmt) -> bool:
+    """Return whether nothing behind a statement of the same block runs."""
+    match statement:
+        case ast.Expr(value=ast.Call(func=function)):
+            return isinstance(function, ast.Name | ast.Attribute) and ast.unparse(function) in ENDING
+        case ast.If(body=body, orelse=other) if other:
+            return any(map(leaves, body)) and any(map(leaves, other))
+    return isinstance(statement, LEAVING)
