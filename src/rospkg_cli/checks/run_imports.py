@@ -49,4 +49,5 @@ class RunImports:
     @cached_property
     def changes_path(self) -> bool:
         """Whether a file that is no test tells Python to look for modules elsewhere."""
-        return any("sys.path" in file.source.text for role, file in self.files if role in ("run", "launch"))
+        texts = (file.source.text for role, file in self.files if role in ("run", "launch"))
+        return any("sys.path" in each or "PYTHONPATH" in each for each in texts)

@@ -8,8 +8,9 @@ from collections.abc import Iterator
 
 from ..files import PackageFiles
 from ..languages.cpp.file import CppFile
+from ..languages.python.branches import is_default
 from ..languages.python.file import PythonFile
-from ..languages.python.guarded_nodes import guarded_nodes
+from ..languages.python.guarded_nodes import guarded_nodes, is_guarded
 from ..languages.python.joined_paths import PathJoiner
 from ..languages.python.nodes import nodes_of
 from ..languages.python.unreached_places import is_unreached
@@ -32,6 +33,7 @@ from .cpp.share_names import share_names
 from .depends.compiled_sources import harm_in
 from .install_faults import InstallFaults
 from .reached_modules import ReachedModules
+from .reached_places import ReachedPlaces
 from .run_imports import RunImports
 from .unread_paths import UnreadPaths
 from .unrun_tests import is_never_run
@@ -40,6 +42,8 @@ LOOKUPS = SHARE | {"get_package_prefix"}
 CATCHES = frozenset({"PackageNotFoundError", "KeyError", "LookupError", "Exception", "BaseException"})
 """PackageNotFoundError is a KeyError."""
 
+UNOPENED = frozenset({"OSError", "IOError", "EnvironmentError", "Exception", "BaseException"})
+"""What is caught where a file may be missing; who names FileNotFoundError has thought of that."""
 LOOKS_FIRST = frozenset(
     {"exists", "isfile", "is_file", "isdir", "is_dir", "FileNotFoundError", "makedirs", "mkdir", "create_director"}
 )
@@ -84,6 +88,7 @@ class ShareLookups:
     reached: ReachedModules | None = None
     table: InstallTable | None = None
     unread: UnreadPaths | None = None
+    places: ReachedPlaces | None = None
 
     def is_run(self, path: str) -> bool:
         """Return whether a file runs: every build compiles the C++; of Python see `is_left`."""
@@ -97,6 +102,20 @@ class ShareLookups:
         """Return whether a file is a test that `colcon test` does not run."""
         is_test = path.endswith(".py") and role_of(path) == "test"
         return is_test and is_never_run(path, self.files, self.cmake, self.facts.build_type)
+
+    def why_seldom(self, path: str, span: Span) -> str:
+        """Return what is said of a place in Python code that seldom or never runs; "" for others."""
+        return self.places.why_seldom(path, span) if self.places is not None else ""
+
+    def is_conditional(self, path: str, span: Span) -> bool:
+        """Return whether a place in Python code is in a branch of its function."""
+        return self.places is not None and self.places.is_conditional(path, span)
+
+    def is_softened(self, path: str, span: Span) -> bool:
+        """Return whether a path in Python code is one of several: in a branch, for what nobody gives, or in a `try`."""
+        file = self.run.modules.at(path) if path.endswith(".py") else None
+        is_soft = file is not None and (is_default(file, span) or is_guarded(file, span, UNOPENED))
+        return is_soft or self.is_conditional(path, span)
 
     @property
     def modules(self) -> Iterator[PythonFile]:

@@ -23,9 +23,11 @@ from ...source import Span
 from ...suggest import nearest, slips
 from ..installed_modules import InstalledModules
 from ..reached_modules import ReachedModules
+from ..reached_places import ReachedPlaces
 from ..run_imports import RunImports
 from .module_makers import may_make_modules
 
+LEFT = "; nothing starts or imports this module"
 REQUIREMENTS = regex(r"requirements[^/]*\.txt")
 README = regex(r"README[^/]*")
 
@@ -44,12 +46,15 @@ class MissingOwnName:
     is_module: bool
     """Whether Python looks for a module and nothing else."""
     is_local: bool
+    """Whether it is in a function, which may not be called, or in a branch."""
     module: str = ""
     """The whole of what is imported, where that is a module further down."""
     elsewhere: str = ""
     """The module of the same name in another package of the workspace, where there is one."""
     is_reached: bool = True
     """Whether what the package starts, launches or tests imports the file, as far as it can be known."""
+    why: str = ""
+    """What is said of an import that seldom or never runs: nothing leads to its function or its module."""
 
 
 @dataclass(frozen=True)
@@ -63,6 +68,7 @@ class OwnImports:
     table: InstallTable
     installed: InstalledModules
     reached: ReachedModules
+    places: ReachedPlaces
     cmake: CMake | None = None
 
     @cached_property
@@ -80,7 +86,10 @@ class OwnImports:
         """Yield the imports of modules and names that the workspace's packages do not have."""
         for each in self.absent():
             is_test = role_of(each.path) == "test"
-            yield replace(each, is_reached=self.reached.has(each.path) and not is_test)
+            why = LEFT if self.reached.is_left(each.path) else self.places.why_seldom(each.path, each.span)
+            is_local = each.is_local or self.places.is_conditional(each.path, each.span)
+            is_reached = self.reached.has(each.path) and not is_test
+            yield replace(each, is_local=is_local, is_reached=is_reached, why=why)
 
     def absent(self) -> Iterator[MissingOwnName]:
         is_known = self.table.knows("module")
@@ -152,6 +161,8 @@ class OwnImports:
             top = each.module.partition(".")[0]
             if each.level or not package or file.path in programs or self.is_found(top) or self.changes_path(file):
                 continue
+            if self.places.is_by_path(file, each.span):
+                continue  # Python looks next to the file then
             full = f"{package}.{each.module}"
             is_own = f"{package}.{top}" in self.installed.sources and self.has_all(each, full)
             if (is_own or self.is_beside(file, each)) and not self.is_from_pip(top):

@@ -13,6 +13,7 @@ from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_TESTS, LAUNCH, implied_by
 from ...source import Span
 from ..reached_modules import ReachedModules
+from ..reached_places import ReachedPlaces
 from ..ros1_import import ROS1, ros1_import
 from ..unrun_tests import is_never_run
 from .brought_dependencies import COLCON, ROSDEP, Bringer
@@ -55,6 +56,7 @@ class ImportDependencies:
     files: PackageFiles
     reached: ReachedModules | None = None
     cmake: CMake | None = None
+    places: ReachedPlaces | None = None
 
     def are_never_run(self, places: Iterable[ImportUse]) -> bool:
         """Return whether all places are in tests that `colcon test` does not run."""
@@ -62,7 +64,7 @@ class ImportDependencies:
         return all(is_never_run(path, self.files, self.cmake, build_type) for path in {each.path for each in places})
 
     def is_for_pip(self, missing: UndeclaredImport) -> bool:
-        """Return whether the requirements or a Dockerfile of the repository have pip install it."""
+        """Return whether the requirements, a Dockerfile, a script or a page of the repository have pip install it."""
         index = self.declared.workspace.index
         return index.is_key(missing.name) and PipInstalls(self.files).has(missing.places[0].module, missing.name, index)
 
@@ -74,6 +76,11 @@ class ImportDependencies:
         """Return whether all places are in modules that nothing starts or imports, beside programs."""
         reached = self.reached
         return reached is not None and all(reached.is_left(path) for path in {each.path for each in places})
+
+    def why_seldom(self, uses: Iterable[ImportUse]) -> str:
+        """Return what is said where all places seldom or never run, beside what is said of modules; "" for others."""
+        found = {self.places.why_seldom(each.path, each.span) if self.places is not None else "" for each in uses}
+        return "" if "" in found else min(found, default="")
 
     def are_optional(self, places: Iterable[ImportUse]) -> bool:
         """Return whether all places are in modules that others import only where that may fail."""
@@ -102,7 +109,14 @@ class ImportDependencies:
     def with_bringers(self, missing: Mapping[str, list[ImportUse]], *, runs: bool) -> list[UndeclaredImport]:
         """Return what is missing, each with what brings it: a declared dependency, or another that is missing."""
         bringers = self.declared.bringers(missing, runs=runs)
-        return [UndeclaredImport(name, tuple(p), (), bringers.get(name)) for name, p in missing.items()]
+        return [UndeclaredImport(name, self.in_use_first(p), (), bringers.get(name)) for name, p in missing.items()]
+
+    def in_use_first(self, places: list[ImportUse]) -> tuple[ImportUse, ...]:
+        """Return places with those first that somebody comes to."""
+        is_alone = len(places) == 1
+        return tuple(
+            places if is_alone else sorted(places, key=lambda e: self.is_left([e]) or bool(self.why_seldom([e])))
+        )
 
     def missing_in_tests(self) -> list[UndeclaredImport]:
         """Return what only tests import undeclared, but for what comes with other undeclared names."""

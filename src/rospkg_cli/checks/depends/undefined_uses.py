@@ -2,29 +2,20 @@
 
 from __future__ import annotations
 
-import ast
 from collections.abc import Collection, Iterator
 from functools import cached_property
 from typing import Literal
 
 from ...languages.python.branches import is_under_condition
-from ...languages.python.certain_nodes import certain_nodes, is_guard
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of_kind
 from ...languages.python.undefined_names import UndefinedName, is_in_branch, undefined_names
-from ...languages.python.unreached_functions import unreached_functions
 from ...languages.python.unreached_places import is_unreached
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role, is_set_aside, role_of
-from ...package.install_table import InstallTable
 from ...source import Span
-from ..behind_spin import is_behind_spin
 from ..installed_modules import InstalledModules
-from ..interfaces.seldom_run import is_in_handler
-from ..interfaces.uncalled_methods import UncalledMethods
 from ..module_attributes import AbsentAttribute, absent_attributes
-from ..reached_definitions import ReachedDefinitions
-from ..reached_modules import ReachedModules
+from ..reached_places import ReachedPlaces
 from ..run_imports import RunImports
 
 When = Literal["certainly", "maybe", "branch", "late", "never", "aside"]
@@ -61,11 +52,8 @@ class UndefinedUse:
 @dataclass(frozen=True)
 class UndefinedUses:
     run: RunImports
-    table: InstallTable
     installed: InstalledModules
-    reached: ReachedModules
-    uncalled: UncalledMethods
-    definitions: ReachedDefinitions
+    places: ReachedPlaces
 
     @property
     def files(self) -> Iterator[tuple[Role, PythonFile]]:
@@ -91,7 +79,7 @@ class UndefinedUses:
             for each in absent_attributes(file, self.local):
                 found = UndefinedName(each.name, each.root, frozenset())
                 if not is_unreached(file, found.span):
-                    yield file, each, self.when_in(role, file, found, self.certain_spans(file))
+                    yield file, each, self.when_in(role, file, found, self.places.certain_spans(file))
 
     def of(self, file: PythonFile, role: Role) -> Iterator[UndefinedUse]:
         uses: dict[str, list[UndefinedName]] = {}
@@ -101,7 +89,7 @@ class UndefinedUses:
                 uses.setdefault(found.name, []).append(found)
         if not uses or BUILD_TOOL in uses:
             return
-        certain = self.certain_spans(file)
+        certain = self.places.certain_spans(file)
         for name, places in uses.items():
             if not self.may_come_by_star(file, name):
                 times = [self.when_in(role, file, each, certain) for each in places]
@@ -126,60 +114,12 @@ class UndefinedUses:
     def when(self, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
         if found.span in certain and not (found.is_annotation or found.is_caught):
             return "certainly"
-        if self.is_idle(file, found.span):
-            return "never"
-        if is_behind_spin(file, found.span):
-            return "late"
-        is_seldom = is_in_handler(file, found.span) or self.definitions.is_turned_off(file, found.span)
-        is_seldom = is_seldom or self.is_by_path(file, found.span)
-        return "branch" if is_seldom else "maybe"
+        return self.places.met(file, found.span)
 
     def of_attribute(self, role: Role, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
         """Return when an attribute is read of an object, of which less is known than of a name."""
         when = self.when_in(role, file, found, certain)
         return "branch" if when == "maybe" and is_under_condition(file, found.span) else when
-
-    def is_idle(self, file: PythonFile, span: Span) -> bool:
-        """Return whether nothing in the package leads to a place."""
-        is_left = self.reached.is_left(file.path) or self.uncalled.has(file.path, span)
-        return is_left or not self.definitions.leads_to(file, span) or self.is_in_idle_function(file, span)
-
-    def is_by_path(self, file: PythonFile, span: Span) -> bool:
-        """Return whether a place is under `if __name__ == '__main__'` of a module that an entry point starts."""
-        guards = [each for each in file.tree.body if isinstance(each, ast.If) and is_guard(each)]
-        is_under = any(file.span(part).holds(span) for each in guards for part in each.body)
-        rows = self.table.of("executable") if is_under else ()
-        is_program = any(row.source == file.path and not row.entry for row in rows)
-        return is_under and not is_program and self.installed.names.get(file.path) in self.reached.entries
-
-    def certain_spans(self, file: PythonFile) -> frozenset[Span]:
-        """Return where the names stand that a program or a module reads whenever it is started or imported."""
-        module, rows = self.installed.names.get(file.path, ""), [*self.table.of("executable")]
-        is_program = any(row.source == file.path and not row.entry for row in rows)
-        if not is_program and module not in self.reached.started:
-            return frozenset()
-        entries = [row.entry.partition(":")[2] for row in rows if row.entry.partition(":")[0] == module]
-        nodes = certain_nodes(file, entries, is_program=is_program)
-        return frozenset(file.span(each) for each in nodes_of_kind(file.tree, ast.Name) if id(each) in nodes)
-
-    def is_in_idle_function(self, file: PythonFile, span: Span) -> bool:
-        """Return whether a place is in a function of a file that nothing calls, and that no other file takes."""
-        taken = {name for _, other in self.run.files for each in other.imports for name in each.names}
-        names = {row.entry.partition(":")[2] for row in self.table.of("executable")}
-        for each in unreached_functions(file, names | taken):
-            around = file.span(each)
-            if around.holds(span) and not self.is_read_elsewhere(file, each.name):
-                return True
-        return False
-
-    def is_read_elsewhere(self, file: PythonFile, name: str) -> bool:
-        """Return whether another file has a name as an attribute: `module.name`."""
-        return any(
-            each.attr == name
-            for _, other in self.run.files
-            if other is not file
-            for each in nodes_of_kind(other.tree, ast.Attribute)
-        )
 
     def home(self, file: PythonFile, name: str) -> str:
         """Return the own module, as a file imports it, in which a name is defined."""

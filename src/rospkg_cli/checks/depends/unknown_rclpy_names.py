@@ -15,7 +15,6 @@ from ...light_dataclasses import dataclass
 from ...ros.rclpy_names import OF_ROSPY, members_of_nodes, names_of_rclpy
 from ...source import Span
 from ...suggest import near_names
-from ..behind_spin import is_behind_spin
 from .own_members import members
 from .undefined_uses import UndefinedUses, When
 
@@ -56,11 +55,10 @@ class UnknownRclpyNames:
 
     def unknown(self, file: PythonFile, node: ast.Attribute, owner: str, better: str, *, is_test: bool) -> UnknownName:
         span = attribute_span(file, node)
-        certain = self.uses.certain_spans(file)
+        certain = self.uses.places.certain_spans(file)
         is_certain = file.span(node.value) in certain and not is_test
-        is_seldom = is_under_condition(file, span) or self.uses.is_by_path(file, span)
-        seldom: When = "late" if is_behind_spin(file, span) else "branch" if is_seldom else "maybe"
-        when: When = "certainly" if is_certain else "never" if self.uses.is_idle(file, span) else seldom
+        when: When = "certainly" if is_certain else self.uses.places.met(file, span)
+        when = "branch" if when == "maybe" and is_under_condition(file, span) else when
         return UnknownName(file, span, node.attr, owner, better, when)
 
     def of_nodes(self, file: PythonFile) -> Iterator[tuple[ast.Attribute, str, str]]:

@@ -11,8 +11,8 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.interfaces import KINDS
 from ...source import Span
-from ..reached_definitions import ReachedDefinitions
 from ..reached_modules import ReachedModules
+from ..reached_places import ReachedPlaces
 from ..run_imports import RunImports
 from .known_interfaces import KnownInterfaces
 
@@ -31,11 +31,12 @@ class WrongInterfaceImport:
     meant: str
     """`package.kind.Name`, or `package.kind` where the module is not there; "" where nothing is near."""
     is_local: bool
+    """Whether it is in a function, which may not be called, or in a branch."""
     is_left: bool
     """Whether it is in a module that nothing starts or imports, beside programs."""
     is_uninstalled: bool = False
-    is_unreached: bool = False
-    """Whether it is in a function that nothing of the package leads to."""
+    why: str = ""
+    """What is said of an import that seldom or never runs: nothing leads to its function."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +45,7 @@ class InterfaceImports:
     run: RunImports
     workspace: Workspace
     reached: ReachedModules | None = None
-    definitions: ReachedDefinitions | None = None
+    places: ReachedPlaces | None = None
 
     def wrong(self) -> Iterator[WrongInterfaceImport]:
         for file, each in self.run.certain:
@@ -111,9 +112,9 @@ class InterfaceImports:
         self, file: PythonFile, each: Import, span: Span, package: str, kind: str, name: str, meant: str
     ) -> WrongInterfaceImport:
         is_left = self.reached is not None and self.reached.is_left(file.path)
-        is_led_to = self.definitions is None or not each.is_local or self.definitions.leads_to(file, each.span)
-        found = WrongInterfaceImport(file.path, span, package, kind, name, meant, each.is_local, is_left)
-        return found if is_led_to else replace(found, is_unreached=True)
+        why = self.places.why_seldom(file.path, each.span) if self.places is not None and not is_left else ""
+        is_local = each.is_local or (self.places is not None and self.places.is_conditional(file.path, each.span))
+        return WrongInterfaceImport(file.path, span, package, kind, name, meant, is_local, is_left, why=why)
 
 
 def makes(facts: PackageFacts, kind: str) -> bool:

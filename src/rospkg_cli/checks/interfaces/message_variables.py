@@ -117,11 +117,19 @@ def bound_values(nodes: list[ast.AST]) -> Iterator[tuple[str, ast.expr | None, a
 
 
 def asked_names(body: list[ast.stmt]) -> Iterator[str]:
-    """Yield the variables whose type or attributes a body asks for."""
+    """Yield the variables of whose type or attributes a body asks, or of those of what is in them."""
     for statement in body:
         for node in nodes_of(statement):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ASKS and node.args:
-                yield name_of(node.args[0])
+                yield from outer_names(node.args[0])
+
+
+def outer_names(node: ast.expr) -> Iterator[str]:
+    """Yield the variables that an expression is a part of: `msg` for `msg.header.stamp`."""
+    while isinstance(node, ast.Attribute | ast.Subscript):
+        yield name_of(node)
+        node = node.value
+    yield name_of(node)
 
 
 def attributes_of(

@@ -14,10 +14,12 @@ from ...ros.interface_fields import ros1_fields
 from ...ros.interfaces import CONSTANT_NAME, KINDS
 from ...source import Span
 from ...suggest import near_names, nearest
+from ..behind_spin import is_behind_spin
 from ..fault import Level
 from ..older_distribution import OlderDistribution
 from ..reached_definitions import ReachedDefinitions
 from ..reached_modules import ReachedModules
+from ..reached_places import ReachedPlaces
 from ..run_imports import RunImports
 from .idle_objects import IdleObjects
 from .known_interfaces import KnownInterfaces
@@ -52,6 +54,7 @@ class FieldUses:
     reached: ReachedModules | None = None
     definitions: ReachedDefinitions | None = None
     distribution: OlderDistribution | None = None
+    places: ReachedPlaces | None = None
 
     def unknown(self) -> Iterator[UnknownField]:
         """Yield the unknown fields of each file, in the order of its text."""
@@ -86,6 +89,25 @@ class FieldUses:
         """Return whether no program of the package leads to the function around a use."""
         file = self.run.modules.at(use.path)
         return file is not None and self.definitions is not None and not self.definitions.leads_to(file, use.span)
+
+    def is_late(self, use: UnknownField) -> bool:
+        """Return whether a use stands behind a `spin` that Ctrl-C leaves."""
+        file = self.run.modules.at(use.path)
+        return file is not None and is_behind_spin(file, use.span)
+
+    def is_by_path(self, use: UnknownField) -> bool:
+        """Return whether only who starts a module by its path comes to a use, which an entry point starts as well."""
+        file = self.run.modules.at(use.path)
+        return file is not None and self.places is not None and self.places.is_by_path(file, use.span)
+
+    def is_turned_off(self, use: UnknownField) -> bool:
+        """Return whether a use is under a switch that nothing throws."""
+        file = self.run.modules.at(use.path)
+        return file is not None and self.definitions is not None and self.definitions.is_turned_off(file, use.span)
+
+    def is_conditional(self, use: UnknownField) -> bool:
+        """Return whether a use is in a branch of its function."""
+        return self.places is not None and self.places.is_conditional(use.path, use.span)
 
     @cached_property
     def idle(self) -> IdleObjects:

@@ -30,8 +30,8 @@ OPTIONAL = "; this module is imported only where that may fail"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment, "
-        "where only PyPI has it or the repository has pip install it, and where nothing but launch files, only `try`, "
-        "or nothing at all imports the module"
+        "where only PyPI has it or the repository has pip install it, where nothing but launch files, only `try`, "
+        "or nothing at all imports the module, and where nothing leads to the function of the import"
     },
     examples=(
         Example(
@@ -71,10 +71,11 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     nor can what rosdep itself needs (PyYAML): that is one info, which names who brings it. What may come with a
     declared one is another: with a package that is neither here nor in the table of what is installed with what,
     anything may come. A module that no entry point and no other file of the package names or imports, beside others
-    that start, is an info, and one that others import under `try` … `except ImportError` alone; so is what
-    `ros2 launch` brings, where only launch files import the module, and a library that a requirements.txt or a
-    Dockerfile of the repository has pip install. Left out are optional imports: under `try` … `except ImportError`,
-    `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
+    that start, is an info, and one that others import under `try` … `except ImportError` alone; so is an import in a
+    function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's module, what
+    `ros2 launch` brings, where only launch files import the module, and a library that a requirements.txt, a
+    Dockerfile, a script or a page of the repository has pip install. Left out are optional imports: under `try` …
+    `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
     get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, and the package's
     own modules, and libraries of which rosdep has keys for older releases of Ubuntu alone.
 
@@ -123,8 +124,8 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
     where = where_absent(declared, *imports.serving(missing), built=ends == BUILD)
     what = ONLY_LAUNCH if is_launch else f"{where} {LACKS.get(where, '')}{ends}"
     todo = advice(declared, kind, missing.name)
-    if not end and imports.is_for_pip(missing):
-        end = PIP
+    if not end:
+        end = PIP if imports.is_for_pip(missing) else imports.why_seldom(missing.places)
     message = f"`{missing.name}` is imported{shown} and not declared: {what}; {todo}{end}"
     places = related((place.path, place.span) for place in missing.places)
     mild = bool(end) or is_launch or is_left_out(declared, missing.name)

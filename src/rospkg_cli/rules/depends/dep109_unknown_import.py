@@ -25,8 +25,10 @@ GOOD = {"my_pkg/talker.py": "from my_pkg.speech import GREETING" + MAIN.format("
     over=OwnImports,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a function, which may not be called, or nothing imports the module",
-        Severity.INFO: "another package may have the module, and this one has one of its name",
+        Severity.WARNING: "it is in a function or a branch, which may not be run, in a test, or in a library's module "
+        "that nothing here imports",
+        Severity.INFO: "nothing starts or imports the module, or leads to the function, it stands behind `rclpy.spin`, "
+        "or another package may have the module, and this one has one of its name",
     },
     examples=(
         Example(
@@ -58,13 +60,15 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
     For optional imports and under `TYPE_CHECKING`, in files that nothing installs, where the module may be compiled or
     generated (a command of CMake may do so, or git ignores it), where it lies in a folder that is not installed, where
     a module has a `__getattr__` or an unknown star import, and where the package changes `sys.path`. A module that no
-    entry point and no other file of the package names or imports is a warning: others may import it, or nobody.
+    entry point and no other file of the package names or imports, beside others that start, is an info, and so is an
+    import in a function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's
+    module. Of a library such a module is a warning: others may import it, or nobody.
 
     ## Fix safety
     The intended name is a guess.
     """
     for wrong, *others in same_names(imports.wrong()):
-        level = Severity.WARNING if is_uncertain(wrong) else None
+        level = Severity.INFO if wrong.why else Severity.WARNING if is_uncertain(wrong) else None
         what = missing_module(wrong) if wrong.is_module else absence(imports, wrong)
         error = "ModuleNotFoundError" if wrong.is_module else "ImportError"
         meant = wrong.near or wrong.elsewhere
@@ -76,7 +80,7 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
             edits = tuple(Edit(one.path, one.span, wrong.near) for one in each)
             fix = Fix(f"write `{wrong.near}`", edits, Safety.UNSAFE)
         places = tuple(Related(other.path, other.span, "here too") for other in others)
-        yield Hit(wrong.path, wrong.span, f"{what}: the import raises {error}{advice}", level, places, fix)
+        yield Hit(wrong.path, wrong.span, f"{what}: the import raises {error}{advice}{wrong.why}", level, places, fix)
     former = list(former_names(imports))
     for typo in mistyped_tops(imports, former):
         top, own = (name.partition(".")[0] for name in (typo.each.module, typo.own))
@@ -93,13 +97,13 @@ def at_former(one: FormerName) -> Hit:
 
 def is_uncertain(wrong: MissingOwnName) -> bool:
     """Return whether an import may never run."""
-    return wrong.is_local or not wrong.is_reached
+    return wrong.is_local or not wrong.is_reached or bool(wrong.why)
 
 
 def same_names(found: Iterable[MissingOwnName]) -> Iterable[list[MissingOwnName]]:
     """Return the imports of each name, those first that certainly run: a module that is gone is one cause."""
     by_name: dict[tuple[str, str], list[MissingOwnName]] = {}
-    for each in sorted(found, key=is_uncertain):
+    for each in sorted(found, key=lambda each: (bool(each.why), is_uncertain(each))):
         by_name.setdefault((each.package, each.name), []).append(each)
     return by_name.values()
 

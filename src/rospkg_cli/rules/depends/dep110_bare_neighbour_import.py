@@ -18,7 +18,10 @@ MAIN = "\n\ndef main():\n    print(GREETING)\n"
     "bare-neighbour-import",
     over=OwnImports,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it is in a function, which may not be called"},
+    levels={
+        Severity.WARNING: "it is in a function or a branch, which may not be run",
+        Severity.INFO: "nothing leads to the function, or it stands behind `rclpy.spin`",
+    },
     examples=(
         Example(
             bad={**FILES, "my_pkg/talker.py": f"from «speech» import GREETING\n{MAIN}"},
@@ -40,7 +43,8 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     Where something else may provide the name: a dependency, the standard library, a package of the workspace, or pip,
     as the README or the requirements say; where the own module lacks what is imported from it; for optional imports,
     for scripts installed to `lib/<package>`, in modules that no entry point leads to (they may be started by their
-    path; in a package without programs, those with a `__main__`), and where the package changes `sys.path`.
+    path; in a package without programs, those with a `__main__`), under the `__main__` of an entry point's module,
+    and where the package changes `sys.path` or sets PYTHONPATH.
 
     ## Fix safety
     A file that is also started by its path needs its package installed from then on.
@@ -55,4 +59,7 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
         fix = None
         if is_installed and each.names and file.source.slice(each.span) == each.module:
             fix = Fix(f"write `{full}`", (Edit(file.path, each.span, full),), Safety.UNSAFE)
-        yield Hit(file.path, each.span, message, Severity.WARNING if each.is_local else None, fix=fix)
+        why = imports.places.why_seldom(file.path, each.span)
+        is_mild = each.is_local or imports.places.is_conditional(file.path, each.span)
+        level = Severity.INFO if why else Severity.WARNING if is_mild else None
+        yield Hit(file.path, each.span, f"{message}{why}", level, fix=fix)

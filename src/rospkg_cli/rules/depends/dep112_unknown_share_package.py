@@ -38,8 +38,9 @@ NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend
     over=ShareLookups,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "no target certainly compiles the file",
-        Severity.INFO: "nothing starts or imports the module",
+        Severity.WARNING: "it is in a branch of a function, or no target certainly compiles the file",
+        Severity.INFO: "nothing starts or imports the module or leads to the function, a switch turns it off, or it "
+        "stands behind `rclpy.spin`",
     },
     examples=(
         Example(
@@ -66,7 +67,9 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     ## When it is quiet
     Where the name is near none of the workspace, of the dependencies and of the known packages; where a submodule or a
     listed repository that is not here is called like that; where the exception is caught; in files that nothing
-    installs, and under a condition that never holds on Linux. Launch files have rules of their own (DEP103).
+    installs, and under a condition that never holds on Linux. In a module that nothing starts or imports, in a function
+    that no program leads to, behind `rclpy.spin`, and under a switch that nothing throws it is an info. Launch files
+    have rules of their own (DEP103).
 
     ## Fix safety
     The intended package is a guess.
@@ -74,7 +77,10 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     for found in lookups.unknown_packages():
         message = f"there is no package `{found.name}`: this raises PackageNotFoundError; did you mean `{found.near}`?"
         fix = Fix(f"write `{found.near}`", (Edit(found.path, found.span, found.near),), Safety.UNSAFE)
-        level = None if lookups.is_run(found.path) else Severity.WARNING
+        is_certain = lookups.is_run(found.path) and not lookups.is_conditional(found.path, found.span)
+        level = None if is_certain else Severity.WARNING
         if lookups.is_left(found.path):
             level, message = Severity.INFO, f"{message}; nothing starts or imports this module"
+        elif why := lookups.why_seldom(found.path, found.span):
+            level, message = Severity.INFO, f"{message}{why}"
         yield Hit(found.path, found.span, message, level, fix=fix)

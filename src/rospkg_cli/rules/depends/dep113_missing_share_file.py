@@ -29,9 +29,10 @@ PEOPLE = {**NEEDS, "names/people.txt": "Ada\n", "my_pkg/talker.py": MODULE.forma
     over=ShareLookups,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "C++ names it, or the package does not have it",
-        Severity.INFO: "nothing starts or imports the module, or reads the variable of the path, or it is in a test "
-        "that `colcon test` does not run",
+        Severity.WARNING: "C++ names it, the package does not have it, or the path counts in a branch or for what is "
+        "not given alone, or is opened in a `try`",
+        Severity.INFO: "nothing starts or imports the module, leads to the function, or reads the variable of the "
+        "path, it stands behind `rclpy.spin`, or it is in a test that `colcon test` does not run",
     },
     examples=(
         Example(bad={**PEOPLE, "setup.py": SETUP_PY}, good={"setup.py": INSTALLED}),
@@ -55,7 +56,9 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
     Where neither the package has the file nor installs one of a near name: the code may write it. Where the file
     asks whether something exists; where the installed files are not all known; for folders that CMK101, SET206 and
     SET207 tell about; in files that nothing installs, and under a condition that never holds on Linux.
-    A path that is put into a variable of a function or a member, which nothing reads, is an info.
+    A path that is put into a variable of a function or a member, which nothing reads, is an info, and so is one in a
+    function that no program leads to, or behind `rclpy.spin`. What counts where nothing else is given, as the value of
+    a parameter or an option, is a warning, like what is in a branch or in a `try` that goes on without the file.
     """
     for found in lookups.missing_files():
         if found.goes_to:
@@ -66,11 +69,13 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
         else:
             message = f"`{found.package}` installs no file `{found.file}`; did you mean `{found.near}`?"
         is_certain = found.is_here and found.path.endswith(".py") and lookups.is_run(found.path)
-        level = None if is_certain else Severity.WARNING
+        level = None if is_certain and not lookups.is_softened(found.path, found.span) else Severity.WARNING
         if lookups.is_never_run(found.path):
             level, message = Severity.INFO, f"{message}; `colcon test` does not run this file today"
         elif lookups.is_left(found.path):
             level, message = Severity.INFO, f"{message}; nothing starts or imports this module"
         elif lookups.unread and lookups.unread.has(found.path, found.span):
             level, message = Severity.INFO, f"{message}; nothing reads the variable"
+        elif why := lookups.why_seldom(found.path, found.span):
+            level, message = Severity.INFO, f"{message}{why}"
         yield Hit(found.path, found.span, message, level)

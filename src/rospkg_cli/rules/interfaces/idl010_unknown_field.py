@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from ...checks.enumeration import in_ticks
 from ...checks.interfaces.field_faults import together
 from ...checks.interfaces.unknown_fields import FieldUses, UnknownField
+from ...checks.reached_places import WHY
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.file_role import role_of
@@ -30,10 +31,14 @@ TALKER = "from std_msgs.msg import String\n\n\ndef words():\n    msg = String()\
 
 LEFT, IN_TEST = "; nothing starts or imports this module", "; only a test runs it"
 UNCALLED, UNREACHED = "; nothing calls this method", "; nothing here leads to this function"
-NEVER = (LEFT, UNCALLED, UNREACHED)
+OFF, BY_PATH = "; a switch turns it off that nothing throws", "; it runs only where the file is started by its path"
+NEVER = (LEFT, UNCALLED, UNREACHED, WHY["late"], BY_PATH, OFF)
 REASONS = (
     (FieldUses.is_uncalled, UNCALLED),
     (FieldUses.is_unreached, UNREACHED),
+    (FieldUses.is_late, WHY["late"]),
+    (FieldUses.is_by_path, BY_PATH),
+    (FieldUses.is_turned_off, OFF),
     (FieldUses.is_in_handler, "; it runs after another exception alone"),
     (FieldUses.is_called_with_care, "; who calls it catches that"),
     (FieldUses.is_replaced, "; the class is defined again below"),
@@ -48,10 +53,12 @@ REASONS = (
     over=FieldUses,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "nothing comes to the place as a rule, who calls it catches that, only a test runs it, or a "
-        "message is made with it and the pages do not say that the package is for Humble or older alone",
-        Severity.INFO: "nothing starts or imports the module, calls the method, or leads to the function, or a message "
-        "is made with it and the pages name Jazzy or newer alone",
+        Severity.WARNING: "it is in a branch of its function, nothing comes to the place as a rule, who calls it "
+        "catches that, only a test runs it, or a message is made with it and the pages do not say that the package is "
+        "for Humble or older alone",
+        Severity.INFO: "nothing starts or imports the module, calls the method, or leads to the function, it stands "
+        "behind `rclpy.spin`, a switch turns it off, or a message is made with it and the pages name Jazzy or newer "
+        "alone",
     },
     examples=(
         Example(
@@ -88,7 +95,9 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     of an object that is bound to a name which nothing reads is a warning, unless its construction comes to it, and so
     is one of a class that is defined again further down. So is a use in an `except` branch, in a function whose callers
     catch what it raises, and in a test. A module that no entry point and no other file of the package names or imports,
-    beside others that start, is an info, and so is a function that no program leads to. What a message is made with
+    beside others that start, is an info, and so is a function that no program leads to, what stands behind
+    `rclpy.spin`, under the `__main__` of an entry point's module, or under a switch that nothing throws. In a branch of
+    its function it is a warning. What a message is made with
     (`Twist(liner=…)`) raises up to Iron: where the pages, scripts and workflows of the repository name none after it,
     it is an error, where they name Jazzy or newer alone, an info, and else a warning.
 
@@ -112,7 +121,8 @@ def level_of(uses: FieldUses, places: Sequence[UnknownField], end: str) -> Sever
     levels = {uses.level_of(each) for each in places}
     if end in NEVER or levels == {"info"}:
         return Severity.INFO
-    return Severity.WARNING if end or None not in levels else None
+    is_mild = bool(end) or None not in levels or all(map(uses.is_conditional, places))
+    return Severity.WARNING if is_mild else None
 
 
 def unrun(uses: FieldUses, places: Sequence[UnknownField]) -> str:

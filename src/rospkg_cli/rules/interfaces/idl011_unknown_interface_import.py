@@ -11,7 +11,7 @@ from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
 
 NEEDS_STD_MSGS = {"package.xml": manifest("  <exec_depend>std_msgs</exec_depend>\n")}
-LEFT, UNREACHED = "; nothing starts or imports this module", "; nothing here leads to this function"
+LEFT = "; nothing starts or imports this module"
 GOOD = "from std_msgs.msg import String\n\nprint(String)\n"
 
 
@@ -21,8 +21,9 @@ GOOD = "from std_msgs.msg import String\n\nprint(String)\n"
     over=InterfaceImports,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a function, which may not be called",
-        Severity.INFO: "nothing installs the file, starts or imports the module, or leads to the function",
+        Severity.WARNING: "it is in a function or a branch, which may not be run",
+        Severity.INFO: "nothing installs the file, starts or imports the module, or leads to the function, or it "
+        "stands behind `rclpy.spin` or under `__main__` of an entry point's module",
     },
     examples=(
         Example(
@@ -59,19 +60,19 @@ def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
     service or action of it, also with the ending of ROS 1; where it makes its interfaces while it is built, or has a
     Python module of that name; for optional imports, and in files that nothing installs, but for an info on a name that
     a package of the workspace lacks. A module that no entry point and no other file of the package names or imports,
-    beside others that start, is an info, and so is what is in a function that no program leads to.
+    beside others that start, is an info, and so is what is in a function that no program leads to, behind
+    `rclpy.spin`, or under the `__main__` of an entry point's module.
 
     ## Fix safety
     The intended name is a guess.
     """
     for wrong in imports.wrong():
         level = Severity.WARNING if wrong.is_local else None
-        level = Severity.INFO if wrong.is_uninstalled or wrong.is_unreached or wrong.is_left else level
+        level = Severity.INFO if wrong.is_uninstalled or wrong.why or wrong.is_left else level
         fix = None
         if wrong.kind and wrong.kind not in NAMES:
             fix = Fix(f"write `{wrong.meant}`", (Edit(wrong.path, wrong.span, wrong.meant),), Safety.UNSAFE)
-        why = UNREACHED if wrong.is_unreached else LEFT if wrong.is_left else ""
-        yield Hit(wrong.path, wrong.span, f"{message(wrong)}{why}", level, fix=fix)
+        yield Hit(wrong.path, wrong.span, f"{message(wrong)}{LEFT if wrong.is_left else wrong.why}", level, fix=fix)
 
 
 def message(wrong: WrongInterfaceImport) -> str:

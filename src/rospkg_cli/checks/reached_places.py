@@ -1,0 +1,108 @@
+"""Rule input: when the places of a package's Python code are come to: at every start, in some runs, or by nobody."""
+
+from __future__ import annotations
+
+import ast
+from typing import Literal
+
+from ..languages.python.branches import is_under_condition
+from ..languages.python.certain_nodes import certain_nodes, is_guard
+from ..languages.python.file import PythonFile
+from ..languages.python.nodes import nodes_of_kind
+from ..languages.python.unreached_functions import unreached_functions
+from ..light_dataclasses import dataclass
+from ..package.install_table import InstallTable
+from ..source import Span
+from .behind_spin import is_behind_spin
+from .installed_modules import InstalledModules
+from .interfaces.seldom_run import is_in_handler
+from .interfaces.uncalled_methods import UncalledMethods
+from .reached_definitions import ReachedDefinitions
+from .reached_modules import ReachedModules
+from .run_imports import RunImports
+
+Met = Literal["maybe", "branch", "late", "never"]
+"""In some runs; after another failure, by a switch or by the file's path alone; behind a `spin` that Ctrl-C leaves;
+where nothing leads."""
+
+WHY: dict[Met, str] = {
+    "branch": "; it runs only where its condition holds",
+    "late": "; it stands behind `spin`, which Ctrl-C leaves by an exception of its own",
+    "never": "; nothing here leads to this function",
+}
+"""What is said of a place that seldom or never runs."""
+
+
+@dataclass(frozen=True)
+class ReachedPlaces:
+    run: RunImports
+    table: InstallTable
+    installed: InstalledModules
+    reached: ReachedModules
+    uncalled: UncalledMethods
+    definitions: ReachedDefinitions
+
+    def met(self, file: PythonFile, span: Span) -> Met:
+        """Return when a place is come to that is not met at every start, as far as the package itself shows."""
+        return "never" if self.is_in_idle_function(file, span) else self.met_by_anybody(file, span)
+
+    def met_by_anybody(self, file: PythonFile, span: Span) -> Met:
+        """Return when a place is come to; what a package without programs offers may be called by others."""
+        if self.is_idle(file, span):
+            return "never"
+        if is_behind_spin(file, span):
+            return "late"
+        is_seldom = is_in_handler(file, span) or self.definitions.is_turned_off(file, span)
+        return "branch" if is_seldom or self.is_by_path(file, span) else "maybe"
+
+    def why_seldom(self, path: str, span: Span) -> str:
+        """Return what is said of a place that seldom or never runs, beside what is said of its whole module."""
+        file = self.run.modules.at(path) if path.endswith(".py") else None
+        return WHY.get(self.met_by_anybody(file, span), "") if file is not None else ""
+
+    def is_conditional(self, path: str, span: Span) -> bool:
+        """Return whether a place is in a branch of its function, or what stands in for something that is not given."""
+        file = self.run.modules.at(path) if path.endswith(".py") else None
+        return file is not None and is_under_condition(file, span)
+
+    def is_idle(self, file: PythonFile, span: Span) -> bool:
+        """Return whether no program of the package leads to a place."""
+        is_left = self.reached.is_left(file.path) or self.uncalled.has(file.path, span)
+        return is_left or not self.definitions.leads_to(file, span)
+
+    def is_by_path(self, file: PythonFile, span: Span) -> bool:
+        """Return whether a place is under `if __name__ == '__main__'` of a module that an entry point starts."""
+        guards = [each for each in file.tree.body if isinstance(each, ast.If) and is_guard(each)]
+        is_under = any(file.span(part).holds(span) for each in guards for part in each.body)
+        rows = self.table.of("executable") if is_under else ()
+        is_program = any(row.source == file.path and not row.entry for row in rows)
+        return is_under and not is_program and self.installed.names.get(file.path) in self.reached.entries
+
+    def certain_spans(self, file: PythonFile) -> frozenset[Span]:
+        """Return where the names stand that a program or a module reads whenever it is started or imported."""
+        module, rows = self.installed.names.get(file.path, ""), [*self.table.of("executable")]
+        is_program = any(row.source == file.path and not row.entry for row in rows)
+        if not is_program and module not in self.reached.started:
+            return frozenset()
+        entries = [row.entry.partition(":")[2] for row in rows if row.entry.partition(":")[0] == module]
+        nodes = certain_nodes(file, entries, is_program=is_program)
+        return frozenset(file.span(each) for each in nodes_of_kind(file.tree, ast.Name) if id(each) in nodes)
+
+    def is_in_idle_function(self, file: PythonFile, span: Span) -> bool:
+        """Return whether a place is in a function of a file that nothing calls, and that no other file takes."""
+        taken = {name for _, other in self.run.files for each in other.imports for name in each.names}
+        names = {row.entry.partition(":")[2] for row in self.table.of("executable")}
+        for each in unreached_functions(file, names | taken):
+            around = file.span(each)
+            if around.holds(span) and not self.is_read_elsewhere(file, each.name):
+                return True
+        return False
+
+    def is_read_elsewhere(self, file: PythonFile, name: str) -> bool:
+        """Return whether another file has a name as an attribute: `module.name`."""
+        return any(
+            each.attr == name
+            for _, other in self.run.files
+            if other is not file
+            for each in nodes_of_kind(other.tree, ast.Attribute)
+        )
