@@ -220,7 +220,7 @@ controller_manager:
 
 @pytest.mark.parametrize("node, level", [("controller_manager", "warning"), ("robot_state_publisher", "info")])
 def test_plugins_of_parameters_count_where_something_loads_them(node: str, level: str) -> None:
-    launch = f'<launch><node pkg="{node}" exec="x"><param from="config/c.yaml"/></node></launch>\n'
+    launch = f'<launch><node pkg="{node}" exec="spawner"><param from="config/c.yaml"/></node></launch>\n'
     files = {"config__c_DOT_yaml": CONTROLLERS, "launch__a_DOT_launch_DOT_xml": launch}
     (finding,) = found("DEP106", declared(node), **files)
     assert finding.severity.value == level

@@ -213,7 +213,7 @@ controller_manager:
     arm:
       type: joint_trajectory_controller/JointTrajectoryController
 """
-STARTS = '<launch><node pkg="controller_manager" exec="x">{}</node></launch>\n'
+STARTS = '<launch><node pkg="controller_manager" exec="spawner">{}</node></launch>\n'
 
 
 @pytest.mark.parametrize(

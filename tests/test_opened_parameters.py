@@ -110,7 +110,7 @@ MANAGED = """\
     [
         ("SPAWNED = ['wheels', 'claw']\n", ["warning", "warning"]),
         ("SPAWNED = ['wheels']\n", ["warning", "info"]),
-        ("SPAWNED = spawned()\n", ["warning", "warning"]),
+        ("SPAWNED = spawners()\n", ["warning", "warning"]),
     ],
 )
 def test_a_controller_that_is_not_spawned_beside_others_that_are(launch: str, found: list[str]) -> None:

@@ -19,6 +19,8 @@ from ..yaml_elsewhere import is_named_elsewhere
 EXAMPLE = regex(r"(?:^|[_/.-])examples?(?:[_/.-]|$)")
 LOOKS = "MoveItConfigsBuilder"
 """MoveIt looks for the files of its configs by their names alone."""
+SPAWNS = regex(r"spawner|_controllers?\b|(?:controllers|demo)_launch|IncludeLaunchDescription|<include\b|\binclude:")
+"""What loads controllers in a launch file, or may: a spawner, `ros2 control`, MoveIt's own launches, other files."""
 
 
 @dataclass(frozen=True)
@@ -38,9 +40,14 @@ class OpenedParameters:
         return not EXAMPLE.search(path) and (ANY in self.package.named_yaml or self.is_named_elsewhere(stem))
 
     def is_spawned(self, controller: str) -> bool:
-        """Return whether a launch file of the package names a controller."""
-        word = re.compile(rf"\b{re.escape(controller)}\b")
+        """Return whether a launch file of the package names a controller, other than in a path or a topic."""
+        word = re.compile(rf"(?<![\w/.-]){re.escape(controller)}(?![\w/.-])")
         return any(map(word.search, self.launches))
+
+    @cached_property
+    def may_spawn(self) -> bool:
+        """Whether a launch file of the package loads controllers, or includes another file that may."""
+        return any(map(SPAWNS.search, self.launches))
 
     def is_named_elsewhere(self, stem: str) -> bool:
         """Return whether a text of another package, or one of its robots, names a file."""

@@ -91,7 +91,7 @@ class RobotUses:
                 if not self.declared.has([each.package]):
                     is_off = self.is_off(robot.path) or is_switched_off(robot.document.root, each.span)
                     is_off = is_off or self.opened.is_passed_over(robot.path)
-                    yield each.package, reference_use(robot.path, each, is_off=is_off)
+                    yield each.package, reference_use(robot, each, is_off=is_off)
 
     def found_by_parameters(self) -> Iterator[tuple[str, RobotUse]]:
         """Yield the packages that installed parameter files look for, where a launch file has them filled in.
@@ -169,7 +169,7 @@ class RobotUses:
     def is_passed_over(self, use: PluginUse) -> bool:
         """Return whether others of the same controller_manager are spawned by name, and this controller is not.
 
-        Nor is one that a comment alone has a type for.
+        Nor is one that a comment alone has a type for, nor any where the launch files load none.
         """
         text = self.launch.files.source(use.path).text
         if is_commented_out(text, use.span.start):
@@ -178,6 +178,8 @@ class RobotUses:
         is_open = self.declared.workspace.is_needed(self.declared.facts.name)
         if own is None or is_open or self.parameters.is_spawned(own):
             return False
+        if not self.parameters.may_spawn:
+            return True
         return any(self.parameters.is_spawned(name) for name in types_beside(text, own))
 
     def package_of(self, use: PluginUse) -> str | None:
@@ -251,9 +253,11 @@ def is_switched_off(root: Element, place: Span) -> bool:
     return False
 
 
-def reference_use(path: str, reference: ResourceReference, *, is_off: bool) -> RobotUse:
-    consequence = "xacro stops" if reference.use == "include" else "it is missing wherever this is shown"
-    return RobotUse(path, reference.span, "and its files are used here", consequence, is_off)
+def reference_use(robot: RobotFile, reference: ResourceReference, *, is_off: bool) -> RobotUse:
+    """xacro fills in `$(find …)` wherever it stands; what shows a robot looks for `package://…`."""
+    is_filled_in = reference.use == "include" or robot.source.text.startswith("$(find", reference.span.start)
+    consequence = "xacro stops" if is_filled_in else "it is missing wherever this is shown"
+    return RobotUse(robot.path, reference.span, "and its files are used here", consequence, is_off)
 
 
 def merged_navigation(found: dict[str, list[RobotUse]]) -> dict[str, list[RobotUse]]:
