@@ -154,7 +154,7 @@ def test_a_name_that_nobody_knows_is_not_declared_by_a_safe_fix() -> None:
     )
     assert finding.fix is not None
     assert finding.fix.safety is Safety.UNSAFE
-    assert finding.message.endswith("no distribution has it: clone it")
+    assert finding.message.endswith("list its repository in a .repos file")
 
 
 @pytest.mark.parametrize(("name", "meant"), [("turtlesym", True), ("urtlesim", True), ("burtlesims", False)])

@@ -223,7 +223,7 @@ def test_launch_files_of_a_package_that_is_here_are_those_of_its_sources() -> No
 
 
 @pytest.mark.parametrize(
-    "package, ends", [("slam_toolbx", "did you mean `slam_toolbox`?"), ("other_thing", "clone it")]
+    "package, ends", [("slam_toolbx", "did you mean `slam_toolbox`?"), ("other_thing", "in a .repos file")]
 )
 def test_a_package_that_nobody_has_is_perhaps_another(package: str, ends: str) -> None:
     texts = in_python(f"Node(package='{package}', executable='e')", code="DEP103")

@@ -16,14 +16,14 @@ INSTALL = CMAKE.replace(
     "named, ends, has_fix",
     [
         ("package://arm_descr/meshes/a.stl", "did you mean `my_pkg`, which has `meshes/a.stl`?", False),
-        ("package://arm_descr/meshes/b.stl", "clone it", True),
-        ("package://arm_descr/meshes/a.stl package://arm_descr/meshes/b.stl", "clone it", True),
+        ("package://arm_descr/meshes/b.stl", "in a .repos file", True),
+        ("package://arm_descr/meshes/a.stl package://arm_descr/meshes/b.stl", "in a .repos file", True),
         (
             "package://arm_descr/meshes/a.stl package://arm_descr/$(arg x)",
             "did you mean `my_pkg`, which has `meshes/a.stl`?",
             False,
         ),
-        ("package://arm_descr/$(arg x)", "clone it", True),
+        ("package://arm_descr/$(arg x)", "in a .repos file", True),
         ("package://ur_description/meshes/a.stl", "add <exec_depend>ur_description</exec_depend>", True),
     ],
 )

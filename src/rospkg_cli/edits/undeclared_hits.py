@@ -79,7 +79,7 @@ def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
         case "unknown" if not declared.workspace.is_complete:
             return "a repository that is listed and not checked out may have it"
         case "unknown":
-            return "no distribution has it: clone it"
+            return "no supported distribution has it: correct the name, or list its repository in a .repos file"
 
 
 def declaration(declared: DeclaredDependencies, tag: str, name: str) -> Fix:
