@@ -22,6 +22,8 @@ IDLE = frozenset(
 )
 """Commands that build and install nothing; ament_package alone writes what only CMake reads."""
 
+CODE = (".py", ".cpp", ".cc", ".c", ".hpp", ".h", ".rs", ".msg", ".srv", ".action", ".launch", "Makefile", "Cargo.toml")
+
 
 @dataclass(frozen=True)
 class ManifestForTargets:
@@ -141,6 +143,13 @@ class ManifestAndCMake:
         calls = (call for call in self.cmake.calls if not call.testing)
         is_empty = self.ends_a_package and not self.files.below("launch")
         return is_empty and all(call.name in IDLE for call in calls)
+
+    @property
+    def is_mark(self) -> bool:
+        """Whether it marks a folder of files for other tools, as Drake's PackageMap: nothing in it is built or run."""
+        folders = {path.partition("/")[0] for path in self.files.paths if "/" in path}
+        is_code = any(path.endswith(CODE) for path in self.files.paths)
+        return bool(folders) and not (is_code or "launch" in folders or self.manifest.dependencies)
 
     @property
     def likely_build_type(self) -> str:

@@ -23,7 +23,7 @@ EXPORT = "  <export>\n    <build_type>ament_python</build_type>\n  </export>\n"
     levels={
         Severity.WARNING: "it has no programs and no launch files, is not certainly of ament_cmake, or all is "
         "installed into one folder (`--merge-install`)",
-        Severity.INFO: "plain CMake builds it, or CMake builds and installs nothing",
+        Severity.INFO: "plain CMake builds it, CMake builds and installs nothing, or there is nothing to build",
     },
     examples=(
         Example(
@@ -62,8 +62,9 @@ def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
     Packages that depend on catkin and on no ament_cmake are for ROS 1, and so are those whose CMakeLists.txt calls
     `catkin_package()` in one branch and `ament_package()` in none. A build type under a condition counts where the
     condition may hold for a target. It is an info for plain CMake, which is found by `find_package` alone, and where
-    CMake builds and installs nothing, as in a folder that npm builds. It is a warning where neither ament_cmake nor
-    plain CMake is certain, or where nothing in it can be started.
+    CMake builds and installs nothing, as in a folder that npm builds, or where a folder without dependencies, code and
+    launch files is marked for other tools. It is a warning where neither ament_cmake nor plain CMake is certain, or
+    where nothing in it can be started.
 
     ## References
     - [REP-149, build_type](https://ros.org/reps/rep-0149.html): "If no build_type is provided, catkin is assumed."
@@ -87,7 +88,8 @@ def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
 def consequence(package: ManifestAndCMake) -> tuple[Severity, str]:
     """Return how grave it is, and what happens: colcon-ros 0.5, task/catkin/build.py, sets no AMENT_PREFIX_PATH."""
     if not package.files.exists("CMakeLists.txt"):
-        return Severity.ERROR, " and does not build it: it has no CMakeLists.txt"
+        level = Severity.INFO if package.is_mark else Severity.ERROR
+        return level, " and does not build it: it has no CMakeLists.txt"
     if package.likely_build_type == "cmake":
         return Severity.INFO, " of ROS 1, though it builds it"
     if package.does_nothing:
