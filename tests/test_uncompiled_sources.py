@@ -130,3 +130,31 @@ def test_a_launch_file_of_another_package_starts_it() -> None:
     other["other/launch/a.launch.xml"] = LAUNCH.format("my_pkg", "spare")
     own = {f"own/{path}": each for path, each in {**package(), "src/spare.cpp": NODE}.items()}
     assert [each.severity.value for each in lint_files({**own, **other}, ["CMK202"]).findings] == ["warning"]
+
+
+TWINS = {
+    "src/core.cpp": '#include "arm.hpp"\nint core() {return lift();}\n',
+    "src/arm.hpp": "int lift();\n",
+    "src/arm.cpp": '#include "arm.hpp"\nint lift() {return 1;}\n',
+}
+
+
+@pytest.mark.parametrize(
+    ("lines", "files", "level"),
+    [
+        ("add_library(core SHARED src/core.cpp)", {}, "warning"),
+        ("add_library(core STATIC src/core.cpp)", {}, "info"),
+        ("add_library(core src/core.cpp)", {}, "info"),
+        ("add_library(core src/core.cpp)\ntarget_link_libraries(talker core)", {}, "warning"),
+        ("if(WITH_ARM)\nadd_library(core SHARED src/core.cpp)\nendif()", {}, "info"),
+        ("add_library(core SHARED src/core.cpp)", {"lib/libarm.so.1": ""}, "info"),
+        ("add_library(core SHARED src/core.cpp)", {"Makefile": "core:\n\tmake arms\n"}, "warning"),
+        ("add_library(core SHARED src/core.cpp)", {"Makefile": "arm.o: src/arm.cpp\n"}, ""),
+        ("add_library(core SHARED src/core.cpp)", {"Makefile": "%.o: src/%.cpp\n"}, ""),
+        ("add_library(core SHARED src/core.cpp)", {"src/Makefile": ""}, ""),
+        ("add_library(core SHARED src/core.cpp)", {"src/meson.build": ""}, ""),
+    ],
+)
+def test_a_file_whose_header_is_compiled(lines: str, files: dict[str, str], level: str) -> None:
+    found = lint_files({**package(lines), **TWINS, **files}, ["CMK202"]).findings
+    assert [each.severity.value for each in found] == [level] * bool(level)

@@ -20,6 +20,7 @@ from ...package.workspace import Workspace
 from ...source import Span
 from ..cmake.target_references import TargetReferences
 from ..depends.compiled_sources import are_sources_known, own_compiled
+from .other_builds import is_built_elsewhere
 
 SOURCES = (".cpp", ".cc", ".cxx", ".c++")
 MAIN = regex(r"\bint\s+main\s*\(")
@@ -96,11 +97,9 @@ class UncompiledSources:
         return is_run and path.endswith(SOURCES) and not self.package.cmake.package_files.absent.is_ignored(path)
 
     def is_elsewhere(self, path: str) -> bool:
-        """Return whether a CMakeLists.txt that is not read lies in a folder around a file: it may be built alone."""
-        folders = path.split("/")[:-1]
-        around = ("/".join(folders[: n + 1]) + "/CMakeLists.txt" for n in range(len(folders)))
-        read = {file.path for file in self.package.cmake.files}
-        return any(each not in read and self.package.cmake.package_files.has_file(each) for each in around)
+        """Return whether a file of another build lies around a file: it may be built alone."""
+        cmake = self.package.cmake
+        return is_built_elsewhere(cmake.package_files, path, frozenset(file.path for file in cmake.files))
 
     def is_mentioned(self, path: str) -> bool:
         """Return whether a CMake file has the name, in a comment too, or a file of the package includes it.

@@ -9,9 +9,10 @@ from collections.abc import Iterator, Mapping
 from ...languages.cpp.code_text import code_text
 from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...source import Span
 from ..depends.compiled_sources import included_paths, own_compiled, paths_by_name
+from .linked_sources import LinkedSources
 from .uncompiled_functions import called_functions
 from .uncompiled_sources import SOURCES, UncompiledSources
 
@@ -27,7 +28,7 @@ class UncompiledTwin:
     member: str
     header: str
     user: str
-    """The compiled file that uses the member; "" where none of the package does."""
+    """The compiled file that uses the member and that is certainly linked; "" where none of the package does."""
 
     @property
     def sentence(self) -> str:
@@ -43,7 +44,7 @@ def uncompiled_twins(sources: UncompiledSources) -> Iterator[UncompiledTwin]:
     """Yield those with a member that their header declares alone, and that is defined nowhere else."""
     if not sources.are_known:
         return
-    files = {each.path: each for each in sources.sources}
+    files, linked = {each.path: each for each in sources.sources}, LinkedSources(sources)
     compiled = [files[each] for each in sorted(own_compiled(sources.package.cmake, sources.sources) or ())]
     by_name = paths_by_name(files)
     for source in sources.sources:
@@ -51,7 +52,8 @@ def uncompiled_twins(sources: UncompiledSources) -> Iterator[UncompiledTwin]:
         if path.endswith(SOURCES) and sources.is_candidate(path) and source not in compiled:
             header = own_header(source, files, by_name)
             if header is not None and header in compiled and not sources.is_mentioned(path):
-                yield from first_member(source, header, compiled) or first_function(source, header, compiled)
+                twins = first_member(source, header, compiled) or first_function(source, header, compiled)
+                yield from (twin if linked.has(twin.user) else replace(twin, user="") for twin in twins)
 
 
 def own_header(source: CppFile, files: Mapping[str, CppFile], by_name: Mapping[str, list[str]]) -> CppFile | None:

@@ -34,7 +34,8 @@ MORE = LINES.replace("talker", "listener").partition("\n")[2]
     over=UncompiledSources,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "no launch file, page or description names what is in it, or no file of the package uses it"
+        Severity.INFO: "no launch file, page or description names what is in it, or nothing that is surely linked "
+        "needs it"
     },
     examples=(
         Example(
@@ -65,7 +66,9 @@ def uncompiled_source(sources: UncompiledSources) -> Iterator[Hit]:
     ## When it is quiet
     Where a CMake file has the name of the file anywhere, in a comment too, or another file includes it. In folders of
     tests, examples, demos or third parties, in a file whose name says `template`, `old` or the like, where git ignores
-    the file, where the sources of a target can't be evaluated, and where a command of another package may add targets.
+    the file, where the sources of a target can't be evaluated, where a command of another package may add targets, and
+    where a Makefile or the like lies around the file, or one at the top names it. Where what uses a member is in a
+    static library that nothing links, or a compiled library lies in the package, nothing may miss it: an info.
     Where no launch file or page starts the node, and no launch file or description names the class, the file may be a
     leftover: an info.
     """
