@@ -10,6 +10,12 @@ HEADERS = {
     "include/my_pkg/core.hpp": INCLUDE.format("core_types.h") + INCLUDE.format("cor.hpp"),
     "include/my_pkg/types.hpp": "int types();\n",
 }
+LAUNCH = {"launch/a.launch.xml": "<launch/>\n"}
+UNKNOWN = {
+    "src/talker.cpp": INCLUDE.format("lost.hpp") + "int main() {return 0;}\n",
+    "src/spare.cpp": INCLUDE.format("gone.hpp"),
+    "include/my_pkg/core.hpp": INCLUDE.format("no.hpp"),
+}
 BESIDE = {"src/talker.cpp": '#include "words.hpp"\nint main() {return 0;}\n', "src/words.hpp": '#include "word.hpp"\n'}
 PROGRAM = """\
 add_executable(talker src/talker.cpp{})
@@ -73,5 +79,10 @@ CASES = {
         package(INSTALL, HEADERS),
         package("ament_auto_package()\n", HEADERS),
         package(PROGRAM.format(""), BESIDE),
+        package("install(DIRECTORY . DESTINATION include)\n", HEADERS),
+        package("install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n", HEADERS | LAUNCH),
+        package("install(DIRECTORY ${OF_OTHERS} DESTINATION include)\n", HEADERS),
+        package(PROGRAM.format(" ${OF_OTHERS}"), UNKNOWN),
+        package(PROGRAM.format(" ${OF_OTHERS}") + "# others may be spare\n", UNKNOWN),
     ),
 }

@@ -71,19 +71,42 @@ def harm_in(cmake: CMake, sources: Iterable[CppFile], path: str) -> Level:
     """Return how bad it is that a file can't be compiled: an error where the package's own build certainly does it.
 
     What is compiled on demand, for tests, or by others alone is a warning, a leftover beside what is compiled an info.
-    So is what lies in a package that compiles nothing and hands nothing out: nobody opens it.
+    Where nothing is compiled, or it is not known what is, so is a header that is not handed out, and a source of which
+    no CMake file has the name.
     """
     known, _ = sources_by_use(cmake, sources)
-    if not known.is_known or not known.own:
-        return "info" if known.is_known and path not in known.tests and hands_nothing_out(cmake) else "warning"
-    return "error" if path in known.certain else "warning" if path in known.own | known.tests else "info"
+    if path in known.own | known.tests:
+        return "error" if known.is_known and path in known.certain else "warning"
+    if known.is_known and known.own:
+        return "info"
+    is_met = may_be_handed_out(cmake, path) if path.endswith(HEADERS) else is_named(cmake, path)
+    return "warning" if is_met else "info"
 
 
-def hands_nothing_out(cmake: CMake) -> bool:
-    """Return whether nothing is installed, so that no other package gets a header of this one."""
+def may_be_handed_out(cmake: CMake, path: str) -> bool:
+    """Return whether a header may be installed, so that another package gets it."""
     is_known = cmake.is_complete and cmake.ends_a_package and not cmake.includes_unknown_files
     is_automatic = any(call.name.endswith("ament_auto_package") for call in cmake.calls)
-    return is_known and not cmake.installs and not is_automatic and next(foreign_commands(cmake), None) is None
+    if not is_known or is_automatic or next(foreign_commands(cmake), None) is not None:
+        return True
+    for rule in cmake.installs:
+        if rule.kind == "CODE" or any("HEADER" in text or text == "FILE_SET" for text in rule.call.texts):
+            return True
+        paths = [path_in_package(word.text, rule.call.folder) if word.is_known else "" for word in rule.items]
+        if rule.kind != "TARGETS" and any(f"{path}/".startswith(f"{each}/" if each else "") for each in held(paths)):
+            return True
+    return False
+
+
+def held(paths: Iterable[str | None]) -> Iterator[str]:
+    """Yield the paths that are in the package, without a slash or a dot at their ends."""
+    return (posixpath.normpath(each).strip("./") for each in paths if each is not None)
+
+
+def is_named(cmake: CMake, path: str) -> bool:
+    """Return whether a CMake file has the name of a source, without its ending, in a comment too."""
+    stem = posixpath.splitext(posixpath.basename(path))[0]
+    return any(stem in file.source.text for file in cmake.files)
 
 
 def compiled_on_demand(cmake: CMake, sources: Iterable[CppFile]) -> set[str]:
