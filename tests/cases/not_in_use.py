@@ -246,7 +246,19 @@ CASES = {
     ),
     "PRM007": (
         *(Example(bad={"my_pkg/talker.py": ON_REQUEST.format(name)}, good={}) for name in ("load", "loads")),
-        *(Example(bad={"src/talker.cpp": LOOPED % name}, good={}, on="ament_cmake") for name in ("x_p", "x_i")),
+        *(
+            Example(
+                bad={
+                    "CMakeLists.txt": CMAKE.replace(
+                        "ament_package", "add_library(talker src/talker.cpp)\nament_package"
+                    ),
+                    "src/talker.cpp": LOOPED % name,
+                },
+                good={},
+                on="ament_cmake",
+            )
+            for name in ("x_p", "x_i")
+        ),
     ),
     "PLG003": tuple(Example(bad={"config/nav2.yaml": COSTMAP.format(names)}, good={}, on="config") for names in LISTS),
     "DEP103": tuple(Example(bad={"launch/a.py": text}, good={}) for text in (VIEWER, BY_HAND)),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import Example
+from rospkg_cli.example import CMAKE, Example
 from rospkg_cli.rules.params import prm007_unknown_parameter as prm007
 
 GETS = "self.get_parameter({})"
@@ -46,7 +46,9 @@ Talker::Talker() : Node("talker")
 
 
 def paired_cpp(gets: str, before: str = "this->", more: str = "") -> Example:
-    return Example(bad={"src/talker.cpp": CPP % (before, gets) + more}, good={}, on="ament_cmake")
+    build = CMAKE.replace("ament_package", "add_library(talker src/talker.cpp)\nament_package")
+    code = CPP % (before, gets) + more
+    return Example(bad={"CMakeLists.txt": build, "src/talker.cpp": code}, good={}, on="ament_cmake")
 
 
 TRIES = "try:\n    import yaml\nexcept {}:\n    yaml = None\n"

@@ -21,6 +21,7 @@ from .depends.undeclared_launch_packages import LaunchDependencies
 from .share_lookups import CATCHES, LOOKUPS, ShareLookups, literal_of
 
 NAME = regex(r"[a-z][a-z0-9_]+")
+LEFT, UNCOMPILED = "; nothing starts or imports this module", "; no target compiles this file"
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +30,8 @@ class LookUp:
     span: Span
     is_chosen: bool = False
     """Whether an `else` looks for another package in its place."""
+    why_seldom: str = ""
+    """What is said of a place that seldom or never runs, or that no target compiles; "" for others."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +58,7 @@ class LookedUpPackages:
                 found.setdefault(name, []).append(place)
         if not found:
             return found
+        found = {name: sorted(places, key=lambda each: bool(each.why_seldom)) for name, places in found.items()}
         told = self.imports.undeclared("run").keys() | self.launch.missing(tests=False).keys() | self.included
         return {name: places for name, places in found.items() if name not in told}
 
@@ -66,10 +70,13 @@ class LookedUpPackages:
             for call in nodes_of_kind(file.tree, ast.Call) if caught is not None else ():
                 name = literal_of(call) if called(call.func) in LOOKUPS and id(call) not in (caught or ()) else None
                 if name is not None:
-                    yield str(name.value), LookUp(file.path, file.span(name), id(call) in chosen)
+                    span = file.span(name)
+                    why = LEFT if self.lookups.is_left(file.path) else self.lookups.why_seldom(file.path, span)
+                    yield str(name.value), LookUp(file.path, span, id(call) in chosen, why)
         for source in self.lookups.sources:
+            why = UNCOMPILED if self.lookups.is_uncompiled(source.path) else ""
             for text, span in share_names(source) if role_of(source.path) == "run" else ():
-                yield text, LookUp(source.path, span)
+                yield text, LookUp(source.path, span, why_seldom=why)
 
     @property
     def included(self) -> set[str]:

@@ -4,8 +4,14 @@ from __future__ import annotations
 
 import posixpath
 
+from ..lazy_regex import regex
 from .home_path_texts import CPP
 from .home_paths import HomePath, HomePaths, is_installed
+
+ARGUMENT = r"\bDeclareLaunchArgument\([^()]*default_value\s*=\s*[\"']\Z|<arg\s[^<>]*\bdefault\s*=\s*[\"']\Z"
+PARAMETER = r"\bdeclare_parameter(?:<[^<>]*(?:<[^<>]*>)?[^<>]*>)?\([^()]*,\s*[\"']\Z"
+DEFAULTS = {regex(ARGUMENT): "argument", regex(PARAMETER): "parameter"}
+"""What stands before the default of an argument or a parameter."""
 
 
 def advice(paths: HomePaths, found: HomePath) -> str:
@@ -16,7 +22,7 @@ def advice(paths: HomePaths, found: HomePath) -> str:
     if found.path.endswith("CMakeLists.txt"):
         return f"find `{package}` with find_package(), or write the path from ${{CMAKE_CURRENT_SOURCE_DIR}}"
     if is_made(paths, found):
-        return "let a parameter or an argument give it: it is no file of the package"
+        return f"{giver(paths, found)}: it is no file of the package"
     if found.path.endswith((".py", *CPP)):
         quote = "'" if found.path.endswith(".py") else '"'
         share, at = f"`get_package_share_directory({quote}{package}{quote})`", share_path(paths, found)
@@ -27,6 +33,15 @@ def advice(paths: HomePaths, found: HomePath) -> str:
     if found.is_image and posixpath.dirname(found.path) == posixpath.dirname(below):
         return f"write `{posixpath.basename(below)}`: a map's image is looked for beside this file"
     return f"have the launch file give it, from the share directory of `{package}`"
+
+
+def giver(paths: HomePaths, found: HomePath) -> str:
+    """Return who is to give a path that is everybody's own, as advice: it may be the default of what gives it."""
+    before = paths.files.source(found.path).text[: found.span.start]
+    for begins, what in DEFAULTS.items():
+        if begins.search(before):
+            return f"give the {what} another default"
+    return "let a parameter or an argument give it"
 
 
 def is_included(paths: HomePaths, found: HomePath) -> bool:

@@ -94,6 +94,10 @@ class ShareLookups:
         """Return whether a file runs: every build compiles the C++; of Python see `is_left`."""
         return path.endswith(".py") or (self.cmake is not None and harm_in(self.cmake, self.sources, path) == "error")
 
+    def is_uncompiled(self, path: str) -> bool:
+        """Return whether no target compiles a file of C++, beside others that are compiled."""
+        return self.cmake is not None and harm_in(self.cmake, self.sources, path) == "info"
+
     def is_left(self, path: str) -> bool:
         """Return whether a file is a module that nothing starts or imports, beside programs."""
         return path.endswith(".py") and self.reached is not None and self.reached.is_left(path)

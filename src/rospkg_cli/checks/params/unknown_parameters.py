@@ -20,6 +20,7 @@ from .launched_names import LaunchedNames, strange_names, why_dropped
 from .other_variants import unlike_variants
 from .repeated_reads import RepeatedRead, RepeatedReads
 from .unknown_reads import ParameterReads, UnknownRead
+from .unmet_reads import UnmetReads
 
 SHOWN = 3
 
@@ -37,6 +38,7 @@ class UnknownParameters:
     readers: BlockReaders
     joints: JointLimits
     distribution: OlderDistribution
+    unmet: UnmetReads
 
     def unknown_reads(self) -> list[UnknownRead]:
         """Return what code that is compiled, or Python, gets and nothing declares, each place once."""
@@ -52,12 +54,22 @@ class UnknownParameters:
             return "info", f"{undeclared(read)}; before Dashing, which the pages name, none need be declared"
         if read.is_dropped:
             return "info", f"{undeclared(read)}; nothing reads what it is got into"
+        if self.is_unmet(read):
+            return "info", f"{undeclared(read)}; nothing here leads to this place"
         is_error = read.throws and read.suggestion and not read.on_request
+        is_error = is_error and not self.unmet.is_seldom(read.path, read.span, self.reads.cpp)
         return "error" if is_error else "warning", undeclared(read)
 
-    def repeated_reads(self) -> list[RepeatedRead]:
-        """Return what is got twice, the second time in the place of what no code gets."""
-        return [*RepeatedReads(self.forgotten).all()]
+    def is_unmet(self, read: UnknownRead | RepeatedRead) -> bool:
+        """Return whether no program of the package comes to a place, as far as names tell."""
+        if read.path.endswith(".py"):
+            return self.unmet.in_python(read.path, read.span)
+        return self.unmet.in_cpp(read.path, read.span, self.reads.cpp)
+
+    def repeated_reads(self) -> Iterator[tuple[str, Fault]]:
+        """Yield path and fault of what is got twice, the second time in the place of what no code gets."""
+        for each in RepeatedReads(self.forgotten).all():
+            yield each.path, Fault(each.span, repeated(each), "info" if self.is_unmet(each) else None)
 
     def unlike_variants(self) -> list[tuple[ParameterFile, Parameter, str, str]]:
         """Return the names that another file of the same name has otherwise, each place once; but for similar ones."""

@@ -25,7 +25,8 @@ NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
     over=LookedUpPackages,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "a dependency brings or may bring it, package.xml has it in a comment, or an `if` chooses it"
+        Severity.INFO: "a dependency brings or may bring it, package.xml has it in a comment, an `if` chooses it, or "
+        "nothing leads to the place"
     },
     examples=(
         Example(
@@ -49,7 +50,9 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     What a declared dependency certainly installs is one info, and what may come with one is another, as are names that
     nobody knows where a repository is listed and not here; else those are DEP112's. What is imported, included or
     launched as well is told by DEP101, DEP105 and DEP103. Code that catches the exception, tests, and files that
-    nothing installs are left alone. What an `if` chooses, whose other branch looks for another package, is an info.
+    nothing installs are left alone. What an `if` chooses, whose other branch looks for another package, is an info, and
+    so is what stands in a module that nothing starts or imports, in a function that nothing calls, or in a source that
+    no target compiles, beside others.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -68,9 +71,9 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
             continue
         message = (
             f"`{name}` is not declared, and this looks for files of it: {where_absent(declared, name)} the node "
-            f"ends with PackageNotFoundError; {advice(declared, 'exec_depend', name)}"
+            f"ends with PackageNotFoundError; {advice(declared, 'exec_depend', name)}{first.why_seldom}"
         )
-        is_mild = is_left_out(declared, name) or all(each.is_chosen for each in places)
+        is_mild = is_left_out(declared, name) or all(each.is_chosen or each.why_seldom for each in places)
         level = Severity.INFO if is_mild else None
         places_beside = related((each.path, each.span) for each in places)
         yield Hit(first.path, first.span, message, level, places_beside, declaration(declared, "exec_depend", name))

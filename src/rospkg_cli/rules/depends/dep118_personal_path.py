@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ...checks.home_paths import HomePath, HomePaths
-from ...checks.share_advice import advice
+from ...checks.share_advice import advice, giver
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...rule import rule
@@ -94,7 +94,7 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
         yield one(into, Severity.INFO if is_mild(into[0]) else Severity.WARNING, advice(paths, into[0]))
     if others:
         in_build = others[0].path.endswith("CMakeLists.txt")
-        how = "find it with find_package() or find_path()" if in_build else "let a parameter or an argument give it"
+        how = "find it with find_package() or find_path()" if in_build else giver(paths, others[0])
         yield one(others, Severity.INFO, how)
 
 

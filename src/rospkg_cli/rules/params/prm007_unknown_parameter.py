@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from ...checks.params.idle_nodes import hardest, level_of
 from ...checks.params.launched_names import unknown_to_known
-from ...checks.params.unknown_parameters import UnknownParameters, repeated, unread
+from ...checks.params.unknown_parameters import UnknownParameters, unread
 from ...edits.fault_hits import hits
 from ...edits.parameter_names import renamed
 from ...edits.plain_names import only_plain_names
@@ -55,7 +55,7 @@ talker:
     levels={
         Severity.ERROR: "code gets a parameter that is not declared, and nothing may catch what it throws",
         Severity.INFO: "older releases had it, nothing names the file, adds the action or reads block or variable, "
-        "only the block's name tells the node, or the repository is for Crystal",
+        "nothing leads to the code, only the block's name tells the node, or the repository is for Crystal",
     },
     examples=(
         Example(
@@ -99,8 +99,9 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
     three names. Code is left alone where nodes allow undeclared parameters, or names of them are computed; where other
     packages may choose the options of a node, or a function or library that it calls may declare them. One that is got
-    into a variable, has an alternative, is like no other, or whose exception may be caught is a warning; into one that
-    nothing reads, an info. So is a value in a block that no node reads which is started with the file.
+    into a variable, has an alternative, is like no other, or whose exception may be caught, or under a condition, is a
+    warning; into one that nothing reads, an info. So is what stands in code that nothing compiles, starts, imports or
+    calls, and a value in a block that no node reads which is started with the file.
 
     ## Fix safety
     The similar name may not be the right one. A value of another type is not renamed, a single one for a list is put
@@ -124,7 +125,7 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped{why}"
         others, level = also(named.path, named.others), Severity.INFO if is_mild else None
         yield Hit(named.path, named.span, f"{message}; did you mean `{named.meant}`?", level, others)
-    for path, fault in scope.strange_names():
+    for path, fault in (*scope.strange_names(), *scope.repeated_reads()):
         yield from hits(path, [fault])
     for limit in scope.joints.mistyped():
         others = tuple(Related(limit.path, span, "and here") for span in limit.others)
@@ -132,8 +133,6 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     for read in scope.unknown_reads():
         softer, what = scope.told_of(read)
         yield Hit(read.path, read.span, what, Severity(softer), also(read.path, (span for _, span in read.more)))
-    for again in scope.repeated_reads():
-        yield Hit(again.path, again.span, repeated(again))
 
 
 def also(path: str, spans: Iterable[Span]) -> tuple[Related, ...]:
