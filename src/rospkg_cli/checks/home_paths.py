@@ -35,6 +35,7 @@ from .home_path_texts import (
 from .launch.idle_actions import level_at
 from .left_files import LeftFiles
 from .logged_texts import is_said
+from .params.launch_overrides import is_given, is_overridden
 from .params.replaced_defaults import is_replaced
 from .reached_definitions import ReachedDefinitions
 from .unread_paths import UnreadPaths
@@ -115,7 +116,7 @@ class HomePaths:
             is_seldom_read = self.is_seldom_read(path) or IS_SOUGHT.search(bare, 0, match.start()) is not None
             is_seldom_read = is_seldom_read or (path.endswith(YAML) and not is_image and not self.is_used(path))
             is_seldom_read = is_seldom_read or self.is_unused(path, place) or is_guarded_macro(bare, match.start())
-            is_seldom_read = is_seldom_read or is_replaced(bare[: place.start], named, self.parameters)
+            is_seldom_read = is_seldom_read or self.is_replaced(path, place, bare, named)
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
             is_unread = self.unread is not None and self.unread.has(path, place)
             yield HomePath(path, place, named, *home, *flags, is_unread)
@@ -124,6 +125,13 @@ class HomePaths:
         """Return whether no program of the package leads to the function around a place."""
         file = self.python(path)
         return file is not None and self.definitions is not None and not self.definitions.leads_to(file, place)
+
+    def is_replaced(self, path: str, place: Span, text: str, value: str) -> bool:
+        """Return whether YAML or launch files give nodes another value in place of a default, or of that of a file."""
+        before, launches = text[: place.start], self.launches
+        if path.endswith(YAML):
+            return is_overridden(path, place, self.parameters, launches)
+        return is_replaced(before, value, self.parameters) or is_given(before, value, self.facts.name, launches)
 
     def python(self, path: str) -> PythonFile | None:
         return self.definitions.run.modules.at(path) if self.definitions and path.endswith(".py") else None

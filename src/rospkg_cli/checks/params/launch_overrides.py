@@ -1,0 +1,45 @@
+"""Values of parameters that launch files replace: those of a file by later ones, and the defaults of code."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable, Iterator
+
+from ...package.launch.launch_file import LaunchedNode, LaunchFile, NodeParameters
+from ...package.params.parameter_file import ParameterFile
+from ...source import Span
+from .replaced_defaults import DECLARES, LONGEST
+
+
+def is_given(before: str, value: str, package: str, launches: Iterable[LaunchFile]) -> bool:
+    """Return whether what stands behind a text is a default, and launch files give nodes of the package another."""
+    found = DECLARES.search(before[-LONGEST:])
+    if found is None:
+        return False
+    nodes = (node for node in nodes_of(launches) if node.package is not None and node.package.literal == package)
+    return any(text != value for node in nodes for text in given(node.parameters, found[2]))
+
+
+def is_overridden(path: str, place: Span, files: Iterable[ParameterFile], launches: Iterable[LaunchFile]) -> bool:
+    """Return whether each node that launch files hand a parameter file gets the value at a place otherwise, later."""
+    blocks = (block for file in files if file.path == path for block in file.blocks)
+    names = [each.name for block in blocks for each in block.parameters if each.value.span.holds(place)]
+    later = [behind for node in nodes_of(launches) if (behind := behind_file(node, path)) is not None]
+    return bool(names and later) and all(any(True for _ in given(each, names[0])) for each in later)
+
+
+def nodes_of(launches: Iterable[LaunchFile]) -> Iterator[LaunchedNode]:
+    return (node for file in launches if not file.is_ros1 for node in file.nodes)
+
+
+def behind_file(node: LaunchedNode, path: str) -> tuple[NodeParameters, ...] | None:
+    """Return the parameters of a node behind a file of a name; None where it is not handed one."""
+    name = posixpath.basename(path)
+    places = [at for at, each in enumerate(node.parameters) if each.file is not None and name in each.file.shown]
+    return node.parameters[places[-1] + 1 :] if places else None
+
+
+def given(parameters: Iterable[NodeParameters], name: str) -> Iterator[str | None]:
+    """Yield what a parameter is given by its name; None for what the launch puts together."""
+    for each in parameters:
+        yield from (value.literal for key, value in each.values if key.literal == name)
