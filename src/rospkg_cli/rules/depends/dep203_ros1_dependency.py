@@ -75,11 +75,11 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
             continue
         needless = each.name in OF_INTERFACES and (not names.has_interfaces or has_any(manifest, taken))
         instead = " or ".join(f"`{name}`" for name in taken)
-        todo = (
-            f"in ROS 2 it is {instead}"
-            if taken and not needless
-            else "ROS 2 needs nothing for it here: remove the line"
-        )
+        todo = f"in ROS 2 it is {instead}" if taken else "ROS 2 needs nothing for it here: remove the line"
+        if needless:
+            todo = "ROS 2 needs nothing for it here: remove the line"
+        elif taken and has_any(manifest, taken):
+            todo += ", which is declared already: remove the line"
         message = (
             f'`{each.name}` is a package of ROS 1: `rosdep install` ends with "Cannot locate rosdep definition for '
             f'[{each.name}]"; {todo} (or add condition="$ROS_VERSION == 1")'
