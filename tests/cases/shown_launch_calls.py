@@ -277,19 +277,19 @@ SUBSTITUTIONS = python(
     "LogInfo(msg=' '.join([a, 'x']))",
     "LogInfo(msg=[a, 'x'])",
 )
-IDLE = python(
-    "LogInfo(msg='x')",
-    before="""\
+NEVER = """\
 
 def never():
     timer = TimerAction(period=5, actions=LogInfo(msg='x'))
     wrong = LogInfo(msg=5, condition='true')
     return LaunchDescription([timer])
-""",
-)
+"""
+IDLE = python("LogInfo(msg='x')", before=NEVER)
+CALLED = python("*never().entities", before=NEVER)
 CASES = {
     "LCH014": (
         TEXTS, WORDS, CONDITIONS, ACTIONS, PAIRS, GIVEN, NODES, PARAMETERS, REMAPPINGS, FUNCTIONS, SUBSTITUTIONS, IDLE,
+        CALLED,
         *(python(returned=each) for each in ("None", "[LogInfo(msg='x')]", "LogInfo(msg='x')", "unknown",
                                              "LaunchDescription(LogInfo(msg='x'))", "LaunchDescription()")),
     ),

@@ -13,6 +13,7 @@ from ..languages.python.unread_values import never_added
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import Role
+from ..package.launch.uncalled_functions import uncalled_functions
 from ..ros.share_layout import LAUNCH
 from ..source import Span
 from .run_imports import RunImports
@@ -47,7 +48,9 @@ class DroppedPath:
     def is_unused(self) -> bool:
         """Whether it is for an action that a launch file never adds, or a local variable that nothing reads."""
         is_launch = LAUNCH.fullmatch(posixpath.basename(self.file.path)) is not None
-        return is_launch and any(value.contains(self.span) for value in never_added(self.file))
+        return is_launch and any(
+            value.contains(self.span) for value in (*never_added(self.file), *uncalled_functions(self.file))
+        )
 
 
 @dataclass(frozen=True)

@@ -44,6 +44,14 @@ def softer(fault: Fault, level: Level, when: str) -> Fault:
     return replace(fault, level=level, message=f"{fault.message}, {when}")
 
 
+def softer_advice(fault: Fault, level: Level, when: str) -> Fault:
+    """Return a fault that is one only under a condition, which is said before what to do: "…; write `a`"."""
+    start, between, advice = fault.message.rpartition("; ")
+    if not start or advice.count("`") % 2:
+        return softer(fault, level, when)
+    return replace(fault, level=level, message=f"{start}, {when}{between}{advice}")
+
+
 def joined(faults: Sequence[Fault], message: str, title: str) -> Fault:
     """Return faults of one file that have one cause as one, at the first; it is repaired where all of them are."""
     first, *others = faults

@@ -14,11 +14,11 @@ from ...package.launch.launch_file import LaunchFile
 from ...ros.launch_calls import ACTIONS, SIGNATURES, Signature
 from ...source import Span
 from ...suggest import nearest
-from ..fault import Fault, softer
+from ..fault import Fault, softer, softer_advice
 from ..logged_texts import logged_spans
 from ..older_distribution import OlderDistribution
 from .argument_types import TYPE_CHECKS, action_list_faults
-from .idle_actions import UNUSED
+from .idle_actions import NEVER_CALLED, UNUSED, is_uncalled
 from .include_sources import source_faults
 from .joined_commands import joined_command, joined_mapping, joined_words
 from .joined_options import joined_options
@@ -61,7 +61,8 @@ def call_faults(file: LaunchFile) -> list[Fault]:
     truths = truth_values(file.evaluated)
     found: dict[Span, Fault] = {}
     for each in (*every_fault(file.evaluated, truths), *values_as_files(file)):
-        found.setdefault(each.span, each)
+        is_lost = is_uncalled(file.evaluated.file, each.span) and each.level != "info"
+        found.setdefault(each.span, softer_advice(each, "info", NEVER_CALLED) if is_lost else each)
     whole = [span for span in found if span in truths]
     inside = {a for a in found for b in whole if a != b and b.contains(a)}
     return [found[span] for span in sorted(found) if span not in inside]

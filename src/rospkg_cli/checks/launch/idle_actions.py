@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from ...languages.python.evaluate.values import Call, Constant, Value
+from ...languages.python.file import PythonFile
 from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -14,6 +15,7 @@ from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.python_to_text import text_of
 from ...package.launch.text import LaunchText, Substitution
+from ...package.launch.uncalled_functions import uncalled_functions
 from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from ..fault import Level
@@ -21,6 +23,7 @@ from .python_expressions import filled
 
 NEVER_ADDED = "but nothing adds the action"
 UNUSED = "but nothing uses the value"
+NEVER_CALLED = "but nothing calls the function"
 NO_ENTRY = "but only where another launch file calls the function"
 OFF = "but only if its condition holds (not by default)"
 CONDITIONAL = "but only if its condition holds"
@@ -38,6 +41,8 @@ def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
     if file.python is not None and lost is not None:
         maker = file.python.source.slice(lost).partition("(")[0].rpartition(".")[2]
         return "info", NEVER_ADDED if maker in ACTIONS else UNUSED
+    if file.python is not None and is_uncalled(file.python, span):
+        return "info", NEVER_CALLED
     if file.python is not None and not file.has_entry_point:
         return "warning", NO_ENTRY
     conditions = [each.holds for each in conditional(file) if each.guards(span)]
@@ -46,6 +51,11 @@ def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
     if any(each.contains(span) for each in in_branches(file)):
         return "warning", IN_BRANCH
     return None, ""
+
+
+def is_uncalled(file: PythonFile, span: Span) -> bool:
+    """Return whether a place is in a function that launch can't come to."""
+    return any(each.contains(span) for each in uncalled_functions(file))
 
 
 def in_branches(file: LaunchFile) -> Iterator[Span]:

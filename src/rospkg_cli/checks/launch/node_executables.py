@@ -126,7 +126,7 @@ class NodeExecutables:
             facts, span = self.scope.workspace.named(each.package), each.executable.span
             if facts is not None:
                 name = each.executable.literal or ""
-                level, why = level_at(file, each.span)
+                level, why = milder(level_at(file, each.span), level_at(file, span))
                 if each.is_command and not level:
                     level, why = "warning", "and the launch goes on"
                 is_plain = file.source.slice(span) == name
@@ -157,7 +157,8 @@ class NodeExecutables:
             wrong = None if is_here or each.is_command else wrong_name("programs", each.package, name)
             if wrong is not None and each.executable.span not in seen:
                 seen.add(each.executable.span)
-                yield WellKnownUse(each.package, each.executable, name, wrong, *level_at(file, each.span))
+                level = milder(level_at(file, each.span), level_at(file, each.executable.span))
+                yield WellKnownUse(each.package, each.executable, name, wrong, *level)
 
     def blank(self) -> Iterator[tuple[LaunchText, str]]:
         """Yield the executables and packages of nodes that hold nothing, and packages with a blank."""
@@ -182,7 +183,12 @@ class NodeExecutables:
         return next(having, "")
 
 
-MILDEST = ("info", "warning", None)
+MILDEST: tuple[Level | None, ...] = ("info", "warning", None)
+
+
+def milder(one: tuple[Level | None, str], other: tuple[Level | None, str]) -> tuple[Level | None, str]:
+    """Return the milder of two levels: of an action that a function makes, and of the name that it is given."""
+    return min(one, other, key=lambda each: MILDEST.index(each[0]))
 
 
 def by_name(uses: Iterable[ExecutableUse]) -> list[list[ExecutableUse]]:

@@ -21,6 +21,7 @@ from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.python_to_text import text_of
 from ...package.launch.text import LaunchText, Literal
+from ...package.launch.uncalled_functions import uncalled_functions
 from ...source import Span
 
 PRINTS_ROBOT = ("xacro", ".urdf")
@@ -95,7 +96,7 @@ def printed(text: str) -> str:
 def robot_parameters(launch: EvaluatedLaunch) -> Iterator[RobotParameter]:
     """Yield each place once; what a node gets that nothing adds to the launch description is never evaluated."""
     seen, file = set(), launch.file
-    idle = never_added(file)
+    idle = (*never_added(file), *uncalled_functions(file))
     dicts = {file.span(node): node for node in nodes_of_kind(file.tree, ast.Dict)}
     for call in launch.calls:
         is_node = class_of(call) in NODES and not any(each.contains(call.span) for each in idle)

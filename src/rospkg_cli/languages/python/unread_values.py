@@ -8,8 +8,9 @@ from typing import cast
 
 from ...source import Span
 from .bound_again import bound_again
+from .constant_truth import unreached_nodes
 from .file import PythonFile
-from .nodes import nodes_below, nodes_of_kind
+from .nodes import nodes_below, nodes_of, nodes_of_kind
 
 
 def never_added(file: PythonFile) -> tuple[Span, ...]:
@@ -22,7 +23,7 @@ def never_added(file: PythonFile) -> tuple[Span, ...]:
 
 def unread_values(file: PythonFile) -> Iterator[Span]:
     loads = [node for node in nodes_of_kind(file.tree, ast.Name) if not is_stored(node)]
-    again = {id(node) for node in loads_for_itself(file)}
+    again = {id(node) for node in loads_for_itself(file)} | {*unreached_nodes(nodes_of(file.tree), file.constants)}
     loads = [node for node in loads if id(node) not in again]
     if any(node.id == "locals" for node in loads):
         return

@@ -9,8 +9,7 @@ from ...languages.python.file import PythonFile, parse_python
 from ...languages.python.unread_values import never_added
 from ...unreadable import UnreadableError
 from .text import uncommented
-
-ENTRY = "generate_launch_description"
+from .uncalled_functions import ENTRY, uncalled_functions
 
 
 def live_text(files: PackageFiles, path: str) -> str:
@@ -28,6 +27,6 @@ def live_text(files: PackageFiles, path: str) -> str:
 def without_unread(file: PythonFile) -> str:
     """Return the text of a file without the values that are bound to local names which nothing reads."""
     text, kept, at = file.source.text, "", 0
-    for span in sorted(never_added(file), key=lambda each: each.start):
+    for span in sorted((*never_added(file), *uncalled_functions(file)), key=lambda each: each.start):
         kept, at = kept + text[at : span.start], max(at, span.end)
     return kept + text[at:]

@@ -66,10 +66,11 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     Packages whose executables are not all known, or whose build may write the file, are left alone, and so are launch
     files of tests that CMake does not run, and paths that begin at the root or where the launch file is: launch starts
     them as they are. A node whose condition is false by default, or that Python makes in a branch alone, or in a file
-    without `generate_launch_description`, is a warning, one that nothing adds to the launch description an info. So is
-    what was there in Foxy or Galactic, where pages and scripts name no later distribution, or a folder around is called
-    after one of these, or parameters of the package name plugins of that time (`nav2_recoveries/Spin`); and where
-    package.xml declares a sister of the package that no distribution has: a fork may have it.
+    without `generate_launch_description`, is a warning; one that nothing adds to the launch description, or that a
+    function makes which nothing calls, an info. So is what was there in Foxy or Galactic, where pages and scripts name
+    no later distribution, or a folder around is called after one of these, or parameters of the package name plugins of
+    that time (`nav2_recoveries/Spin`); and where package.xml declares a sister of the package that no distribution has:
+    a fork may have it.
 
     ## Fix safety
     The name is replaced by the only similar one; another program may be right.

@@ -92,8 +92,8 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     checked out; so are packages whose installed files are not all known (a CMake macro of another package may install
     some), launch files of tests that CMake does not run, and files that a package inside of one of its name has itself
     (WSP005). Where the action has a condition that the defaults of the arguments do not make true, it is a warning,
-    where nothing adds the action or uses the value, an info, and so is the default of an argument that the file itself
-    gives another value (`context.launch_configurations['x'] = …`).
+    where nothing adds the action, uses the value or calls the function, an info, and so is the default of an argument
+    that the file itself gives another value (`context.launch_configurations['x'] = …`).
     """
     for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):

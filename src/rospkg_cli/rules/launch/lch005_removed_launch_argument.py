@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.fault import Fault, Level, softer
+from ...checks.fault import Fault, Level, softer_advice
 from ...checks.launch.call_errors import LaunchCalls
 from ...checks.launch.idle_actions import IN_BRANCH, NO_ENTRY, level_at
 from ...checks.launch.removed_arguments import removed_arguments
@@ -86,18 +86,19 @@ def removed_launch_argument(calls: LaunchCalls) -> Iterator[Hit]:
     keywords, commands = list(removed_arguments(file)), list(removed_commands(file))
     if file.frontend == "python" and distribution.is_for_older(file.path):
         keywords = [
-            softer(each, "info", "but not in Foxy") if each.message.startswith(LATER) else each for each in keywords
+            softer_advice(each, "info", "but not in Foxy") if each.message.startswith(LATER) else each
+            for each in keywords
         ]
     if distribution.is_for_unsupported(file.path):
-        commands = [softer(each, "info", "but not in Foxy and Galactic") for each in commands]
+        commands = [softer_advice(each, "info", "but not in Foxy and Galactic") for each in commands]
     for fault in keywords:
         level, why = level_at(file, fault.span)
         if why in (NO_ENTRY, IN_BRANCH):  # a condition of launch does not help: Python refuses to make the action
-            fault = softer(fault, milder(fault, "warning"), why)
+            fault = softer_advice(fault, milder(fault, "warning"), why)
         yield from hits(file.path, [replace(fault, level="info") if level == "info" else fault])
     for fault in commands:
         level, why = level_at(file, fault.span)
-        yield from hits(file.path, [softer(fault, milder(fault, level), why) if level else fault])
+        yield from hits(file.path, [softer_advice(fault, milder(fault, level), why) if level else fault])
 
 
 def milder(fault: Fault, level: Level) -> Level:

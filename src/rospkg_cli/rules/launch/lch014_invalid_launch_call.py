@@ -76,11 +76,11 @@ def invalid_launch_call(calls: LaunchCalls) -> Iterator[Hit]:
     always true, a path holds the name of a Python object.
 
     ## When it is quiet
-    Arguments of unknown value are left alone, and files that `ros2 launch` can't start. What launch looks at only when
-    it visits an action is a warning where nothing adds the action, and so is a LifecycleNode without a namespace where
-    pages and scripts name Foxy alone, which gives it one. A number or word behind an option of one letter
-    (`'-z' '1.5'`) lacks no comma: most programs take both in one word. `include_scoped_launch_py_description` of
-    launch_pal takes a dict.
+    Arguments of unknown value are left alone, and files that `ros2 launch` can't start. In a function that nothing
+    calls it is an info. What launch looks at only when it visits an action is a warning where nothing adds the action,
+    and so is a LifecycleNode without a namespace where pages and scripts name Foxy alone, which gives it one. A number
+    or word behind an option of one letter (`'-z' '1.5'`) lacks no comma: most programs take both in one word.
+    `include_scoped_launch_py_description` of launch_pal takes a dict.
 
     ## Fix safety
     A number is quoted, `.items()` is added: what launch requires.
