@@ -10,6 +10,10 @@ HEADERS = {
     "include/my_pkg/core.hpp": INCLUDE.format("core_types.h") + INCLUDE.format("cor.hpp"),
     "include/my_pkg/types.hpp": "int types();\n",
 }
+PUBLIC = {
+    "include/my_pkg/words.hpp": "#include <std_msgs/msg/string.hpp>\n",
+    "src/talker.cpp": "int main() {return 0;}\n",
+}
 LAUNCH = {"launch/a.launch.xml": "<launch/>\n"}
 UNKNOWN = {
     "src/talker.cpp": INCLUDE.format("lost.hpp") + "int main() {return 0;}\n",
@@ -46,10 +50,10 @@ def package(lines: str, files: dict[str, str], body: str = "") -> Example:
     return Example(bad=files, good={}, on="ament_cmake")
 
 
-def beside(files: dict[str, str]) -> Example:
+def beside(files: dict[str, str], lines: str = "", tag: str = "exec_depend") -> Example:
     """A package that another one depends on."""
-    user = manifest("  <exec_depend>my_pkg</exec_depend>\n", "ament_cmake").replace("<name>my_pkg", "<name>user")
-    own = {f"my_pkg/{path}": text for path, text in package("", files).bad_files().items()}
+    user = manifest(f"  <{tag}>my_pkg</{tag}>\n", "ament_cmake").replace("<name>my_pkg", "<name>user")
+    own = {f"my_pkg/{path}": text for path, text in package(lines, files).bad_files().items()}
     beside = {
         "user/package.xml": user,
         "user/CMakeLists.txt": CMAKE.replace("(my_pkg)", "(user)"),
@@ -59,6 +63,12 @@ def beside(files: dict[str, str]) -> Example:
 
 
 CASES = {
+    "CMK102": (
+        package("if(WIN32)\n  add_executable(talker src/windows.cpp)\nendif()\n", {}),
+        package("if(APPLE OR WITH_MORE)\n  add_executable(talker src/mac.cpp)\nendif()\n", {}),
+        package("if(WIN32)\nelse()\n  add_executable(talker src/unix.cpp)\nendif()\n", {}),
+        package("if(WITH_MORE)\n  add_executable(talker src/more.cpp)\nendif()\n", {}),
+    ),
     "CMK103": (
         package(LINKED.format(""), CORE),
         package(LINKED.format(" src/core.cpp"), CORE),

@@ -18,7 +18,7 @@ from .refused_arguments import FOREIGN
 
 ASKED_FOR = regex(r"EXISTS|IS_DIRECTORY|ROS_VERSION|ROS1|CATKIN|catkin|ROS_DISTRO")
 """What a condition tests for before it names what is not always there: the path itself, or ROS 1."""
-
+OTHER_SYSTEMS = regex(r"\b(?:WIN32|MSVC|MINGW|APPLE|ANDROID|IOS|Windows|Darwin)\b")
 
 STOPPING = ("test", "subdirectory", "extras")
 """What stops CMake at once, where it gets there, as sources do."""
@@ -50,6 +50,16 @@ class MissingPaths:
             return meant is not None
         stem, other = splitext(named.path)[0], splitext(meant)[0]
         return digits(stem) == digits(other) and differ_in_long_words(stem, other) and bool(near_names(stem, [other]))
+
+    def is_elsewhere(self, named: ReferencedPath) -> bool:
+        """Return whether a path is named in a branch for another system than Linux."""
+        is_for_some = named.call.maybe or named.word.maybe
+        return is_for_some and id(named.call.command) in self.of_other_systems
+
+    @cached_property
+    def of_other_systems(self) -> frozenset[int]:
+        """The commands inside an `if` that tests for Windows, macOS or the like."""
+        return frozenset(id(each) for file in self.cmake.files for each in guarded_commands(file.body, OTHER_SYSTEMS))
 
     @cached_property
     def asked_for(self) -> frozenset[int]:

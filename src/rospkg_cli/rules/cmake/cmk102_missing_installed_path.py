@@ -41,7 +41,7 @@ EXTRAS = CMAKE.replace("ament_package()", "ament_package(CONFIG_EXTRAS «cmake/m
         Severity.WARNING: "it is named in a branch that is taken only for some; or CMake runs a program in the "
         "package's folder, which may write what is installed",
         Severity.INFO: "FILES_MATCHING keeps CMake silent about the folder, git ignores a folder that people fill, or "
-        "all sources are of ROS 1",
+        "all sources are of ROS 1, or it is named for another system than Linux",
     },
     examples=(
         Example(
@@ -88,9 +88,11 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     an installed folder whose files people write, such as `launch`, is an info. Below a submodule that is not checked
     out. Inside `if(EXISTS …)`, for what is installed inside any condition that can't be evaluated, and with OPTIONAL. A
     folder with FILES_MATCHING stops nothing: an info, or a warning where another one is called nearly so. Where CMake
-    chooses between ament and catkin and all sources are of ROS 1, it is an info.
+    chooses between ament and catkin and all sources are of ROS 1, it is an info; so is what is named inside
+    `if(WIN32)` or the like.
     """
-    for (named, for_everyone), *others in together(package.cmake, MissingPaths(package.cmake).all()):
+    missing = MissingPaths(package.cmake)
+    for (named, for_everyone), *others in together(package.cmake, missing.all()):
         paths = list(dict.fromkeys([named.path, *(each.path for each, _ in others)]))
         near = f" (did you mean `{meant}`?)" if (meant := meant_path(package.cmake, named)) else ""
         do, end = ("do", PLURAL.get(named.use, consequence(named))) if paths[1:] else ("does", consequence(named))
@@ -99,7 +101,7 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
         level = None if for_everyone else Severity.WARNING
         if named.use == "matching":
             level = Severity.WARNING if near else Severity.INFO
-        level = Severity.INFO if is_built_for_ros1(package.cmake) else level
+        level = Severity.INFO if is_built_for_ros1(package.cmake) or missing.is_elsewhere(named) else level
         yield Hit(named.word.path, named.word.span, message, level, related=related)
     for each in ReferencedPaths(package.cmake).ignored():
         start = f"`{each.path}` does not exist, and git ignores it: on a fresh clone the build stops at the end"
