@@ -596,7 +596,7 @@ STOPS = "CMake, which requires it, stops where nothing else brings it"
 @pytest.mark.parametrize(
     ("lines", "source", "found"),
     [
-        ((INSTALLED,), "", [("warning", ENDS)]),
+        ((INSTALLED,), "", [("info", ENDS)]),
         (("add_executable(node src/node.cpp)", INSTALLED), "", [("info", ENDS)]),
         (("add_executable(node src/node.cpp)", INSTALLED), '#include "my_pkg/public.hpp"\n', [("warning", ENDS)]),
         (("add_executable(node src/node.cpp)",), "", [("info", ENDS)]),

@@ -84,6 +84,11 @@ CASES = {
         package(FOUND + PROGRAM.format(""), USING | {"README.md": f"For {names}.\n"}, "  <depend>std_msgs</depend>\n")
         for names in ("Foxy", "Foxy and Humble", "Humble")
     ),
+    "DEP105": (
+        beside(PUBLIC, INSTALL),
+        beside(PUBLIC, INSTALL, "depend"),
+        beside(PUBLIC, PROGRAM.format("") + INSTALL, "depend"),
+    ),
     "CMK201": (
         package("", HEADERS),
         package(INSTALL, HEADERS),

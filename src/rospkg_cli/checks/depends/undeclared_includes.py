@@ -153,9 +153,13 @@ class IncludeDependencies:
         return known is not None and known.isdisjoint(use.path for use in each.uses)
 
     def are_idle(self, each: IncludedPackage) -> bool:
-        """Return whether no file that includes it is compiled here, where others are, or installed for others."""
+        """Return whether no file that includes it is compiled here, where others are, or installed for others.
+
+        Where no package of the workspace builds against this one, nobody compiles a header that is only installed.
+        """
         installed = {row.source for row in self.table.of("header")}
         is_seen = not self.compiled and not installed.isdisjoint(use.path for use in each.uses)
+        is_seen = is_seen and self.declared.workspace.is_built_against(self.declared.facts.name)
         return self.are_passed_on(each) and not is_seen
 
     def are_required(self, each: IncludedPackage) -> bool:

@@ -28,7 +28,8 @@ MAIN = "int main() {return 0;}\n"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a dependency brings it, or may bring it, as an empty submodule may, package.xml has it "
-        "in a comment, or no file that includes it is compiled or installed"
+        "in a comment, or no file that includes it is compiled, or installed where a package of the "
+        "workspace builds against this one"
     },
     examples=(
         Example(
@@ -56,7 +57,8 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     ## When it is quiet
     What a declared dependency or a package that CMake requires certainly installs, or may, is one info, which names who
     brings it, and DEP104's where CMake requires such a package, too. So is what only files include that an option of
-    CMake must ask for, or only headers that are not compiled, where others are, or that are not installed. Files that
+    CMake must ask for, or only headers that are not compiled, where others are, or no package of the workspace builds
+    against this one, or that are not installed. Files that
     no target compiles, or that no CMake file names beside neighbours named one by one, includes under `#if` (unless it
     asks for a macro that CMake defines in any case), headers that all others include under it, neighbours whose folder
     CMake names (`include_directories(../other/include)`), what CMake fetches, and packages that `find_package()` names
