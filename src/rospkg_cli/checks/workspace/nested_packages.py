@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 from functools import cached_property
+from typing import Literal
 
 from ...files import PackageFiles
 from ...languages.cmake.evaluated_command import path_in_package
@@ -17,10 +18,13 @@ from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from .built_places import is_built_from
+from .carried_folders import is_carried
 
 MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 COPIES = frozenset("fixtures resource resources example examples thirdparty 3rdparty external extern".split())
 """Folders of packages that are there to be read or copied."""
+Way = Literal["built", "started", "carried", "none"]
+COMPILES = ("add_executable", "add_library", "target_sources", "target_include_directories")
 NAME = regex(r"<name>\s*([\w-]+)")
 
 
@@ -64,9 +68,14 @@ class NestedPackages:
         is_copy = name is not None and name[1] in self.workspace.names
         return not is_for_ros1 and not is_copy and not any(part.startswith(".") for part in path.split("/"))
 
-    def is_built_apart(self, path: str) -> bool:
-        """Return whether pages start colcon in a folder around a package, below the outer one: that finds it."""
-        return is_built_from(self.files, posixpath.dirname(path))
+    def way_of(self, path: str) -> Way:
+        """Return how a package gets built: by the outer one, or where pages start colcon below it, or bring it."""
+        folder = posixpath.dirname(path)
+        if self.is_built_here(path):
+            return "built"
+        if is_built_from(self.files, folder):
+            return "started"
+        return "carried" if is_carried(self.files, folder) else "none"
 
     def is_built_here(self, path: str) -> bool:
         """Return whether the CMake of the outer package builds the folder of a package.xml, or one inside of it."""
@@ -75,10 +84,11 @@ class NestedPackages:
 
     @cached_property
     def built_folders(self) -> frozenset[str]:
-        """The folders that CMake adds to the build, or builds as a project of its own."""
+        """The folders and sources that CMake adds to the build, or builds as a project of its own."""
         if self.cmake is None:
             return frozenset()
         words = [(word, call) for call in self.cmake.named("add_subdirectory") for word in call.words[:1]]
+        words += [(word, call) for call in self.cmake.named(*COMPILES) for word in call.words[1:]]
         for call in self.cmake.named("externalproject_add", "fetchcontent_declare"):
             words += [(word, call) for word in values_of(call, ("SOURCE_DIR",))]
         paths = (path_in_package(word.text, call.folder) for word, call in words)

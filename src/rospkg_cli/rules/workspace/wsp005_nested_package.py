@@ -11,6 +11,16 @@ from ...rule import rule
 from ...source import Span
 
 INNER = manifest().replace("<name>my_pkg</name>", "<name>my_driver</name>")
+SENTENCES = {
+    "none": ": colcon does not look there, and never builds it; move it next to `{0}`, or remove its package.xml",
+    "started": ": colcon finds it only where it is started below `{0}`, as a page or a script does here; move it next "
+    "to `{0}`",
+    "carried": ": colcon finds it only where it is linked, copied or named on its own, as a page or a script does "
+    "here; move it next to `{0}`",
+    "built": ", which builds it itself: nothing fails, but colcon and rosdep read no package.xml there; declare what "
+    "it needs in that of `{0}`",
+}
+"""What is said of packages inside of one, by the way in which they get built."""
 
 
 @rule(
@@ -20,7 +30,7 @@ INNER = manifest().replace("<name>my_pkg</name>", "<name>my_driver</name>")
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "all of them are for ROS 1, in a hidden folder, or built by the outer one, so that nobody means "
-        "colcon to build them, or a README has it started below the outer one"
+        "colcon to build them, or a README has it started below the outer one, or brings them to another place"
     },
     examples=(
         Example(
@@ -42,36 +52,20 @@ def nested_package(nested: NestedPackages) -> Iterator[Hit]:
     Folders with an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE), those that git ignores, those of tests,
     templates, examples and third parties, and a package.xml that is installed as data, are left alone. Packages for
     ROS 1, those in hidden folders, and those whose name a package has that colcon finds are an info. So are those that
-    colcon finds where a README or a script starts it (`cd driver && colcon build`), and those that the outer package
-    builds itself (`add_subdirectory`, `ExternalProject_Add`): only their package.xml is not read.
+    colcon finds where a README or a script starts it (`cd driver && colcon build`), those that one links, copies or
+    mounts into a workspace (`ln -s`, `cp -r`, `COPY`), and those that the outer package builds itself
+    (`add_subdirectory`, `ExternalProject_Add`, a target with their sources): only their package.xml is not read.
 
     ## References
     colcon/colcon-recursive-crawl: package_discovery/recursive_crawl.py
     """
-    built: list[str] = []
-    apart: list[str] = []
-    left: list[str] = []
+    found: dict[str, list[str]] = {}
     for path in nested.manifests():
-        (built if nested.is_built_here(path) else apart if nested.is_built_apart(path) else left).append(path)
-    outer = nested.package.name
-    if left:
-        message = (
-            f"is a package inside of `{outer}`: colcon does not look there, and never builds it; "
-            f"move it next to `{outer}`, or remove its package.xml"
-        )
-        yield of_all(left, message, None if any(map(nested.may_be_meant, left)) else Severity.INFO)
-    if apart:
-        message = (
-            f"is a package inside of `{outer}`: colcon finds it only where it is started below `{outer}`, as a page or "
-            f"a script does here; move it next to `{outer}`"
-        )
-        yield of_all(apart, message, Severity.INFO)
-    if built:
-        message = (
-            f"is a package inside of `{outer}`, which builds it itself: nothing fails, but colcon and rosdep read no "
-            f"package.xml there; declare what it needs in that of `{outer}`"
-        )
-        yield of_all(built, message, Severity.INFO)
+        found.setdefault(nested.way_of(path), []).append(path)
+    for way in (each for each in SENTENCES if each in found):
+        message = f"is a package inside of `{nested.package.name}`{SENTENCES[way].format(nested.package.name)}"
+        is_lost = way == "none" and any(map(nested.may_be_meant, found[way]))
+        yield of_all(found[way], message, None if is_lost else Severity.INFO)
 
 
 def of_all(found: list[str], message: str, level: Severity | None) -> Hit:
