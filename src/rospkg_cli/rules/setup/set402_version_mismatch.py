@@ -9,19 +9,23 @@ from ...edits.manifest_tags import set_text
 from ...edits.setup_py import replace_text
 from ...example import SETUP_PY, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
+from ...lazy_regex import regex
 from ...ros.manifest import VERSION
 from ...rule import rule
 from ...source import Span
 
 GOOD = manifest()
 BAD = SETUP_PY.replace("'1.0.0'", "'«0.0.1»'")
+ASKS = regex(r"\bimportlib[._]metadata\b|\bimportlib import metadata\b|\bget_distribution\(")
+"""How Python code asks for the version of what is installed."""
 
 
 @rule(
     "SET402",
     "version-mismatch",
     over=PythonPackage,
-    severity=Severity.WARNING,
+    severity=Severity.INFO,
+    levels={Severity.WARNING: "the package has a CHANGELOG.rst, or its code asks for the version that is installed"},
     examples=(
         Example(bad={"setup.py": BAD}, good={"setup.py": SETUP_PY}, fix=Safety.SAFE),
         Example(
@@ -39,7 +43,8 @@ def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
 
     ## Why is this bad?
     bloom releases the version in package.xml, pip and `importlib.metadata` report the one in setup.py: users ask about
-    a version that was never released. `catkin_prepare_release` sets both to the next one, without a word.
+    a version that was never released. `catkin_prepare_release` sets both to the next one, without a word. Of a package
+    that nobody releases, and that does not ask for its version itself, hardly anybody sees it: an info.
 
     ## When it is quiet
     Where the version is read from a file or can't be evaluated, and where package.xml has a version that colcon
@@ -59,4 +64,11 @@ def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
     )
     fix = Fix(todo, edits) if edits else None
     related = (Related(known.path, span, "the version in package.xml"),)
-    yield Hit(said.path, said.shown, message, related=related, fix=fix)
+    level = Severity.WARNING if is_asked_for(package) else None
+    yield Hit(said.path, said.shown, message, level, related, fix)
+
+
+def is_asked_for(package: PythonPackage) -> bool:
+    """Return whether the package is released, by its changelog, or one of its modules asks for the version."""
+    texts = (package.files.readable_text(path) for path in package.files.paths if path.endswith(".py"))
+    return package.files.exists("CHANGELOG.rst") or any(ASKS.search(text) for text in texts)
