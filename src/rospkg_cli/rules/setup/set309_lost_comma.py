@@ -19,12 +19,12 @@ GOOD = SETUP_PY
 BAD = SETUP_PY.replace(f"{MARKER},\n        {ENTRY}", f"«{MARKER}\n        {ENTRY}»")
 
 NAME = regex(r"[A-Za-z][\w./-]*(?:[<>=~!]=?[\w.*]+)?")
-UNFULFILLED = "no distribution has this name, and pip stops at it"
+UNFULFILLED = "no distribution has this name, and pip stops at it, though colcon does not"
 LISTS: dict[str, tuple[Severity, str]] = {
     "packages": (Severity.ERROR, "the build stops, there is no such folder"),
     "py_modules": (Severity.ERROR, "the build is green, and installs neither"),
     "scripts": (Severity.ERROR, "the build stops, there is no such file"),
-    "install_requires": (Severity.WARNING, UNFULFILLED),
+    "install_requires": (Severity.INFO, UNFULFILLED),
 }
 """The arguments of setup() that are lists of names, and what a wrong one does."""
 
@@ -34,7 +34,10 @@ LISTS: dict[str, tuple[Severity, str]] = {
     "lost-comma",
     over=SetupPy,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it is in a function, which may not be called, or in `install_requires`"},
+    levels={
+        Severity.WARNING: "it is in a function, which may not be called",
+        Severity.INFO: "it is in `install_requires`, which colcon does not read",
+    },
     examples=(
         Example(bad={"setup.py": BAD}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),
         Example(
