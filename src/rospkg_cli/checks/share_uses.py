@@ -13,6 +13,7 @@ from ..package.file_role import role_of
 from ..package.launch.live_text import live_text
 from ..package.params.named_yaml import ANY
 from ..package.workspace import Workspace
+from .setup.linked_build import build_texts
 from .share_references import references_folder
 
 CPP = (".cpp", ".cc", ".cxx", ".c", ".hpp", ".h")
@@ -22,6 +23,9 @@ CODE = (*CPP, ".py", ".xml", ".yaml", ".yml", ".urdf", ".xacro", ".sdf", ".world
 
 FOR_ROS1 = regex(r"(?s)<launch\b.*?\$\((?:find|arg)\s")
 """A launch file that only roslaunch takes: it opens nothing in ROS 2."""
+
+BY_PATH = regex(r"\b(?:ros2[ \t]+launch|python3?)[ \t]+([^\s`\"']+)")
+"""A launch file that is started where it lies: behind `ros2 launch` stands no package."""
 
 REACH = 200
 """The most characters of a path before the name of a folder."""
@@ -69,7 +73,20 @@ class ShareUses:
         written = re.compile(
             rf"\bsrc/[^\s`]{{0,{REACH}}}\b{place}/|--params-file[ \t](?!\$)[^\s`]{{0,{REACH}}}\b{place}/"
         )
-        return any(written.search(text) for text in (*self.readmes, *self.code))
+        if any(written.search(text) for text in (*self.readmes, *self.code)):
+            return True
+        names = {path.rpartition("/")[2] for path in self.files.below(folder)} if folder == "launch" else set()
+        return any(found[1].rpartition("/")[2] in names for text in self.pages for found in BY_PATH.finditer(text))
+
+    @cached_property
+    def pages(self) -> tuple[str, ...]:
+        """The pages and scripts of the package, and those above it that say how all is built."""
+        paths = (path for path in self.files.paths if path.endswith((".md", ".rst", ".sh", ".bash")))
+        return (*map(self.files.readable_text, paths), *build_texts(self.files))
+
+    def names_launch(self, name: str) -> bool:
+        """Return whether code, a page or a script names a launch file."""
+        return self.names_file(name) or any(name in text for text in self.pages)
 
     @cached_property
     def code(self) -> tuple[str, ...]:
@@ -109,7 +126,7 @@ class ShareUses:
 
     def consequence(self, folder: str) -> str:
         """Return what happens where a folder is not installed, for a message."""
-        if folder == "launch":
+        if folder == "launch" and not self.opens_in_source(folder):
             return f"`ros2 launch {self.name} …` does not find it"
         if self.level(folder) != "info":
             return "what opens it in the share directory does not find it"

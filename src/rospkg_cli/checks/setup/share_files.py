@@ -155,14 +155,14 @@ class ShareFiles:
         return tuple(found.values())
 
     def is_wanted(self, missed: UninstalledNeighbour) -> bool:
-        """Return whether something opens a file: launch files are started, code or a README names others."""
+        """Return whether something opens a file: code or a README names it, a page or a script a launch file."""
         path, files = missed.path, self.package.files
         name, folder = posixpath.basename(path), posixpath.dirname(path)
         if name and not files.readable_text(path).strip():
             return False
         if folder != folder_of(missed.glob.pattern) and name and not LAUNCH.fullmatch(name):
             return self.uses.names_folder(posixpath.basename(folder))
-        if not name or LAUNCH.fullmatch(name):
+        if not name or (LAUNCH.fullmatch(name) and self.uses.names_launch(name)):
             return True
         return self.uses.names_file(name) or self.is_named_elsewhere(name)
 

@@ -31,7 +31,7 @@ PLACEHOLDER = regex(r"(?:.*/)?(?:place_?holder|git_?keep|keep|empty|readme|todo)
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "a launch file, a module or the README refers to the folder",
-        Severity.INFO: "the folder is not there, or holds nothing but a placeholder, and nothing refers to it",
+        Severity.INFO: "the folder is not there, holds no launch files or only a placeholder, and nothing refers to it",
     },
     examples=(
         Example(
@@ -65,20 +65,22 @@ def empty_glob(shared: ShareFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Where setup.py may write files, where another entry installs files of the folder, where git ignores what the glob
-    looks for, and below a submodule that is not checked out.
+    looks for, and below a submodule that is not checked out. It is an info where neither the package nor one that
+    depends on it seems to open what is in the folder, unless that is for launch files.
     """
     files, setup = shared.package.files, shared.package.setup
     for glob in shared.empty_globs if not setup.may_write_files else ():
         folder = folder_of(glob.pattern)
         held = sorted(path for path in files.below(folder) if "/." not in path)
-        refers, is_bare = shared.uses.opens(folder), all(map(PLACEHOLDER.fullmatch, held))
-        level = Severity.ERROR if refers and held else Severity.INFO if is_bare else None
+        near = None if held else shared.suggestion(folder)
         if held:
             shown = ", ".join(f"`{path}`" for path in held[:3]) + (", …" if len(held) > 3 else "")
             what = f"the folder holds {shown}"
         else:
-            near = shared.suggestion(folder)
             what = f"there is no folder `{folder}`" + (f" (did you mean `{near}`?)" if near else "")
-            level = Severity.ERROR if near and shared.uses.opens(near) else None if near else Severity.INFO
+        meant = folder if held else near
+        level = shared.uses.level(meant) if meant else "info"
+        is_bare = level != "error" and all(map(PLACEHOLDER.fullmatch, held)) and not near
+        level = "info" if is_bare else level
         message = f"`{glob.pattern}` matches no file: the build is green and installs nothing; {what}"
-        yield Hit(setup.path, glob.span, message, level=level)
+        yield Hit(setup.path, glob.span, message, level=Severity(level) if level else None)

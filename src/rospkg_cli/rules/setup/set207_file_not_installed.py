@@ -14,7 +14,11 @@ from ...source import Span
 
 ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
 LAUNCH = "<launch>\n</launch>\n"
-FILES = {"launch/robot.launch.xml": LAUNCH, "launch/arm_launch.xml": LAUNCH}
+FILES = {
+    "launch/robot.launch.xml": LAUNCH,
+    "launch/arm_launch.xml": LAUNCH,
+    "README.md": "Run `ros2 launch my_pkg arm_launch.xml`.\n",
+}
 
 
 def launch(pattern: str) -> str:
@@ -27,7 +31,7 @@ def launch(pattern: str) -> str:
     "file-not-installed",
     over=ShareFiles,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where nothing names them, and they are no launch files"},
+    levels={Severity.INFO: "where nothing names them"},
     examples=(
         Example(
             bad={**FILES, "setup.py": launch("«glob('launch/*.launch.xml')»")},
@@ -50,7 +54,7 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     Where `data_files` can't be evaluated, where setup.py may write files, for files that git ignores, and for those of
     other kinds than the folder is for, and those that are laid aside (`old/`). All files that one glob misses are one
     finding. It is an info where no code, no YAML and no README names them or their folder, or only by an absolute path
-    to the source, unless they are launch files, and for empty files.
+    to the source, and for empty files; launch files may be named by any page or script that says how to build or run.
 
     ## Fix safety
     A wider glob may install more than is wanted.
@@ -59,7 +63,9 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     for path, beside in left_out(shared):
         start = f"`{path}` is not installed, but the others of its folder are"
         fails = f"`ros2 launch {package.name} {path.rpartition('/')[2]}` does not find it"
-        yield Hit(beside.setup_text.path, beside.setup_text.shown, f"{start}: {fails}; add it here, or remove it")
+        message = f"{start}: {fails}; add it here, or remove it"
+        level = None if shared.uses.names_launch(path.rpartition("/")[2]) else Severity.INFO
+        yield Hit(beside.setup_text.path, beside.setup_text.shown, message, level)
     groups: dict[tuple[Span, bool], list[UninstalledNeighbour]] = {}
     for missed in shared.uninstalled_neighbours if package.knows_data_files else ():
         groups.setdefault((missed.glob.span, missed.path.endswith("/")), []).append(missed)
