@@ -13,7 +13,7 @@ from ..package.file_role import role_of
 from ..package.launch.live_text import live_text
 from ..package.params.named_yaml import ANY
 from ..package.workspace import Workspace
-from .setup.linked_build import build_texts
+from .pages_and_scripts import pages_and_scripts
 from .share_references import references_folder
 
 CPP = (".cpp", ".cc", ".cxx", ".c", ".hpp", ".h")
@@ -81,8 +81,7 @@ class ShareUses:
     @cached_property
     def pages(self) -> tuple[str, ...]:
         """The pages and scripts of the package, and those above it that say how all is built."""
-        paths = (path for path in self.files.paths if path.endswith((".md", ".rst", ".sh", ".bash")))
-        return (*map(self.files.readable_text, paths), *build_texts(self.files))
+        return pages_and_scripts(self.files)
 
     def names_launch(self, name: str) -> bool:
         """Return whether code, a page or a script names a launch file."""

@@ -32,10 +32,11 @@ class JudgedRobot:
 
     @property
     def is_idle(self) -> bool:
-        """Whether nothing here opens the robot: the package opens others, or does not even install this one."""
+        """Whether nothing here opens the robot: the package has or opens others, or does not even install this one."""
         path, table = self.robot.path, self.table
         lost = table is not None and table.knows("share") and all(row.source != path for row in table.rows)
-        return not self.opened.has(path) if lost else self.opened.is_passed_over(path)
+        is_one_of_several = lost or self.opened.has_others(path)
+        return not self.opened.has(path) if is_one_of_several else self.opened.is_passed_over(path)
 
     def faults(self) -> list[Fault]:
         """Return what is wrong with the file as it is written, then with what xacro makes of it, each place once."""

@@ -9,7 +9,7 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
-from ...package.urdf.robot_words import ANY, LAUNCH, is_launch, words_of
+from ...package.urdf.robot_words import LAUNCH, is_launch, may_be_made, words_of
 from ...package.workspace import Workspace
 from .opened_robots import ROBOTS, OpenedRobots, has_folders
 from .xacro_calls import may_include
@@ -98,11 +98,12 @@ def names(words: frozenset[str], text: str, name: str) -> bool:
     stem = re.escape(name.partition(".")[0])
     if name in words:
         return True
-    return (ANY in words or "MoveItConfigsBuilder" in text) and re.search(rf"[\"'/]{stem}[\"']", text) is not None
+    is_made = may_be_made(name, words) or "MoveItConfigsBuilder" in text
+    return is_made and re.search(rf"[\"'/]{stem}[\"']", text) is not None
 
 
 def names_file(words: frozenset[str], package: str, name: str, *, is_own: bool = False) -> bool:
     """Return whether the words are a launch file's that names a file of a package."""
     stem = name.partition(".")[0]
-    is_there = name in words or (ANY in words and stem in words)
+    is_there = name in words or (may_be_made(name, words) and stem in words)
     return LAUNCH in words and is_there and (is_own or package in words)

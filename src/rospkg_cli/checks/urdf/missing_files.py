@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
@@ -18,12 +19,18 @@ from ..closest_path import closest_path
 from ..fault import Fault, softer
 from ..install_faults import InstallFaults
 from .emptied_folders import emptied_folders
+from .fetched_meshes import ARCHIVES, FetchedMeshes
 from .launched_robots import LaunchedRobots
 from .missing_resource import MissingResource, State
 from .model_files import missing_of_models
 from .opened_robots import OpenedRobots
 from .reached_files import ReachedFiles
+from .replaced_paths import ReplacedPaths
+from .same_folder import SameFolder
 from .xacro_calls import XacroCalls, ancestors
+
+LOADS = regex(r"\bload_yaml\(\s*[\"']$")
+REACH = 40
 
 
 @dataclass(frozen=True)
@@ -37,6 +44,9 @@ class RobotInWorkspace:
     opened: OpenedRobots
     launched: LaunchedRobots
     reached: ReachedFiles
+    replaced: ReplacedPaths
+    fetched: FetchedMeshes
+    beside: SameFolder
     table: InstallTable | None
 
     @property
@@ -56,6 +66,10 @@ class RobotInWorkspace:
         """Whether it is no xacro by its name, and nothing in the package opens it: others may do so without xacro."""
         return self.robot.path.endswith(".urdf") and not self.opened.is_named(self.robot.path)
 
+    def is_fetched(self, missing: MissingResource) -> bool:
+        """Return whether a page or a script tells to fetch a file that is missing; those that xacro reads are code."""
+        return not missing.is_include and self.fetched.has(missing.path)
+
     def weighed(self, fault: Fault) -> Fault:
         """Return a fault at the level of its place; a default that nothing reads, or all replace, does no harm."""
         for around in ancestors(self.robot.document.root, fault.span):
@@ -66,6 +80,8 @@ class RobotInWorkspace:
                 return softer(fault, "info", f"as soon as something reads `$(arg {name})`")
             if around.tag in ("gazebo", "plugin"):
                 return softer(fault, "warning", "in Gazebo alone")
+        if self.replaced.has(self.robot.document, fault.span):
+            return softer(fault, "info", "unless what opens it puts another path there, as a launch file here does")
         found = self.calls.weighed(self.robot.document.root, fault)
         if found.level is None and self.reached.is_off(self.robot.path):
             return softer(found, "warning", "where the condition around its include holds")
@@ -96,14 +112,18 @@ class RobotInWorkspace:
             if state is not None and (facts.knows("share_files") or meant) and not self.is_told(facts, path, state):
                 folder = self.missing_folder(facts, path) if state == "absent" else ""
                 better = meant if not folder or meant is None else self.folder_meant(folder, path, meant)
-                yield MissingResource(
-                    reference.path_span, facts.name, path, state, reference.use == "include", better, folder
-                )
+                is_read = reference.use == "include" or self.is_loaded(reference)
+                yield MissingResource(reference.path_span, facts.name, path, state, is_read, better, folder)
         for local in self.robot.includes:
             if not local.path.startswith("..") and not self.files.exists(local.path) and not self.is_made(local.path):
                 near = nearest(posixpath.basename(local.path), self.neighbours(local.path))
                 yield MissingResource(local.span, self.package.name, local.path, "absent", True, near)
         yield from missing_of_models(self.robot, self.files, self.workspace)
+
+    def is_loaded(self, reference: ResourceReference) -> bool:
+        """Return whether xacro reads a file for an expression, and stops without it."""
+        text = self.robot.source.text
+        return LOADS.search(text, max(0, reference.span.start - REACH), reference.span.start) is not None
 
     def is_expected(self, facts: PackageFacts, path: str) -> bool:
         """Return whether a build or a submodule may bring a file."""
@@ -158,6 +178,7 @@ class RobotInWorkspace:
     def suggestion(self, facts: PackageFacts, path: str) -> str | None:
         """Return the likely path: a near one, or the file of that name next to this robot."""
         known = set(facts.share_files) | (set(self.files.paths) if facts is self.package else set())
+        known = {each for each in known if not each.endswith(ARCHIVES)}
         if near := closest_path(path, known):
             return near
         beside = posixpath.join(posixpath.dirname(self.robot.path), posixpath.basename(path))

@@ -12,13 +12,14 @@ from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
-from ...package.urdf.robot_words import ANY, words_of
+from ...package.urdf.robot_words import may_be_made, words_of
 from ...package.workspace import Workspace
 
 ROBOTS = (".urdf", ".xacro", ".sdf", ".world")
 OPENERS = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h", ".sh", ".md", ".rst", ".txt")
 LAUNCH = (".py", ".xml", ".launch", ".yaml", ".yml")
-LETTERS = regex(r"[^\W\d_]{2}")
+ENDS = r"(?!\.(?:xacro|urdf)\b)"
+"""Behind the name of a file stands no other suffix: then it is that of another file."""
 PAGES = (".md", ".rst", ".txt")
 LETTERS = regex(r"[^\W\d_]{2}")
 COMMAND = r"(?:\b(?:ros2|xacro\w*|check_urdf|urdf_to_\w+|rviz2?|gz|gazebo|ign|python3?)[\s(]|:=)"
@@ -39,7 +40,7 @@ class OpenedRobots:
         Robots name files in full; launch files and code often put the suffix behind a name, which then has letters:
         `1` stands everywhere.
         """
-        may_be = not self.is_copy(path) and (self.puts_together or self.is_named_elsewhere(path))
+        may_be = not self.is_copy(path) and (self.is_put_together(path) or self.is_named_elsewhere(path))
         return may_be or self.is_named(path)
 
     def is_surely_named(self, path: str) -> bool:
@@ -59,10 +60,13 @@ class OpenedRobots:
         name = re.compile(rf"{re.escape(path.rpartition('/')[2])}(?![\w.])")
         return not self.is_copy(path) and any(name.search(text) for other, text in self.texts if other != path)
 
+    def is_put_together(self, path: str) -> bool:
+        """Return whether a launch file of the package may put the name of a robot together when it runs."""
+        return any(may_be_made(path.rpartition("/")[2], words) for words in self.launch_words)
+
     @cached_property
-    def puts_together(self) -> bool:
-        """Whether a launch file of the package puts the name of a robot together when it runs."""
-        return any(ANY in words_of(text) for other, text in self.texts if other.endswith(LAUNCH))
+    def launch_words(self) -> tuple[frozenset[str], ...]:
+        return tuple(words_of(text) for other, text in self.texts if other.endswith(LAUNCH))
 
     def is_copy(self, path: str) -> bool:
         """Return whether a file in the package's own folder is called like another of the package, deeper down."""
@@ -74,7 +78,7 @@ class OpenedRobots:
 
     def is_named(self, path: str) -> bool:
         name = path.rpartition("/")[2]
-        word, full, is_copy = re.escape(name.partition(".")[0]), re.escape(name), self.is_copy(path)
+        word, full, is_copy = re.escape(name.partition(".")[0]), f"{re.escape(name)}{ENDS}", self.is_copy(path)
         before = r"(?<![\w./-])" if is_copy else ""  # what names the other has a folder before it
         ends = rf"(?:[\"'/]|\.{self.but_others(name)})"
         stem = re.compile(rf"[\"'{'' if is_copy else '/'}]{word}{ends}|{before}{full}")
@@ -105,7 +109,7 @@ class OpenedRobots:
             stem = name  # the word alone is a package
         for facts in self.workspace.packages:
             for words in facts.robot_words if facts.name != own else ():
-                if own in words and not words.isdisjoint((stem, ANY)):
+                if own in words and (stem in words or may_be_made(name, words)):
                     return True
                 if stem in words and not any(other in words for other in self.having(name)):
                     return True
@@ -119,6 +123,11 @@ class OpenedRobots:
             for each in others
             if any(p.rpartition("/")[2] == name for p in (*each.share_files, *each.uninstalled))
         ]
+
+    def has_others(self, path: str) -> bool:
+        """Return whether the package has another robot than one: then this one need not be what it is for."""
+        ends = (".urdf", ".urdf.xacro")
+        return any(other.endswith(ends) and other != path and "<robot" in text for other, text in self.texts)
 
     def is_passed_over(self, path: str) -> bool:
         """Return whether the package or another opens robots of it, and not this one."""

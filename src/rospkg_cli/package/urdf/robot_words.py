@@ -29,6 +29,9 @@ ANY = "*"
 """Stands for a name that is put together when the text is run."""
 LAUNCH = ">"
 """Stands in what a launch file says, beside its words."""
+REPLACES = "~"
+"""Stands among the words of a text that replaces paths of a robot, as `.replace('package://…', …)` does."""
+REPLACED = regex(r"(?:\.replace|\bsub)\(\s*[rf]{0,2}[\"'][^\"'\n]*(?:://|meshes)")
 WORD = regex(r"(?:[\"'/:,=\[-] ?|find(?:-pkg-share)? )([A-Za-z][\w-]*)")
 INCLUDE = regex(r"<xacro:include\s[^>]*?filename\s*=\s*[\"']\$\(find\s+([\w-]+)\s*\)/([^\"']*)")
 FILE = regex(r"(?:^|[^\w.-])([\w.-]*)(\.(?:urdf|xacro|sdf))\b")
@@ -59,7 +62,13 @@ def robot_includes(reading: ReaderInput) -> frozenset[tuple[str, str, str]]:
     return frozenset((found.group(1), found.group(2), path) for path, text in texts for found in INCLUDE.finditer(text))
 
 
+def may_be_made(name: str, words: frozenset[str]) -> bool:
+    """Return whether a text with these words may put a file name together: it has its end, as `.urdf.xacro`."""
+    return ANY in words and any(name.endswith(word) for word in words if word[0] in "._-")
+
+
 def words_of(text: str) -> frozenset[str]:
     names = FILE.findall(text)
     is_put_together = any(name[:1] in ("", ".", "_", "-") for name, _ in names)
-    return frozenset((*WORD.findall(text), *map("".join, names))) | ({ANY} if is_put_together else set())
+    marks = {mark for mark, stands in ((ANY, is_put_together), (REPLACES, REPLACED.search(text))) if stands}
+    return frozenset((*WORD.findall(text), *map("".join, names))) | marks

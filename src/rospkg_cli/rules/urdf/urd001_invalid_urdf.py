@@ -104,10 +104,10 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     a prefix (`${prefix}hand` for `hand`) that is no joint's child. What a macro takes is not known behind an include of
     a computed name (`${type}.urdf.xacro`), where a file of the package that it may be defines it again. A fault is an
     error only where a launch file of the workspace names the robot, or one that includes it. Of a robot that no launch
-    file, code or command of a page names, it is an info, if its package opens others, does not install it, or others
-    name the package; so it is in a folder such as `old/`. Joints of a `<ros2_control>` that the robot lacks are one
-    where pages and scripts name Humble or older ones alone and no plugin for Gazebo moves them, and an argument that is
-    its own default where no launch file is known to leave it out.
+    file, code or command of a page names, it is an info, if its package has or opens others, does not install it, or
+    others name the package; so it is in a folder such as `old/`. Joints of a `<ros2_control>` that the robot lacks are
+    one where pages and scripts name Humble or older ones alone and no plugin for Gazebo moves them, and an argument
+    that is its own default where no launch file is known to leave it out.
 
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from ...checks.fault import Fault, softer
 from ...checks.urdf.bare_meshes import bare_meshes, without_scheme
 from ...checks.urdf.missing_files import RobotInWorkspace
-from ...checks.urdf.missing_resource import MissingResource, advice, also, wrong
+from ...checks.urdf.missing_level import missing_fault
+from ...checks.urdf.missing_resource import MissingResource, advice, also
 from ...checks.urdf.personal_paths import of_one_machine, personal_paths
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
@@ -40,7 +41,6 @@ FILES = {
     "meshes/base_link.stl": "solid base\n",
     "launch/show.launch.xml": SHOW,
 }
-LEVELS = (None, "warning", "info")
 
 
 @rule(
@@ -51,8 +51,8 @@ LEVELS = (None, "warning", "info")
     levels={
         Severity.WARNING: "a mesh is missing, a condition is around it, it is for Gazebo alone, or no launch file is "
         "known to open the robot",
-        Severity.INFO: "nothing opens the robot, calls the macro or reads the property or default that it is in, or "
-        "each launch file replaces the default",
+        Severity.INFO: "nothing opens the robot, calls the macro or reads the property or default that it is in, each "
+        "launch file replaces the default or a part of the path, or a page tells to fetch the file",
     },
     examples=(
         Example(
@@ -85,7 +85,8 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     package and others of the workspace, and checks whether they install the file, there or at another path, which is
     told; `model://name/…` it follows into models that lie here. Files in a home folder (`file:///home/ada/…`) are told,
     and meshes that are named by a path alone, where the package has the file: only URLs are looked for. Files of one
-    missing folder are one finding, and so are three or more of a folder of which none is there.
+    missing folder are one finding, and so are three or more of a folder of which none is there,
+    and one that several robots of a folder name at the same place, as those that one xacro file was made into.
 
     ## Why is this bad?
     xacro stops at an include that isn't there. A missing mesh is not shown: RViz prints an error, Gazebo leaves the
@@ -102,31 +103,28 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     workspace opens (none of the package names it, in code or in a command of a page, and no other that names the
     package) or that lies in a folder such as `old/`, and in a macro that nothing here calls. The default of an argument
     is an info where nothing reads the argument, or where each launch file that opens the robot gives another value. A
-    path without a scheme is one where no launch file opens the robot.
+    path without a scheme is one where no launch file opens the robot. So is a path of which each launch file that opens
+    the robot replaces a part in its text, and a file that a page or a script of the package tells to fetch or unpack.
     """
     for each in scope.missing():
+        same = list(scope.beside.lacking(scope.robot, each))
+        if any(path < scope.robot.path for path, _ in same):
+            continue  # which is told there
         again = tuple(Related(scope.robot.path, other.span, also(each, other)) for other in each.others)
+        again += tuple(Related(path, span, f"`{each.path}` here too") for path, span in same)
         level, message = judged(scope, each)
         yield Hit(scope.robot.path, each.span, message, level, again)
-    if found := list(personal_paths(scope.robot.document)):
+    if found := scope.beside.untold(scope.robot, list(personal_paths(scope.robot.document))):
         yield of_several(scope, found, *of_one_machine(found, scope.robot.document))
-    if (bare := bare_meshes(scope.robot.document, scope.files, scope.package)) and not scope.is_idle:
-        hit = of_several(scope, list(bare), *without_scheme(bare))
+    bare = bare_meshes(scope.robot.document, scope.files, scope.package) if not scope.is_idle else {}
+    if found := scope.beside.untold(scope.robot, list(bare)):
+        hit = of_several(scope, found, *without_scheme(bare))
         yield hit if scope.launched.has(scope.robot.path) else replace(hit, level=Severity.INFO)
 
 
 def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity | None, str]:
-    """Return the level and the message: those of the place that xacro is most certain to reach."""
-    harm = "xacro stops here" if missing.is_include else "it is missing wherever the robot is shown"
-    fault = Fault(missing.span, f"{wrong(missing, scope.package.name)}: {harm}")
-    each = [scope.weighed(replace(fault, span=span)) for span in missing.spans]
-    best = min(each, key=lambda one: LEVELS.index(one.level))
-    if best.level != "info" and scope.is_idle:
-        best = softer(best, "info", "as soon as something opens this robot")
-    elif best.level is None and not scope.is_installed:
-        best = softer(best, "warning", "where the robot is read from the source: it is not installed")
-    elif best.level is None and missing.is_include and scope.may_be_read_as_it_is:
-        best = softer(best, "warning", "where xacro reads it")
+    """Return the level and the message: an error only where xacro stops at what a launch file opens."""
+    best = missing_fault(scope, missing)
     stops = missing.is_include and scope.launched.has(scope.robot.path)
     level = best.level or (None if stops else "warning")
     return Severity(level) if level else None, best.message + advice(missing)

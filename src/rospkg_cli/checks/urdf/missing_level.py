@@ -1,0 +1,27 @@
+"""How grave it is that a file of a robot is not there: by its place, by who opens the robot, by who brings it."""
+
+from __future__ import annotations
+
+from ...light_dataclasses import replace
+from ..fault import Fault, softer
+from .missing_files import RobotInWorkspace
+from .missing_resource import MissingResource, wrong
+
+LEVELS = (None, "warning", "info")
+
+
+def missing_fault(scope: RobotInWorkspace, missing: MissingResource) -> Fault:
+    """Return what is wrong at the level of the place that xacro is most certain to reach."""
+    harm = "xacro stops here" if missing.is_include else "it is missing wherever the robot is shown"
+    fault = Fault(missing.span, f"{wrong(missing, scope.package.name)}: {harm}")
+    each = [scope.weighed(replace(fault, span=span)) for span in missing.spans]
+    best = min(each, key=lambda one: LEVELS.index(one.level))
+    if best.level != "info" and scope.is_idle:
+        return softer(best, "info", "as soon as something opens this robot")
+    if best.level != "info" and missing.state == "absent" and scope.is_fetched(missing):
+        return softer(best, "info", "until it is fetched, as a page or a script here tells to")
+    if best.level is None and not scope.is_installed:
+        return softer(best, "warning", "where the robot is read from the source: it is not installed")
+    if best.level is None and missing.is_include and scope.may_be_read_as_it_is:
+        return softer(best, "warning", "where xacro reads it")
+    return best
