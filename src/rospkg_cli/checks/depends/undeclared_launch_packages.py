@@ -20,8 +20,10 @@ from ...package.workspace import Workspace
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, LAUNCH, implied_by
 from ...ros.imports import may_serve
 from ...ros.names import NameKind
+from ...source import Span
 from ...suggest import begins_alike, is_misspelt, nearest
 from ...unreadable import READABLE
+from ..launch.idle_parts import idle_parts
 from ..launch.launched_programs import is_program
 from ..launch.package_references import NAME, PackageReference, package_references
 from ..left_files import LeftFiles
@@ -79,8 +81,22 @@ class LaunchDependencies:
         return FOR_DEMOS.fullmatch(name) is not None or all(self.is_example(use.path) for use in uses)
 
     def is_left(self, uses: Iterable[PackageReference]) -> bool:
-        """Return whether all places are in launch files that nothing installs and no page names."""
-        return all(map(self.left.has, {use.path for use in uses}))
+        """Return whether no launch comes to any place, or all are in files that nothing installs and no page names."""
+        return all(self.is_idle(use) or self.left.has(use.path) for use in uses)
+
+    def is_idle(self, use: PackageReference) -> bool:
+        """Return whether a place is in a function that nothing calls, or under a condition that never holds."""
+        return any(each.holds(use.span) for each in self.idle.get(use.path, ()))
+
+    @cached_property
+    def idle(self) -> dict[str, tuple[Span, ...]]:
+        modules = {module for each in self.python.files for one in each.imports for module in (one.module, *one.names)}
+        names = {module.rpartition(".")[2] for module in modules}
+        found: dict[str, tuple[Span, ...]] = {}
+        for file in self.launch_files:
+            is_imported = self.is_imported(file) or stem_of(file.path) in names
+            found[file.path] = tuple(idle_parts(file, is_imported=is_imported))
+        return found
 
     @cached_property
     def test_files(self) -> frozenset[str]:
@@ -220,7 +236,7 @@ class LaunchDependencies:
 
     def is_imported(self, file: LaunchFile) -> bool:
         """Return whether another launch file imports a helper that is no launch file itself."""
-        stem = file.path.rpartition("/")[2].removesuffix(".py")
+        stem = stem_of(file.path)
         others = (each for other in self.launch_files if other is not file for each in other.imports)
         return any(stem in (each.module.rpartition(".")[2], *each.names) for each in others)
 
@@ -242,6 +258,10 @@ class LaunchDependencies:
                 for name in (declared,) if declared else names[:1]:
                     does = "imports" if name == each.module.partition(".")[0] else f"imports `{each.module}` of"
                     yield PackageReference(name, file.path, each.span, does, fails="import")
+
+
+def stem_of(path: str) -> str:
+    return path.rpartition("/")[2].removesuffix(".py")
 
 
 def with_conditions(file: LaunchFile) -> Iterator[PackageReference]:

@@ -46,8 +46,8 @@ BAD_XML = """\
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "for launch itself, which users of launch files have, where a declared dependency brings it, "
-        "where an argument must turn it on, for examples, for launch files that nothing installs or names, for nodes "
-        "that other code describes, and where package.xml has it in a comment"
+        "where an argument must turn it on, for examples, for launch files that nothing installs or names, for what no "
+        "launch comes to, for nodes that other code describes, and where package.xml has it in a comment"
     },
     examples=(
         Example(
@@ -82,8 +82,9 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     What `ros2 launch` needs (launch, launch_ros, rclpy, PyYAML) is there. What a declared dependency certainly installs
     or may bring, as anything may come with a package that is not here, is one info; what only an argument turns on
     (`sim:=true`) is an info that names the argument; so are packages for examples, what only launch files need that
-    nothing installs and no page or other file names, and unknown packages where a `.repos` file lists repositories that
-    are not here, or a README links to theirs. Left out are computed names, uses that catch PackageNotFoundError or ask
+    nothing installs and no page or other file names, what stands in a function that nothing calls or behind
+    `if="false"`, and unknown packages where a `.repos` file lists repositories that are not here, or a README links to
+    theirs. Left out are computed names, uses that catch PackageNotFoundError or ask
     first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, actions that nothing adds, and what a module
     imports too (DEP101).
 
@@ -114,7 +115,7 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
 
 def undeclared(launch: LaunchDependencies, tag: str, name: str, uses: list[PackageReference]) -> Hit:
     declared = launch.declared
-    uses = sorted(uses, key=lambda use: bool(use.only_with))
+    uses = sorted(uses, key=lambda use: (bool(use.only_with), launch.is_idle(use)))
     first = uses[0]
     meant = launch.meant(name)
     if meant:
