@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import Example, manifest, scripts, setup_py
+from rospkg_cli.example import CMAKE, Example, manifest, scripts, setup_py
 
 NEEDS = "".join(
     f"  <exec_depend>{name}</exec_depend>\n" for name in ("rclpy", "std_msgs", "ament_index_python", "std_srvs")
@@ -57,12 +57,43 @@ def pip(page: str, text: str) -> Example:
     return met("pass", "import «serial»\n\n\n" + PLACES[0], **{page: text})
 
 
+def imported(how: str, text: str) -> Example:
+    """A module that another one imports in some way."""
+    return met("import my_pkg.draw", how, **{"my_pkg/draw.py": text})
+
+
+def imported_in_all_ways(text: str) -> tuple[Example, ...]:
+    return tuple(imported(how, text) for how in (PLACES[0], PLACES[2], TRIED))
+
+
+TRIED = "try:\n    {}\nexcept ImportError:\n    pass\n\n\ndef main():\n    return\n"
+BUILT = {"setup.py": FILES["setup.py"].replace("    install_requires", "    ext_modules=FAST,\n    install_requires")}
+STARTED = "if __package__:\n    from my_pkg.speech import GREETING\nelse:\n    {}\n\n\n" + PLACES[0].format("pass")
+IFS = {
+    f"{folder}/{name}": text
+    for folder, field in (("b", "data"), ("c", "text"))
+    for name, text in {
+        "package.xml": manifest("", "ament_cmake").replace("my_pkg", "my_ifs"),
+        "CMakeLists.txt": CMAKE.replace("my_pkg", "my_ifs").replace(
+            "ament_package", "rosidl_generate_interfaces(my_ifs msg/Word.msg)\nament_package"
+        ),
+        "msg/Word.msg": f"string {field}\n",
+    }.items()
+}
+MINE = {
+    f"a/{path}": text
+    for path, text in met("my_ifs.msg.Word().text = 'a'", "import my_ifs.msg\n\n\n" + PLACES[0]).bad_files().items()
+}
+ASKED = "def main():\n    word = String()\n    if hasattr(word.data, 'text'):\n        {}\n"
+SKIPPED = "def test_a():\n    pass\n\n\ndef draw():\n    import «cv2»\n"
+
 LEFT = {"my_pkg/talker.py": PLACES[0].format("pass"), "my_pkg/left.py": "from my_pkg.«speach» import GREETING\n"}
 NAMED = "# '{0} = my_pkg.{0}:main',\n"
 
 CASES = {
     "DEP101": (
         *(met("import «cv2»", PLACES[number]) for number in (0, 2, 3, 4)),
+        *imported_in_all_ways("import «cv2»\n"),
         pip("README.md", "Type `pip3 install pyserial`.\n"),
         pip("install.sh", "pip install --user pyserial\n"),
         Example(
@@ -83,8 +114,20 @@ CASES = {
             good={},
         ),
     ),
-    "DEP109": (*everywhere("import my_pkg.«speach»", 5), Example(bad={**FILES, **LEFT}, good={})),
-    "DEP110": everywhere("from «speech» import GREETING", 4),
+    "DEP102": (met("pass", PLACES[0], **{"test/test_a.py": SKIPPED}),),
+    "DEP109": (
+        *everywhere("import my_pkg.«speach»", 5),
+        Example(bad={**FILES, **LEFT}, good={}),
+        *imported_in_all_ways("import my_pkg.«speach»\n"),
+        met("import my_pkg.fast", PLACES[0], **BUILT),
+        met("from my_pkg.words import word_pb2", PLACES[0]),
+    ),
+    "DEP110": (
+        *everywhere("from «speech» import GREETING", 4),
+        *imported_in_all_ways("from «speech» import GREETING\n"),
+        met("from speech import GREETING", STARTED),
+        met("from speech import GREETING", "import site\n\nsite.addsitedir('/opt')\n\n\n" + PLACES[0]),
+    ),
     "DEP112": everywhere("get_package_share_directory('«my_pgk»')", 6),
     "DEP113": (*everywhere(PATH, 6), *(met(f"«{FILE}»", place) for place in OPENED)),
     "DEP117": (
@@ -95,6 +138,7 @@ CASES = {
             "from my_pkg.words import Words\n\n\n" + PLACES[0],
             **{"my_pkg/words.py": "class Words:\n    def __init__(self):\n        «modes»()\n"},
         ),
+        *imported_in_all_ways("«modes»()\n"),
     ),
     "DEP120": (
         met(
@@ -102,6 +146,14 @@ CASES = {
             "def main():\n    try:\n        rclpy.init()\n    except rclpy.«ROSInterruptException»:\n        {}\n",
         ),
     ),
-    "IDL010": everywhere("String().«datta» = 'a'", 5),
-    "IDL011": everywhere("from std_msgs.msg import «Sting»", 5),
+    "IDL010": (
+        *everywhere("String().«datta» = 'a'", 5),
+        *imported_in_all_ways("from std_msgs.msg import String\n\nString().«datta» = 'a'\n"),
+        met("word.data.text = 'a'", ASKED),
+        Example(on="", bad={**MINE, **IFS}, good={}),
+    ),
+    "IDL011": (
+        *everywhere("from std_msgs.msg import «Sting»", 5),
+        *imported_in_all_ways("from std_msgs.msg import «Sting»\n"),
+    ),
 }

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from functools import cached_property
 
-from ..languages.python.file import Import
+from ..languages.python.file import Import, PythonFile
 from ..light_dataclasses import dataclass
 from ..package.file_role import Role, role_of
 from ..package.install_table import InstallTable
@@ -72,6 +72,15 @@ class ReachedModules:
 
         Of a library it is one that does something when it is started by its path, or serves such a one alone.
         """
+        if path not in self._left:
+            self._left[path] = self.is_named_nowhere(path)
+        return self._left[path]
+
+    @cached_property
+    def _left(self) -> dict[str, bool]:
+        return {}
+
+    def is_named_nowhere(self, path: str) -> bool:
         if self.has(path) or not self.table.knows("executable"):
             return False
         if self.is_library and self.installed.names[path] in self.started:
@@ -98,19 +107,24 @@ class ReachedModules:
         """Return whether a file is a module that others import, each where that may fail, and nothing else names."""
         module = self.installed.names.get(path, "")
         uses = self.uses.get(module, [])
+        return bool(uses) and all(each.is_optional for _, each in uses) and not self.is_wanted(path)
+
+    def is_wanted(self, path: str) -> bool:
+        """Return whether a module is started, or named by a text that is no module."""
+        module = self.installed.names.get(path, "")
         starts = any(row.source == path for row in self.table.of("executable")) or module in self.entries
-        return all(uses) and bool(uses) and not starts and not self.is_named(module, ("run", "launch", "test"))
+        return starts or self.is_named(module, ("run", "launch", "test"))
 
     @cached_property
-    def uses(self) -> dict[str, list[bool]]:
-        """Module → of each import that means it, whether that may fail; Python finds it in the same folder, too."""
-        found: dict[str, list[bool]] = {}
+    def uses(self) -> dict[str, list[tuple[PythonFile, Import]]]:
+        """Module → each import that means it, with its file; Python finds it in the same folder, too."""
+        found: dict[str, list[tuple[PythonFile, Import]]] = {}
         for _, file in self.run.files:
             folder = self.installed.names.get(file.path, "").rpartition(".")[0]
             for each in file.imports:
                 beside = [f"{folder}.{each.module}"] if folder and not each.level else []
                 for name in dict.fromkeys((*self.imported_by(each, file.path), *beside)):
-                    found.setdefault(name, []).append(each.is_optional)
+                    found.setdefault(name, []).append((file, each))
         return found
 
     @property

@@ -31,6 +31,7 @@ WHY: dict[Met, str] = {
     "never": "; nothing here leads to this function",
 }
 """What is said of a place that seldom or never runs."""
+UNWANTED = "; nothing here leads to what imports this module"
 
 
 @dataclass(frozen=True)
@@ -58,17 +59,25 @@ class ReachedPlaces:
     def why_seldom(self, path: str, span: Span) -> str:
         """Return what is said of a place that seldom or never runs, beside what is said of its whole module."""
         file = self.run.modules.at(path) if path.endswith(".py") else None
-        return WHY.get(self.met_by_anybody(file, span), "") if file is not None else ""
+        if file is None:
+            return ""
+        return UNWANTED if self.is_unwanted(file) else WHY.get(self.met_by_anybody(file, span), "")
+
+    def is_unwanted(self, file: PythonFile) -> bool:
+        """Return whether only functions that no program leads to import a module."""
+        uses = self.reached.uses.get(self.installed.names.get(file.path, ""), [])
+        idle = (each.is_local and not self.definitions.leads_to(other, each.span) for other, each in uses)
+        return bool(uses) and all(idle) and not self.reached.is_wanted(file.path)
 
     def is_conditional(self, path: str, span: Span) -> bool:
-        """Return whether a place is in a branch of its function, or what stands in for something that is not given."""
+        """Return whether a place is in a branch of its function, or in a module that others import under `try`."""
         file = self.run.modules.at(path) if path.endswith(".py") else None
-        return file is not None and is_under_condition(file, span)
+        return file is not None and (is_under_condition(file, span) or self.reached.is_optional(path))
 
     def is_idle(self, file: PythonFile, span: Span) -> bool:
         """Return whether no program of the package leads to a place."""
         is_left = self.reached.is_left(file.path) or self.uncalled.has(file.path, span)
-        return is_left or not self.definitions.leads_to(file, span)
+        return is_left or not self.definitions.leads_to(file, span) or self.is_unwanted(file)
 
     def is_by_path(self, file: PythonFile, span: Span) -> bool:
         """Return whether a place is under `if __name__ == '__main__'` of a module that an entry point starts."""
@@ -82,7 +91,8 @@ class ReachedPlaces:
         """Return where the names stand that a program or a module reads whenever it is started or imported."""
         module, rows = self.installed.names.get(file.path, ""), [*self.table.of("executable")]
         is_program = any(row.source == file.path and not row.entry for row in rows)
-        if not is_program and module not in self.reached.started:
+        is_started = is_program or module in self.reached.started
+        if not is_started or self.reached.is_optional(file.path) or self.is_unwanted(file):
             return frozenset()
         entries = [row.entry.partition(":")[2] for row in rows if row.entry.partition(":")[0] == module]
         nodes = certain_nodes(file, entries, is_program=is_program)

@@ -12,6 +12,9 @@ from ..package.python.python_imports import PackageImports
 from ..package.python_modules import PythonModules
 from .ros1_import import ros1_import
 
+PATHS = ("sys.path", "PYTHONPATH", "addsitedir")
+"""What names the folders in which Python looks for modules."""
+
 
 @dataclass(frozen=True)
 class RunImports:
@@ -50,4 +53,4 @@ class RunImports:
     def changes_path(self) -> bool:
         """Whether a file that is no test tells Python to look for modules elsewhere."""
         texts = (file.source.text for role, file in self.files if role in ("run", "launch"))
-        return any("sys.path" in each or "PYTHONPATH" in each for each in texts)
+        return any(word in each for each in texts for word in PATHS)

@@ -9,6 +9,7 @@ from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.python.alias_span import alias_span
+from ...languages.python.branches import asks_how_started
 from ...languages.python.file import Import, PythonFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
@@ -21,13 +22,15 @@ from ...ros.imports import STANDARD
 from ...ros.interfaces import KINDS
 from ...source import Span
 from ...suggest import nearest, slips
-from ..installed_modules import InstalledModules
+from ..installed_modules import MADE, InstalledModules
 from ..reached_modules import ReachedModules
 from ..reached_places import ReachedPlaces
-from ..run_imports import RunImports
+from ..run_imports import PATHS, RunImports
 from .module_makers import may_make_modules
 
 LEFT = "; nothing starts or imports this module"
+BUILDING = ("ext_modules", "cythonize", "cmdclass", "rust_extensions")
+"""How setup.py makes modules that have no file of Python."""
 REQUIREMENTS = regex(r"requirements[^/]*\.txt")
 README = regex(r"README[^/]*")
 
@@ -73,9 +76,9 @@ class OwnImports:
 
     @cached_property
     def may_be_made(self) -> bool:
-        """Whether CMake may make a module that has no file: it compiles or writes some, or not all of it is known."""
+        """Whether the build may make a module that has no file: it compiles or writes some, or not all is known."""
         if self.facts.build_type == "ament_python":
-            return False
+            return any(word in self.files.readable_text("setup.py") for word in BUILDING)
         if self.cmake is None or not self.cmake.is_complete or self.cmake.reads_unknown_files:
             return True
         return any(may_make_modules(call) for call in self.cmake.calls) or any(
@@ -106,11 +109,11 @@ class OwnImports:
 
     def changes_path(self, file: PythonFile) -> bool:
         """Return whether an import in a file may find a module that this package does not install."""
-        return self.run.changes_path or "sys.path" in file.source.text
+        return self.run.changes_path or any(word in file.source.text for word in PATHS)
 
     def of_own(self, file: PythonFile, each: Import, module: str) -> Iterator[MissingOwnName]:
         missing = self.installed.missing(module)
-        if missing is not None:
+        if missing is not None and not (each.names and all(map(MADE.fullmatch, each.names))):
             package, name = missing
             near = nearest(name, self.installed.below(package))
             if name not in KINDS and (near or not self.may_be_made):
@@ -161,8 +164,8 @@ class OwnImports:
             top = each.module.partition(".")[0]
             if each.level or not package or file.path in programs or self.is_found(top) or self.changes_path(file):
                 continue
-            if self.places.is_by_path(file, each.span):
-                continue  # Python looks next to the file then
+            if asks_how_started(file, each.span):
+                continue  # Python looks next to a file that is started by its path
             full = f"{package}.{each.module}"
             is_own = f"{package}.{top}" in self.installed.sources and self.has_all(each, full)
             if (is_own or self.is_beside(file, each)) and not self.is_from_pip(top):

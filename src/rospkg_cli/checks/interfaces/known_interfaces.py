@@ -8,7 +8,7 @@ from functools import cached_property
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
-from ...package.workspace import Workspace
+from ...package.workspace import Workspace, shared_folders
 from ...ros import interface_fields
 from ...ros.interfaces import GENERATED_SUFFIXES, KINDS
 from ...suggest import near_names, nearest
@@ -34,7 +34,15 @@ class KnownInterfaces:
         """Return the package of the workspace whose interfaces are all known; None where they are not."""
         facts = self.package if package == self.package.name else self.workspace.named(package)
         is_read = facts is not None and facts.build_type in BUILD_TYPES and facts.knows("interfaces")
-        return facts if is_read else None
+        return facts if is_read and self.is_clear(package) else None
+
+    def is_clear(self, package: str) -> bool:
+        """Return whether it is known which package of a name is meant: no two of them are equally near."""
+        if package == self.package.name:
+            return True
+        same = next((each for each in self.workspace.repeated if each[0].name == package), ())
+        near = [shared_folders(each.folder, self.package.folder) for each in same]
+        return not near or near.count(max(near)) == 1
 
     def is_here(self, package: str) -> bool:
         return package == self.package.name or self.workspace.named(package) is not None

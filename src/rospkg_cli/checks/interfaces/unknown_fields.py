@@ -88,7 +88,7 @@ class FieldUses:
     def is_unreached(self, use: UnknownField) -> bool:
         """Return whether no program of the package leads to the function around a use."""
         file = self.run.modules.at(use.path)
-        return file is not None and self.definitions is not None and not self.definitions.leads_to(file, use.span)
+        return file is not None and self.places is not None and self.places.is_idle(file, use.span)
 
     def is_late(self, use: UnknownField) -> bool:
         """Return whether a use stands behind a `spin` that Ctrl-C leaves."""

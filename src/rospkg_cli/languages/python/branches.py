@@ -11,6 +11,7 @@ from .file import PythonFile
 from .nodes import FunctionNode, children_of, nodes_below, nodes_of, nodes_of_kind
 from .syntax import PositionedNode
 
+HOW_STARTED = frozenset({"__name__", "__package__", "__spec__"})
 STANDING_IN = frozenset({"default", "default_value", "value"})
 """Arguments that count where nothing else is given: `add_argument('--map', default=…)`."""
 SECOND = frozenset({"declare_parameter", "get", "getenv", "getattr", "get_parameter_or", "setdefault", "pop"})
@@ -46,6 +47,16 @@ def guarded(node: ast.AST) -> Sequence[PositionedNode]:
         case ast.While(test=ast.UnaryOp() | ast.Compare()) | ast.ExceptHandler() | ast.match_case():
             return node.body
     return ()
+
+
+def asks_how_started(file: PythonFile, span: Span) -> bool:
+    """Return whether a place is under a condition on how the file is started: `__name__`, `__package__`."""
+    asking = (each for each in file.tree.body if isinstance(each, ast.If) and HOW_STARTED & names_in(each.test))
+    return any(file.span(part).holds(span) for each in asking for part in (*each.body, *each.orelse))
+
+
+def names_in(node: ast.expr) -> set[str]:
+    return {each.id for each in nodes_of(node) if isinstance(each, ast.Name)}
 
 
 def is_default(file: PythonFile, span: Span) -> bool:

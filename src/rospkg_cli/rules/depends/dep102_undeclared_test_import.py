@@ -21,7 +21,7 @@ NEVER_RUN = "; `colcon test` does not run this file today"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency or colcon brings or may bring it, package.xml has it in a comment, "
-        "setup.py does not ask for pytest, or `colcon test` does not run the file"
+        "setup.py does not ask for pytest, or `colcon test` does not run the file or comes to the function"
     },
     examples=(
         Example(
@@ -73,7 +73,7 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
             f"`{missing.name}` is imported by tests and not declared: {where} "
             f"{fails} fails with ModuleNotFoundError; {advice(declared, 'test_depend', missing.name)}{others}"
         )
-        end = NEVER_RUN if imports.are_never_run(missing.places) else ""
+        end = NEVER_RUN if imports.are_never_run(missing.places) else imports.why_seldom(missing.places)
         places = related((place.path, place.span) for place in missing.places)
         is_mild = bool(end) or is_left_out(declared, missing.name) or not imports.has_pytest
         level = Severity.INFO if is_mild else None
