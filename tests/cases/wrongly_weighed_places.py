@@ -87,6 +87,15 @@ MINE = {
 ASKED = "def main():\n    word = String()\n    if hasattr(word.data, 'text'):\n        {}\n"
 SKIPPED = "def test_a():\n    pass\n\n\ndef draw():\n    import «cv2»\n"
 
+SAMPLE = "def way():\n    return 1\n\n\ndef main():\n    «modes»()\n\n\nif __name__ == '__main__':\n    main()\n"
+WAY = "from my_pkg.way import way\n\n\n" + PLACES[0].format("way()") + "\n\nif __name__ == '__main__':\n    main()\n"
+
+
+def sample(**files: str) -> Example:
+    """A module that shows itself where it is started by its path, as copies from collections of algorithms do."""
+    return met("pass", WAY, **{"my_pkg/way.py": SAMPLE}, **files)
+
+
 LEFT = {"my_pkg/talker.py": PLACES[0].format("pass"), "my_pkg/left.py": "from my_pkg.«speach» import GREETING\n"}
 NAMED = "# '{0} = my_pkg.{0}:main',\n"
 
@@ -139,6 +148,8 @@ CASES = {
             **{"my_pkg/words.py": "class Words:\n    def __init__(self):\n        «modes»()\n"},
         ),
         *imported_in_all_ways("«modes»()\n"),
+        sample(),
+        sample(**{"README.md": "Type `python3 my_pkg/way.py` to see it.\n"}),
     ),
     "DEP120": (
         met(

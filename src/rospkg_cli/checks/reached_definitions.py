@@ -16,6 +16,7 @@ from .class_families import class_families
 from .named_definitions import Named, closed_classes, definitions, takes_no_object
 from .own_names import SELF, own_names
 from .run_imports import RunImports
+from .started_by_path import StartedByPath
 from .switches import Switches
 
 OF_MODULES = ("__getattr__", "__dir__")
@@ -31,6 +32,7 @@ SHAPING = frozenset(
 class ReachedDefinitions:
     run: RunImports
     table: InstallTable
+    by_path: StartedByPath
 
     def leads_to(self, file: PythonFile, span: Span) -> bool:
         """Return whether programs lead to all definitions around a place in a function, as far as names tell.
@@ -64,10 +66,13 @@ class ReachedDefinitions:
     def closed(self) -> frozenset[str]:
         return closed_classes(file for _, file in self.run.files)
 
-    @cached_property
-    def entries(self) -> frozenset[str]:
-        """The names of functions that entry points call."""
-        return frozenset(row.entry.partition(":")[2].partition(".")[0] for row in self.table.of("executable"))
+    def is_entry(self, path: str, name: str) -> bool:
+        entries = self.by_path.entries
+        return (path, name) in entries or ("", name) in entries
+
+    def unrun(self, file: PythonFile) -> frozenset[int]:
+        """Return the identity of what never runs: under a switch, or where nobody starts a module by its path."""
+        return self.switches.turned_off(file) | self.by_path.in_vain(file)
 
     @cached_property
     def reached(self) -> frozenset[int]:
@@ -76,11 +81,9 @@ class ReachedDefinitions:
         for each in (one for found in self.of_files.values() for one in found):
             if each.owner or not each.node.name.startswith("__") or each.node.name in OF_MODULES:
                 every.setdefault(each.node.name, []).append(each)
-        waiting = [each for name in self.entries for each in every.get(name, ())]
-        waiting += [each for path, found in self.of_files.items() for each in found if self.is_start(path, each)]
-        files = (file for _, file in self.run.files)
-        names = {name for file in files for name in own_names(file, file.tree, self.switches.turned_off(file))}
-        waiting += [each for name in names for each in meant(name.removeprefix(SELF), every)]
+        waiting = [each for path, found in self.of_files.items() for each in found if self.is_start(path, each)]
+        names = {(file, name) for _, file in self.run.files for name in own_names(file, file.tree, self.unrun(file))}
+        waiting += [each for file, name in names for each in self.led_to_by(file, name, every)]
         found: set[int] = set()
         while waiting:
             each = waiting.pop()
@@ -89,6 +92,12 @@ class ReachedDefinitions:
                 waiting += each.by_others
                 waiting += [one for name in each.names for one in self.led_to(each, name, every)]
         return frozenset(found)
+
+    def led_to_by(self, file: PythonFile, name: str, every: Mapping[str, Sequence[Named]]) -> Iterable[Named]:
+        """Return the definitions that a name means at the top level of a file: `main` is its own one, if it has one."""
+        found = meant(name.removeprefix(SELF), every)
+        own = self.of_files[file.path] if name in file.functions else ()
+        return [each for each in own if each.node.name == name] or found
 
     def led_to(self, each: Named, name: str, every: Mapping[str, Sequence[Named]]) -> Iterator[Named]:
         """Yield the definitions that a name means where it stands: `self.go` is a member of the class or its kin."""
@@ -100,12 +109,18 @@ class ReachedDefinitions:
 
     def is_start(self, path: str, each: Named) -> bool:
         """Return whether a definition counts as called: by a decorator, a framework, or who imports the package."""
-        has_programs = bool(self.entries) or any(True for _ in self.table.of("executable"))
+        has_programs = bool(self.by_path.entries) or any(True for _ in self.table.of("executable"))
         is_called = each.node.name.startswith("generate_") or self.is_test(path, each)  # by ros2 launch, by pytest
+        is_called = is_called or self.is_entry(path, each.node.name)
         return registers(each.node.decorator_list) or is_called or not (has_programs or takes_no_object(each))
 
     def is_test(self, path: str, each: Named) -> bool:
         """Return whether pytest calls a definition: in the files that it collects, also in a `TestCase` of any name."""
+        is_case = isinstance(each.node, ast.ClassDef) and any(
+            "TestCase" in ast.unparse(base) for base in each.node.bases
+        )
+        if is_case and is_collected(path):
+            return True
         is_of_tests = not each.owner or each.owner.startswith("Test") or each.owner not in self.closed
         return is_collected(path) and is_of_tests and each.node.name.startswith(("test", "Test"))
 

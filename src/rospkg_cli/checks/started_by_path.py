@@ -1,0 +1,48 @@
+"""Rule input: the modules of a package that nobody starts by their path, and what they keep for who does so."""
+
+from __future__ import annotations
+
+import ast
+from functools import cached_property
+
+from ..languages.python.certain_nodes import is_guard
+from ..languages.python.file import PythonFile
+from ..languages.python.nodes import nodes_of
+from ..lazy_regex import regex
+from ..light_dataclasses import dataclass
+from ..package.install_table import InstallTable
+from .installed_modules import InstalledModules
+
+NAMING = (".py", ".md", ".rst", ".sh", ".txt", ".cfg", ".toml", ".xml", ".launch", ".yaml", ".yml")
+"""Files that may tell or do how a module is started by its path."""
+FILE = regex(r"[\w.-]+\.py(?!\w)")
+
+
+@dataclass(frozen=True)
+class StartedByPath:
+    table: InstallTable
+    installed: InstalledModules
+
+    def in_vain(self, file: PythonFile) -> frozenset[int]:
+        """Return the identity of what is under `if __name__ == '__main__'` of a module that is only imported."""
+        if file.path not in self.imported_alone:
+            return frozenset()
+        guards = (each for each in file.tree.body if isinstance(each, ast.If) and is_guard(each))
+        return frozenset(id(node) for each in guards for part in each.body for node in nodes_of(part))
+
+    @cached_property
+    def imported_alone(self) -> frozenset[str]:
+        """The modules beside programs whose files are no programs themselves, and that no text names by their files."""
+        rows = [*self.table.of("executable")]
+        modules = set(self.installed.names) if rows else set[str]()
+        modules -= {row.source for row in rows if not row.entry}
+        pages = (path for path in self.installed.files.paths if modules and path.endswith(NAMING))
+        named = {name for path in pages for name in FILE.findall(self.installed.files.readable_text(path))}
+        return frozenset(path for path in modules if path.rpartition("/")[2] not in named)
+
+    @cached_property
+    def entries(self) -> frozenset[tuple[str, str]]:
+        """The functions that entry points call, with their files; "" where the file is not known."""
+        entries = [row.entry.partition(":") for row in self.table.of("executable")]
+        sources = self.installed.sources
+        return frozenset((sources.get(module, ""), name.partition(".")[0]) for module, _, name in entries)
