@@ -57,7 +57,8 @@ class PluginUse:
     path: str
     span: Span
     is_listed: bool = True
-    """False where lists of plugins stand beside it, and none names its block: nothing loads it."""
+    """False where lists of plugins stand beside it, and none names its block, or where other controllers of the file
+    are spawned, and this one is not: nothing loads it."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,16 +7,19 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts, Plugin, PluginUse
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
 from ...ros.well_known import WrongName, plugins_of_class, wrong_plugin
 from ...suggest import near_names
+from ..yaml_elsewhere import is_named_yaml
 from .exported_classes import tail
 
 SEPARATOR = regex(r"/|::")
+BY_MOVEIT = frozenset({"ros2_controllers.yaml", "moveit_controllers.yaml"})
+"""What moveit_configs_utils opens by its usual name."""
 BUILT_IN = frozenset({"rviz_common"})
 """Packages with plugins that are registered without a description."""
 
@@ -70,7 +73,7 @@ class PluginReferences:
         In all where one of those describes plugins itself; there only what is about a package of theirs.
         """
         describe = any(facts.plugins for facts in self.selected)
-        for user, use in uses(self.workspace.packages if describe else self.selected):
+        for user, use in uses(self.workspace.packages if describe else self.selected, self.workspace):
             if self.is_of_interest(user, use) and not self.is_described(use.name):
                 yield from self.problems_of(user, use)
 
@@ -91,7 +94,7 @@ class PluginReferences:
 
         Of the selected packages.
         """
-        for user, use in uses(self.selected):
+        for user, use in uses(self.selected, self.workspace):
             first = SEPARATOR.split(use.name)[0]
             is_here = self.workspace.named(first) is not None or self.is_owned(first)
             if is_here or self.is_described(use.name):
@@ -162,12 +165,22 @@ class PluginReferences:
         return alike[0] if len(alike) == 1 else None
 
 
-def uses(packages: Iterable[PackageFacts]) -> Iterator[tuple[PackageFacts, PluginUse]]:
-    """Yield the uses of plugins, each with its package; tests may name one that is not there on purpose."""
+def uses(packages: Iterable[PackageFacts], workspace: Workspace) -> Iterator[tuple[PackageFacts, PluginUse]]:
+    """Yield the uses of plugins, each with its package; tests may name one that is not there on purpose.
+
+    In a file that nothing opens no list is read.
+    """
     for user in packages:
         for use in user.plugin_uses if user.build_type != "catkin" else ():
             if role_of(use.path) != "test":
-                yield user, use
+                yield user, use if is_opened(use.path, user, workspace) else replace(use, is_listed=False)
+
+
+def is_opened(path: str, user: PackageFacts, workspace: Workspace) -> bool:
+    """Return whether anything may open a file: a YAML file is named where there are launch files, but for MoveIt's."""
+    if not path.endswith((".yaml", ".yml")) or path.rpartition("/")[2] in BY_MOVEIT:
+        return True
+    return is_named_yaml(path, user, workspace) or not any(facts.launch_files for facts in workspace.packages)
 
 
 def plain(name: str) -> str:

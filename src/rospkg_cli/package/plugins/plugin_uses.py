@@ -16,6 +16,7 @@ from ...unreadable import UnreadableError
 from ..file_role import role_of
 from ..package_facts import PluginUse
 from .unlisted_blocks import is_unlisted
+from .unspawned_controllers import SpawnedNames
 
 NAME = r"(?P<name>[A-Za-z_]\w*(?:/|::)\w+(?:(?:/|::)\w+)*)"
 KEY = r"""(["']?)(?:\w*plugin(?:_name)?|plugin_type|(?:[\w/]+\.)*type|Class)\1"""
@@ -29,10 +30,11 @@ PATTERNS = {"yaml": YAML, "yml": YAML, "rviz": RVIZ, "urdf": XML, "xacro": XML}
 
 
 def plugin_uses(reading: ReaderInput) -> tuple[PluginUse, ...]:
-    return tuple(use for path in reading.files.paths for use in uses_in(reading.files, path))
+    spawned = SpawnedNames(reading.files)
+    return tuple(use for path in reading.files.paths for use in uses_in(reading.files, path, spawned))
 
 
-def uses_in(files: PackageFiles, path: str) -> Iterator[PluginUse]:
+def uses_in(files: PackageFiles, path: str, spawned: SpawnedNames) -> Iterator[PluginUse]:
     plain, _, ending = path.rpartition(".")
     pattern = PATTERNS.get(plain.rpartition(".")[2] if ending in TEMPLATES else ending)
     roles = ("run", "launch", "test") if pattern is YAML else ("run", "launch")
@@ -46,7 +48,8 @@ def uses_in(files: PackageFiles, path: str) -> Iterator[PluginUse]:
         text = without_comments(text)
     for match in pattern.finditer(text):
         group = "name" if match["name"] else "value"
-        is_listed = pattern is not YAML or not is_unlisted(text, match.start(group))
+        at = match.start(group)
+        is_listed = pattern is not YAML or not (is_unlisted(text, at) or spawned.is_unspawned(path, text, at))
         yield PluginUse(match[group], path, Span(*match.span(group)), is_listed)
 
 

@@ -53,7 +53,7 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "an old distribution had the plugin, none has it and another package may, or no list of plugins "
-        "names its block, so that nothing loads it"
+        "names its block, nothing spawns the controller beside others, or nothing names the file: nothing loads it"
     },
     examples=(
         Example(
@@ -80,7 +80,8 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
 
     ## When it is quiet
     Packages whose plugins are not all known, plugins in Python, and names of components and interfaces, are left alone;
-    so are names of packages that exist but are not here.
+    so are names of packages that exist but are not here. It is an info for a controller that no other file names, where
+    one beside it is named, and in a parameter file that nothing names, though nodes are launched.
 
     ## Fix safety
     The name is changed only with `--unsafe-fixes`: the description may be what is wrong.
