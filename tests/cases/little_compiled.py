@@ -14,6 +14,7 @@ PUBLIC = {
     "include/my_pkg/words.hpp": "#include <std_msgs/msg/string.hpp>\n",
     "src/talker.cpp": "int main() {return 0;}\n",
 }
+MATRICES = {"src/talker.cpp": "#include <Eigen/Dense>\nint main() {return 0;}\n"}
 LAUNCH = {"launch/a.launch.xml": "<launch/>\n"}
 UNKNOWN = {
     "src/talker.cpp": INCLUDE.format("lost.hpp") + "int main() {return 0;}\n",
@@ -88,6 +89,9 @@ CASES = {
         beside(PUBLIC, INSTALL),
         beside(PUBLIC, INSTALL, "depend"),
         beside(PUBLIC, PROGRAM.format("") + INSTALL, "depend"),
+        package("find_package(PCL REQUIRED)\n" + PROGRAM.format(""), MATRICES),
+        package("find_package(PCL)\n" + PROGRAM.format(""), MATRICES),
+        package("find_package(OpenCV REQUIRED)\n" + PROGRAM.format(""), MATRICES),
     ),
     "CMK201": (
         package("", HEADERS),

@@ -313,9 +313,10 @@ class IncludeDependencies:
         yield from found.values()
 
     def found_bringer(self, each: IncludedPackage) -> Bringer | None:
-        """Return the package that CMake stops without, declared or not, and that brings what is included."""
+        """Return the package or library that CMake stops without, declared or not, and that brings what is included."""
         found = [one for one in self.cmake.packages if one.is_required and not one.call.maybe]
-        wanted = {one.name for one in found if each.role == "test" or not one.call.testing}
+        named = {one.name for one in found if each.role == "test" or not one.call.testing}
+        wanted = {key for name in named for key in (name, *self.find_packages.providers(name)[:1])}
         there = brought_by(sorted(wanted), self.declared.workspace)
         return next((Bringer(there[name]) for name in each.names if name in there), None)
 
