@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from rospkg_cli.example import CMAKE, Example, manifest, scripts, setup_py
 
+from .shown_cmake import package
+
 NEEDS = "".join(
     f"  <exec_depend>{name}</exec_depend>\n" for name in ("rclpy", "std_msgs", "ament_index_python", "std_srvs")
 )
@@ -99,6 +101,13 @@ def sample(**files: str) -> Example:
 LEFT = {"my_pkg/talker.py": PLACES[0].format("pass"), "my_pkg/left.py": "from my_pkg.«speach» import GREETING\n"}
 NAMED = "# '{0} = my_pkg.{0}:main',\n"
 
+COMPILED = (
+    "add_executable(talker src/talker.cpp)",
+    "add_executable(talker EXCLUDE_FROM_ALL src/talker.cpp)",
+    "add_executable(teller src/teller.cpp)\ninstall(FILES src/talker.cpp DESTINATION src)",
+)
+IN_CPP = {"src/talker.cpp": "#include «<std_msgs/msg/strng.hpp>»\n", "src/teller.cpp": "int main() {}\n"}
+
 CASES = {
     "DEP101": (
         *(met("import «cv2»", PLACES[number]) for number in (0, 2, 3, 4)),
@@ -163,6 +172,7 @@ CASES = {
         met("word.data.text = 'a'", ASKED),
         Example(on="", bad={**MINE, **IFS}, good={}),
     ),
+    "IDL012": tuple(package(lines, files=IN_CPP, needs=("std_msgs",)) for lines in COMPILED),
     "IDL011": (
         *everywhere("from std_msgs.msg import «Sting»", 5),
         *imported_in_all_ways("from std_msgs.msg import «Sting»\n"),

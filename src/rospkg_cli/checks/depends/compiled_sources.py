@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Collection, Iterable, Iterator, Mapping
 
-from ...languages.cmake.evaluated_command import path_in_package
+from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cpp.file import CppFile, IncludeDirective
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.foreign_commands import foreign_commands
@@ -206,7 +206,8 @@ class Inclusions:
 def named_sources(cmake: CMake, files: Collection[str], testing: bool, *, maybe: bool = True) -> set[str]:
     """Return the files that any command names: one that is run for tests alone, or one that always is.
 
-    Without `maybe`, commands and words under a condition that may not hold are left out.
+    Without `maybe`, commands and words under a condition that may not hold are left out, and commands that compile
+    nothing by themselves.
     """
     bases: set[str] = set()
     for target in cmake.targets:
@@ -215,10 +216,15 @@ def named_sources(cmake: CMake, files: Collection[str], testing: bool, *, maybe:
             bases.add(f"{base}/")
     found = {path for path in files if path.startswith(tuple(bases))} if bases else set()
     for call in cmake.calls:
-        if call.testing is testing and (maybe or not call.maybe):
+        if call.testing is testing and (maybe or not (call.maybe or is_idle(call))):
             paths = (path_in_package(word.text, call.folder) for word in call.words if maybe or not word.maybe)
             found |= {path for path in paths if path is not None and path in files}
     return found
+
+
+def is_idle(call: EvaluatedCommand) -> bool:
+    """Return whether a command compiles none of the files that it names unless somebody asks for that."""
+    return call.name == "install" or "EXCLUDE_FROM_ALL" in call.texts
 
 
 def are_sources_known(cmake: CMake) -> bool:
