@@ -130,6 +130,18 @@ def of_own(values: str) -> tuple[Example, ...]:
     )
 
 
+def beside(launch: str) -> Example:
+    """The package, which gives its file to one node, beside another one with a launch file."""
+    own = package(VALUES.partition("    names")[0], OTHER, OTHER).bad
+    more = {
+        "package.xml": manifest("  <exec_depend>my_pkg</exec_depend>\n", "ament_cmake").replace("my_pkg</n", "b</n")
+    }
+    more |= {"CMakeLists.txt": CMAKE.replace("my_pkg", "b"), "launch/b.launch.py": launch}
+    files = {f"my_pkg/{path}": text for path, text in own.items()} | {f"b/{path}": text for path, text in more.items()}
+    return Example(on="", bad=files, good={})
+
+
+BESIDE = (beside(SECOND), beside(SECOND.replace("'robot.yaml'", "'robots.yaml'")))
 DOUBLED = of_own(VALUES)
 MISTYPED = of_own(VALUES.partition("    names")[0])
 NAVIGATION = (
@@ -156,9 +168,9 @@ UNADDED = package(VALUES, TALKER.replace("[config]", "[]"), OTHER, "two")
 
 CASES = {
     "PRM002": DOUBLED,
-    "PRM003": (*DOUBLED, *NAVIGATION, *CONTROL),
+    "PRM003": (*DOUBLED, *NAVIGATION, *CONTROL, *BESIDE),
     "PRM004": (*DOUBLED, *NAVIGATION),
-    "PRM006": (*MISTYPED, *NAVIGATION),
+    "PRM006": (*MISTYPED, *NAVIGATION, *BESIDE),
     "PRM007": (*MISTYPED, *NAVIGATION),
     "PRM008": (*NAVIGATION, *NEEDED, UNADDED),
 }

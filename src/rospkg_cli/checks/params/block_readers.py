@@ -6,6 +6,7 @@ from ...light_dataclasses import dataclass
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...ros.known_nodes import known_nodes
 from ...source import Span
+from ..yaml_elsewhere import is_named_elsewhere
 from .costmap_blocks import COSTMAPS, is_out_of_reach
 from .handed_on import may_hand_on
 from .idle_nodes import may_start, start_of
@@ -60,9 +61,9 @@ class BlockReaders:
         others = (launch.source.text for launch in self.launched.launches if launch.path not in giving)
         if any(name in text for text in others) or any(TO_SPAWNERS in each.source.text for each in giving.values()):
             return False
-        places = self.launched.share_paths(file)
-        handing = {facts.name for path in places for facts in workspace.having("handed_yaml", package.name, path)}
-        return handing <= {package.name} and not any(may_hand_on(each, name, workspace) for each in giving.values())
+        if is_named_elsewhere(name.rpartition(".")[0], package, workspace):
+            return False
+        return not any(may_hand_on(each, name, workspace) for each in giving.values())
 
     def is_for_others(self, block: NodeBlock, given: list[NodeArguments]) -> bool:
         """Return whether a block is for a node that none of those that are started is, as far as names tell."""

@@ -20,6 +20,7 @@ from ...ros.known_nodes import known_nodes
 from ...suggest import near_names
 from ...unreadable import READABLE, Unreadable
 from ..launch.ros1_syntax import is_refused
+from ..yaml_elsewhere import is_named_elsewhere
 from .declaring_packages import is_its_own
 from .handed_on import may_hand_on
 from .mistyped_blocks import WILD, MistypedBlock, last, mistyped_blocks
@@ -219,6 +220,7 @@ class LaunchParameters:
         alone = all(each.known_name and each.node.is_certain for each in given) and not any(
             name in text for text in texts
         )
+        alone = alone and not is_named_elsewhere(name.rpartition(".")[0], self.package, self.workspace)
         return alone and not any(may_hand_on(each.launch, name, self.workspace) for each in given)
 
     def missing(self) -> Iterator[tuple[NodeArguments, list[DeclaredParameter]]]:
