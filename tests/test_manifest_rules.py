@@ -136,8 +136,8 @@ def test_names() -> None:
         results = lint_files({"package.xml": text, "CMakeLists.txt": cmake, **files}, ["XML101"])
         return next((f.severity for f in results.findings), None)
 
-    modules = {"scripts/__init__.py": ""}
-    assert level("my-pkg", **modules) is level("MyPkg", **modules) is Severity.WARNING
+    assert level("my-pkg", **{"my-pkg/__init__.py": ""}) is Severity.WARNING
+    assert level("my-pkg", **{"my_pkg/__init__.py": ""}) is level("MyPkg", **{"MyPkg/__init__.py": ""}) is Severity.INFO
     assert level("my-pkg") is level("MyPkg") is Severity.INFO
     assert level("my-pkg", **{"msg/A.msg": "int32 a\n"}) is Severity.ERROR
     assert [level(name) for name in ("a", "my__pkg", "my_pkg_", "1pkg", "my pkg", "")] == [Severity.ERROR] * 6

@@ -99,7 +99,7 @@ CASES = {
         gathering("My_pkgs"),
         *(
             Example(bad={"package.xml": manifest("", "ament_cmake").replace("my_pkg", "my_pkg-400"), **more}, good={})
-            for more in ({}, {"my_pkg/__init__.py": ""})
+            for more in ({}, {"my_pkg/__init__.py": ""}, {"my_pkg-400/__init__.py": ""})
         ),
     ),
     "XML103": (

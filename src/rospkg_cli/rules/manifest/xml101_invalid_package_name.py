@@ -28,8 +28,8 @@ def named(name: str) -> dict[str, str]:
     over=ManifestAndFiles,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a hyphen or an uppercase letter, in a package with Python modules and no interfaces",
-        Severity.INFO: "the same without Python modules, or in a metapackage",
+        Severity.WARNING: "a hyphen, where a Python package has that name, and there are no interfaces",
+        Severity.INFO: "a hyphen or an uppercase letter otherwise, where no interfaces are generated",
     },
     examples=(
         Example(
@@ -53,8 +53,9 @@ def invalid_package_name(package: ManifestAndFiles) -> Iterator[Hit]:
     interfaces can be generated. Python can't import a package whose name has a hyphen.
 
     ## When it is quiet
-    A hyphen or an uppercase letter stops the build only where interfaces are generated; without Python modules, and in
-    a metapackage, of which nothing is imported, it is an info.
+    A hyphen or an uppercase letter stops the build only where interfaces are generated. Otherwise it is an info, but
+    for a hyphen where a folder of Python modules has the name, too; in a metapackage, of which nothing is imported, it
+    is one as well.
 
     ## References
     - [REP-144, Mandatory Rules](https://ros.org/reps/rep-0144.html), [REP-149, name](https://ros.org/reps/rep-0149.html)
@@ -76,7 +77,7 @@ def invalid_package_name(package: ManifestAndFiles) -> Iterator[Hit]:
         what = f"the name `{name}` is one character long, REP-144 requires two or more: it can't be released"
     elif TOLERATED.fullmatch(name) and not re.search(r"__|_$", name):
         level = None if package.interface_files else Severity.WARNING
-        has_modules = any(path.endswith("__init__.py") for path in package.files.paths)
+        has_modules = "-" in name and any(f"/{path}".endswith(f"/{name}/__init__.py") for path in package.files.paths)
         is_harmless = is_metapackage(package.files, manifest) or not (has_modules or package.interface_files)
         level = Severity.INFO if is_harmless else level
         odd, harm = "an uppercase letter", "REP-144 allows only lowercase ones"
