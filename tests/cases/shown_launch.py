@@ -351,6 +351,17 @@ ROS1_PACKAGES = (
         )
         for more in ("", "if(DEFINED CATKIN_DEVEL_PREFIX)\n  catkin_package()\nendif()\n")
     ),
+    Example(
+        on="ament_cmake",
+        good={},
+        bad={
+            **{f"launch/{name}": ROS1_NODE for name in ("b.launch", "sub/c.launch", "a.launch", "a_ros1.launch")},
+            "launch/d.launch": "<launch>\n</launch>\n",
+            "CMakeLists.txt": CMAKE.replace(
+                "ament_package", "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\nament_package"
+            ),
+        },
+    ),
 )
 
 CASES = {

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.fault import once_each
-from ...checks.launch.missing_references import LaunchContext
+from ...checks.launch.ros1_leftovers import Ros1Leftovers
 from ...checks.launch.ros1_syntax import first_sign, ros1_syntax
 from ...edits.fault_hits import hits
 from ...example import Example, manifest
-from ...finding import Hit, Safety, Severity
+from ...finding import Hit, Related, Safety, Severity
 from ...rule import rule
 
 BAD = """\
@@ -37,7 +37,7 @@ FILES = {
 @rule(
     "LCH006",
     "ros1-launch-syntax",
-    over=LaunchContext,
+    over=Ros1Leftovers,
     severity=Severity.ERROR,
     levels={Severity.WARNING: "the whole file is one for ROS 1"},
     examples=(
@@ -58,12 +58,13 @@ FILES = {
         ),
     ),
 )
-def ros1_launch_syntax(scope: LaunchContext) -> Iterator[Hit]:
+def ros1_launch_syntax(leftovers: Ros1Leftovers) -> Iterator[Hit]:
     """
     ## What it does
     Finds ROS 1 syntax in XML and YAML launch files.
     It is `$(find x)`, `$(arg x)`, and `<param>`, `<rosparam>`, `<remap>`, `<env>` or `<machine>` among the actions. A
-    file that is for ROS 1 altogether is reported once, where this package installs it.
+    file that is for ROS 1 altogether is reported once, where this package installs it, and all such files of a package
+    together.
 
     ## Why is this bad?
     `ros2 launch` stops with "Unknown substitution: find" or "Unrecognized entity of the type: param".
@@ -72,13 +73,15 @@ def ros1_launch_syntax(scope: LaunchContext) -> Iterator[Hit]:
     A file that is for ROS 1 altogether is left alone where this package does not install it, is built with catkin, or
     names catkin in its manifest. So are all launch files of a package that catkin alone builds.
     """
-    file = scope.file
+    scope = leftovers.scope
     if scope.package.is_for_ros1:
         return
-    yield from hits(file.path, once_each(ros1_syntax(file)))
-    if scope.is_ros1_leftover:
-        message = (
-            "this launch file is written for ROS 1 (`type=`, `$(find …)`, `$(arg …)`) and is installed: `ros2 launch` "
-            "refuses it; port it, or do not install it"
-        )
-        yield Hit(file.path, first_sign(file), message, Severity.WARNING)
+    yield from hits(scope.file.path, once_each(ros1_syntax(scope.file)))
+    for file, *others in [leftovers.together] if leftovers.together else ():
+        start = f"{len(others) + 1} launch files are" if others else "this launch file is"
+        ends = "are installed: `ros2 launch` refuses them" if others else "is installed: `ros2 launch` refuses it"
+        it = "them" if others else "it"
+        signs, advice = "(`type=`, `$(find …)`, `$(arg …)`)", f"port {it}, or do not install {it}"
+        message = f"{start} written for ROS 1 {signs} and {ends}; {advice}"
+        places = tuple(Related(each.path, first_sign(each), "and this one") for each in others)
+        yield Hit(file.path, first_sign(file), message, Severity.WARNING, places)
