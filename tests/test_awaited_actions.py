@@ -62,6 +62,18 @@ def test_what_the_handler_holds_is_added_by_itself() -> None:
     assert told(both, "third = ExecuteProcess(cmd=['true'])") == [("warning", "first"), ("warning", "third")]
 
 
+def test_copies_of_a_launch_file_are_one_finding() -> None:
+    text = LAUNCH.format("pass", WAITS)
+    files = {f"launch/{name}.launch.py": text for name in "bac"}
+    other = text.replace("first = ExecuteProcess(cmd=['true'])", "first = ExecuteProcess(cmd=['false'])")
+    files = {"package.xml": manifest("", "ament_cmake"), **files, "launch/d.launch.py": other}
+    found = lint_files(files, ["LCH018"]).findings
+    assert [(each.location.path, [place.path for place, _ in each.related]) for each in found] == [
+        ("launch/a.launch.py", ["launch/b.launch.py", "launch/c.launch.py"]),
+        ("launch/d.launch.py", []),
+    ]
+
+
 def test_a_comment_or_a_handler_that_is_not_added_makes_it_an_info() -> None:
     assert told(WAITS, "# first is started by hand") == [("info", "first")]
     assert "warning" not in [level for level, _ in told("second", f"handler = {WAITS}")]

@@ -47,6 +47,8 @@ class UnusedAction:
     """Whether an event handler waits for it, and no comment mentions it."""
     is_vain: bool = False
     """Whether what the event handler holds is added by itself, too."""
+    written: str = ""
+    """How it is made."""
 
 
 def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedAction]:
@@ -62,7 +64,8 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
             waits = "what waits for it starts at once" if each.is_vain else "neither is what waits for it"
             harm, is_met = f"{HARM[class_of(call)]}, and {waits}", not (each.is_vain or is_mentioned(each.name, file))
             span, what = file.span(each.target), f"`{each.name}`"
-            yield UnusedAction(span, what, harm, is_awaited=is_met, is_vain=each.is_vain)
+            written = file.source.slice(call.span)
+            yield UnusedAction(span, what, harm, is_awaited=is_met, is_vain=each.is_vain, written=written)
     for name, node, value, line in (*((*each, 0) for each in unread(file)), *overwritten(file)):
         call = calls.get(file.span(value))
         if call is None or is_told(call, told) or (not line and is_mentioned(name, file)):
@@ -74,7 +77,8 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
             harm = HARM.get(kind, "it has no effect")
             is_gone = starts_nothing(call, configurations.workspace)
             starter = started_elsewhere(call, configurations.file, configurations.around)
-            yield UnusedAction(file.span(node), what, harm, is_gone, starter, line)
+            written = file.source.slice(call.span)
+            yield UnusedAction(file.span(node), what, harm, is_gone, starter, line, written=written)
 
 
 def overwritten(file: PythonFile) -> Iterator[tuple[str, ast.expr, ast.expr, int]]:

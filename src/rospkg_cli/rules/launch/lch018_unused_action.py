@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.launch.copied_actions import told_once
 from ...checks.launch.unset_configurations import LaunchConfigurations
-from ...checks.launch.unused_actions import UnusedAction, unused_actions
+from ...checks.launch.unused_actions import UnusedAction
 from ...example import Example, manifest
-from ...finding import Hit, Severity
+from ...finding import Hit, Related, Severity
 from ...rule import rule
 
 BAD = """\
@@ -72,16 +73,19 @@ def unused_action(configurations: LaunchConfigurations) -> Iterator[Hit]:
 
     ## When it is quiet
     A name that a comment mentions was taken out on purpose, and so was one that begins with `_`. Arguments whose use
-    LCH008 or LCH017 reports are left to these. It is an info: many an action is left out on purpose. Where an event
-    handler waits for it (`OnProcessExit(target_action=…)`), and no comment mentions it, it is a warning: nothing that
-    the handler holds starts. Not so where the launch description holds all of that too.
+    LCH008 or LCH017 reports are left to these. What copies of a launch file have alike is one finding, at the first. It
+    is an info: many an action is left out on purpose. Where an event handler waits for it
+    (`OnProcessExit(target_action=…)`), and no comment mentions it, it is a warning: nothing that the handler holds
+    starts. Not so where the launch description holds all of that too.
     """
-    for action in unused_actions(configurations):
+    for action, places in told_once(configurations):
         message = f"{action.what} is made and never added to the launch description: {action.harm}"
         if action.again:
             message = f"line {action.again} gives {action.what} to something else before this is added: {action.harm}"
         level = Severity.WARNING if action.is_awaited else None
-        yield Hit(configurations.file.path, action.span, f"{message}; {advice(action, configurations)}", level)
+        others = tuple(Related(path, span, "and here, in a copy") for path, span in places)
+        whole = f"{message}; {advice(action, configurations)}"
+        yield Hit(configurations.file.path, action.span, whole, level, others)
 
 
 def advice(action: UnusedAction, configurations: LaunchConfigurations) -> str:
