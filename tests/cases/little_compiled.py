@@ -14,6 +14,7 @@ PUBLIC = {
     "include/my_pkg/words.hpp": "#include <std_msgs/msg/string.hpp>\n",
     "src/talker.cpp": "int main() {return 0;}\n",
 }
+TOOL = "install(PROGRAMS scripts/tool.py DESTINATION lib/${PROJECT_NAME})\n"
 MATRICES = {"src/talker.cpp": "#include <Eigen/Dense>\nint main() {return 0;}\n"}
 LAUNCH = {"launch/a.launch.xml": "<launch/>\n"}
 UNKNOWN = {
@@ -84,6 +85,11 @@ CASES = {
     "CMK121": tuple(
         package(FOUND + PROGRAM.format(""), USING | {"README.md": f"For {names}.\n"}, "  <depend>std_msgs</depend>\n")
         for names in ("Foxy", "Foxy and Humble", "Humble")
+    ),
+    "CMK105": (
+        package(TOOL, {"scripts/tool.py": "print('hello')\n"}),
+        package(TOOL, {"scripts/tool.py": "print('hello')\n", "README.md": "Run `ros2 run my_pkg tool.py`.\n"}),
+        package(TOOL, {"scripts/tool.py": "import rclpy\n\nrclpy.init()\n"}),
     ),
     "DEP105": (
         beside(PUBLIC, INSTALL),

@@ -15,7 +15,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import CopiedFile, copied_files
 from ...package.cmake.install_rules import InstallRule
 from ...ros.share_layout import LAUNCH
-from .left_out_nodes import is_last, is_left_out, is_node
+from .left_out_nodes import USES_ROS, is_last, is_left_out, is_node
 from .module_imports import dotted_imports, is_only_imported
 
 SHELL = (".sh", ".bash")
@@ -131,6 +131,13 @@ class InstalledScripts:
         started = re.compile(rf"\bros2 run {re.escape(self.package.facts.name)} {re.escape(name)}(?![.-]?\w)")
         texts = (*self.texts, *(files.readable_text(each) for each in files.paths if is_readme(each)))
         return any(name in text for text in self.launch_texts) or any(started.search(text) for text in texts)
+
+    def is_tool(self, script: BrokenScript) -> bool:
+        """Return whether a script without `#!` has no word of ROS, and nothing starts it: people give it to Python."""
+        path = script.copy.source
+        if script.wrong != "no shebang" or self.is_wanted(path):
+            return False
+        return USES_ROS.search(self.package.cmake.package_files.readable_text(path)) is None
 
     def holds_definitions(self, path: str) -> bool:
         """Return whether a file is a Python module to import: definitions, and nothing that does something."""

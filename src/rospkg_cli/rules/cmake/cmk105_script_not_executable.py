@@ -31,7 +31,8 @@ def cmake(lines: str) -> str:
     over=InstalledScripts,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "only its executable bit is missing: it can't be run after `colcon build --symlink-install`",
+        Severity.WARNING: "only its executable bit is missing: it can't be run after `colcon build --symlink-install`; "
+        "or it has no word of ROS, and nothing starts it",
         Severity.INFO: "it has no bit, and another file of its folder imports it: it may be a module",
     },
     examples=(
@@ -72,11 +73,13 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     or a macro in a .cmake file of the package to whom it calls, and that CMake gives to `chmod` by name. For what is
     installed under a condition that can't be evaluated, or for tests. A file without the bit that another Python file
     of its folder imports may be a module: an info, unless a launch file names it or a README starts it.
+    A file without `#!` that has no word of ROS, and that neither does, is a warning.
     """
     if not scripts.package.is_ament:
         return
     for script, *others in together(scripts):
         mild = script.wrong == "no bit" or (script.wrong in ("directory", "neither") and scripts.uses_programs)
+        mild = mild or scripts.is_tool(script)
         level = Severity.INFO if scripts.is_module(script) else Severity.WARNING if mild else None
         related = tuple(Related(other.copy.source, Span(0, 0), "the same") for other in others)
         operations = [make_executable(scripts, each) for each in (script, *others)]
@@ -86,9 +89,9 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
 
 def together(scripts: InstalledScripts) -> Iterable[list[BrokenScript]]:
     """Return the scripts of one install() that are broken in the same way, which is one fault."""
-    calls: dict[tuple[str, int, str, bool], list[BrokenScript]] = {}
+    calls: dict[tuple[str, int, str, bool, bool], list[BrokenScript]] = {}
     for script in scripts.broken():
         call = script.copy.rule.call
-        key = (call.path, call.command.span.start, script.wrong, scripts.is_module(script))
+        key = (call.path, call.command.span.start, script.wrong, scripts.is_module(script), scripts.is_tool(script))
         calls.setdefault(key, []).append(script)
     return calls.values()
