@@ -92,6 +92,8 @@ SKIPPED = "def test_a():\n    pass\n\n\ndef draw():\n    import «cv2»\n"
 SAMPLE = "def way():\n    return 1\n\n\ndef main():\n    «modes»()\n\n\nif __name__ == '__main__':\n    main()\n"
 WAY = "from my_pkg.way import way\n\n\n" + PLACES[0].format("way()") + "\n\nif __name__ == '__main__':\n    main()\n"
 
+LINTED = "from ament_copyright.main import main\n\n\ndef test_copyright():\n    assert main(argv=['.']) == 0\n"
+
 
 def sample(**files: str) -> Example:
     """A module that shows itself where it is started by its path, as copies from collections of algorithms do."""
@@ -158,6 +160,7 @@ CASES = {
         ),
         *imported_in_all_ways("«modes»()\n"),
         sample(),
+        sample(**{"test/test_copyright.py": LINTED}),
         sample(**{"README.md": "Type `python3 my_pkg/way.py` to see it.\n"}),
     ),
     "DEP120": (

@@ -9,6 +9,8 @@ from ..languages.python.file import PythonFile
 from ..languages.python.nodes import FunctionNode, children_of
 from .logged_texts import logged_texts
 
+LINTERS = "ament_"
+"""How the modules begin whose `main` the tests call that every package has."""
 SELF = "self."
 """Begins a name that is looked for in the object whose method it stands in."""
 
@@ -21,6 +23,7 @@ def own_names(file: PythonFile, scope: ast.AST, off: Collection[int] = ()) -> It
     """
     logged = logged_texts(file)
     is_package = file.path.endswith("__init__.py")
+    of_linters = {name for each in file.imports if each.module.startswith(LINTERS) for name in each.names}
     waiting = children_of(scope)
     while waiting:
         node = waiting.pop()
@@ -29,6 +32,8 @@ def own_names(file: PythonFile, scope: ast.AST, off: Collection[int] = ()) -> It
         match node:
             case ast.Attribute(value=ast.Name(id="self"), attr=name):
                 yield f"{SELF}{name}"
+            case ast.Name(id=name) if name in of_linters:
+                pass
             case ast.Name(id=name) | ast.Attribute(attr=name):
                 yield name
             case ast.Constant(value=str(name)) if id(node) not in logged:
