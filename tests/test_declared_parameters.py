@@ -106,7 +106,10 @@ Talker() : Node("talker")
 
 
 def package(values: str, node: str = NODE, **others: str) -> dict[str, str]:
-    cmake = CMAKE.replace("ament_package", "install(DIRECTORY config DESTINATION share/${PROJECT_NAME})\nament_package")
+    cmake = CMAKE.replace(
+        "ament_package",
+        "add_library(a src/talker.cpp)\ninstall(DIRECTORY config DESTINATION share/${PROJECT_NAME})\nament_package",
+    )
     return {
         "src/my_pkg/package.xml": manifest("", "ament_cmake"),
         "src/my_pkg/CMakeLists.txt": cmake,

@@ -8,6 +8,7 @@ from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
 from rospkg_cli.finding import Finding
 from rospkg_cli.testing import lint_files
 
+BUILD = CMAKE.replace("ament_package", "add_library(talker src/talker.cpp)\nament_package")
 CPP = """\
 #include <rclcpp/rclcpp.hpp>
 class Talker : public rclcpp::Node
@@ -78,7 +79,7 @@ def linted(files: dict[str, str]) -> list[tuple[str, str]]:
     ],
 )
 def test_a_name_that_cpp_gets_alone(code: str, others: dict[str, str], found: list[tuple[str, str]]) -> None:
-    files = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE, "src/talker.cpp": CPP.format(code)}
+    files = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": BUILD, "src/talker.cpp": CPP.format(code)}
     assert linted({**files, **others}) == found
 
 
@@ -95,7 +96,7 @@ def test_a_name_that_cpp_gets_alone(code: str, others: dict[str, str], found: li
 )
 def test_who_builds_on_a_node_may_choose_its_options(options: str, tag: str, found: list[tuple[str, str]]) -> None:
     text = CPP.format(GET).replace('"talker", options', options)
-    files = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE, "src/talker.cpp": text}
+    files = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": BUILD, "src/talker.cpp": text}
     other = manifest(f"  <{tag}>my_pkg</{tag}>\n", "ament_cmake").replace("<name>my_pkg", "<name>other_pkg")
     program = "add_executable(run main.cpp)\ninstall(TARGETS run DESTINATION lib/other_pkg)\nament_package"
     bare = CMAKE.replace("my_pkg", "other_pkg")
@@ -111,14 +112,14 @@ def test_who_builds_on_a_node_may_choose_its_options(options: str, tag: str, fou
 
 def test_many_names_are_counted() -> None:
     reads = " ".join(f'get_parameter("model_{number}", model);' for number in range(5))
-    files = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE, "src/talker.cpp": CPP.format(reads)}
+    files = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": BUILD, "src/talker.cpp": CPP.format(reads)}
     ((_, message),) = linted(files)
     assert message.startswith("nothing declares the parameters `model_0`, `model_1`, `model_2` and 2 more: the")
 
 
 def test_a_class_that_is_no_node_may_get_anything() -> None:
     text = CPP.format(GET).replace('rclcpp::Node("talker", options)', "Other(options)")
-    files = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE, "src/talker.cpp": text}
+    files = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": BUILD, "src/talker.cpp": text}
     assert linted(files) == []
 
 

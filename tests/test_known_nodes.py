@@ -239,7 +239,8 @@ FORGOTTEN = ["nothing declares the parameter `mode`: the variable is never set; 
 def test_a_parameter_that_a_program_forgets_to_declare(code: str, others: dict[str, str], found: list[str]) -> None:
     sources = {f"src/my_pkg/src/{name}": text for name, text in others.items()}
     files = {"src/my_pkg/package.xml": manifest("", "ament_cmake"), "src/my_pkg/src/a.cpp": READING.format(code)}
-    hits = lint_files({**files, "src/my_pkg/CMakeLists.txt": CMAKE, **sources}, ["PRM007"]).findings
+    build = CMAKE.replace("ament_package", "add_executable(a src/a.cpp)\nament_package")
+    hits = lint_files({**files, "src/my_pkg/CMakeLists.txt": build, **sources}, ["PRM007"]).findings
     assert [each.message for each in hits] == found
     assert all(each.severity.value == "warning" for each in hits)
 
