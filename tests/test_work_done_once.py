@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import gc
 import subprocess
 import sys
@@ -17,7 +18,9 @@ from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.languages.cmake import file as cmake_file
 from rospkg_cli.languages.cpp import file as cpp_file
-from rospkg_cli.languages.python import syntax
+from rospkg_cli.languages.python import syntax, unreached_places
+from rospkg_cli.languages.python.file import parse_python
+from rospkg_cli.languages.python.nodes import nodes_of_kind
 from rospkg_cli.languages.xml import parser as xml_parser
 from rospkg_cli.languages.yaml import nodes as yaml_nodes
 from rospkg_cli.source import Source
@@ -37,6 +40,16 @@ LATER = (
     "engine.run.rule_plugins", "cli.diff", "cli.lint.add_ignores", "languages.cmake.interpreter",
     "languages.cmake.commands", "package.cmake.cmake_install_table", "rules.cmake", "rules.urdf", "scaffold", "testing",
 )  # fmt: skip
+
+
+def test_code_that_never_runs_is_looked_for_once_a_file(monkeypatch: pytest.MonkeyPatch) -> None:
+    file = parse_python(Source("a.py", "if False:\n    a()\n" + "b()\n" * 50))
+    walks: list[object] = []
+    real = unreached_places.unreached_statements
+    monkeypatch.setattr(unreached_places, "unreached_statements", lambda *given: walks.append(given) or real(*given))
+    reached = [not unreached_places.is_unreached(file, file.span(each)) for each in nodes_of_kind(file.tree, ast.Call)]
+    assert sorted(reached) == [False] + [True] * 50
+    assert len(walks) == 1
 
 
 @pytest.mark.parametrize("name", ["my_robot_examples", "my_robot_nav"])
