@@ -27,7 +27,7 @@ def generate_launch_description():
     return LaunchDescription([ACTIONS])
 """
 OTHER = "Node(package='turtlesim', executable='mimic', name='sim')"
-WITHOUT_KEY = "sim:\n  ros_parameters:\n    background_r: 0\n"
+WITHOUT_KEY = "sim:\n  ros_parameters:\n    background_r: 0\n    background_r: 1\n"
 SOME_LINK = """\
 <robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">
   <xacro:include filename="wheel.xacro"/>
@@ -36,7 +36,10 @@ SOME_LINK = """\
 """
 
 
-def adding(actions: str) -> Example:
+IN_PARTS = "'s' + 'im.yaml'"
+
+
+def adding(actions: str, name: str = "'sim.yaml'") -> Example:
     needed = "".join(f"  <exec_depend>{each}</exec_depend>\n" for each in NEEDED)
     installed = "install(DIRECTORY config launch urdf DESTINATION share/${PROJECT_NAME})\nament_package"
     return Example(
@@ -45,7 +48,7 @@ def adding(actions: str) -> Example:
             "package.xml": manifest(needed, "ament_cmake"),
             "config/sim.yaml": WITHOUT_KEY,
             "urdf/robot.urdf.xacro": SOME_LINK,
-            "launch/robot.launch.py": LAUNCH.replace("ACTIONS", actions),
+            "launch/robot.launch.py": LAUNCH.replace("ACTIONS", actions).replace("'sim.yaml'", name),
         },
         good={},
         on="ament_cmake",
@@ -54,5 +57,6 @@ def adding(actions: str) -> Example:
 
 CASES = {
     "PRM001": (adding("sim, shown"), adding("shown"), adding(f"shown, {OTHER}")),
+    "PRM002": (adding("sim, shown", IN_PARTS), adding("shown", IN_PARTS)),
     "URD002": (adding("sim, shown"), adding("sim")),
 }

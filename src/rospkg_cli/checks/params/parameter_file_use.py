@@ -103,8 +103,8 @@ class ParameterFileUse:
         """
         launches = any(LAUNCH.fullmatch(path.rpartition("/")[2]) for path in self.files.paths)
         launches = launches or any(facts.launch_files for facts in self.workspace.packages)
-        if is_of_another(self.share_paths, self.package, self.workspace):
-            return True
+        if self.is_handed or is_of_another(self.share_paths, self.package, self.workspace):
+            return not self.is_handed
         folder, _, name = self.file.path.rpartition("/")
         if not (launches or self.is_left_out or SHOWN.search(name)) or self.is_for_moveit(name):
             return False
