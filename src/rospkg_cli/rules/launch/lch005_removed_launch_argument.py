@@ -47,7 +47,8 @@ FILES = {
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "its condition is false by default, or it stands in a branch that is not always taken",
-        Severity.INFO: "the action is never added to the launch description, or the repository is for Foxy",
+        Severity.INFO: "the action is never added to the launch description, something else here loads the controller, "
+        "or the repository is for Foxy",
     },
     examples=(
         Example(
@@ -77,8 +78,9 @@ def removed_launch_argument(calls: LaunchCalls) -> Iterator[Hit]:
     ## When it is quiet
     Files that check which distribution they run on are left alone, and so are launch files for ROS 1. Where pages and
     scripts of the repository name Foxy and no later distribution, or a folder is called after it, it is an info; so is
-    a word of `ros2 control` where they name Foxy or Galactic alone. A Python file whose name or folder says that it is
-    for Foxy or an older one (`launch/foxy/`, `eloquent_start.py`), beside launch files for others, is left alone.
+    a word of `ros2 control` where they name Foxy or Galactic alone, or where a spawner or another command of the launch
+    file brings the same controller into the state. A Python file whose name or folder says that it is for Foxy or an
+    older one (`launch/foxy/`, `eloquent_start.py`), beside launch files for others, is left alone.
     """
     if calls.file.frontend == "python" and calls.distribution.is_kept_for_older(calls.file.path):
         return
