@@ -39,7 +39,10 @@ FILES = {
     "ros1-launch-syntax",
     over=Ros1Leftovers,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the whole file is one for ROS 1"},
+    levels={
+        Severity.WARNING: "the whole file is one for ROS 1",
+        Severity.INFO: "it is, and nothing starts or includes it, beside launch files for ROS 2",
+    },
     examples=(
         Example(
             bad={**FILES, "launch/house.launch.xml": BAD},
@@ -71,7 +74,8 @@ def ros1_launch_syntax(leftovers: Ros1Leftovers) -> Iterator[Hit]:
 
     ## When it is quiet
     A file that is for ROS 1 altogether is left alone where this package does not install it, is built with catkin, or
-    names catkin in its manifest. So are all launch files of a package that catkin alone builds.
+    names catkin in its manifest. So are all launch files of a package that catkin alone builds. It is an info beside
+    launch files for ROS 2 where no page, script, code or launch file but those for ROS 1 names it.
     """
     scope = leftovers.scope
     if scope.package.is_for_ros1:
@@ -82,6 +86,8 @@ def ros1_launch_syntax(leftovers: Ros1Leftovers) -> Iterator[Hit]:
         ends = "are installed: `ros2 launch` refuses them" if others else "is installed: `ros2 launch` refuses it"
         it = "them" if others else "it"
         signs, advice = "(`type=`, `$(find …)`, `$(arg …)`)", f"port {it}, or do not install {it}"
-        message = f"{start} written for ROS 1 {signs} and {ends}; {advice}"
+        is_met = leftovers.is_met(file)
+        idle = "" if is_met else f", but nothing here starts {it}"
+        message = f"{start} written for ROS 1 {signs} and {ends}{idle}; {advice}"
         places = tuple(Related(each.path, first_sign(each), "and this one") for each in others)
-        yield Hit(file.path, first_sign(file), message, Severity.WARNING, places)
+        yield Hit(file.path, first_sign(file), message, Severity.WARNING if is_met else Severity.INFO, places)
