@@ -75,11 +75,11 @@ def test_a_folder_of_old_modules_is_not_installed(folder: str, importer: str, le
         ("my_pkg/add.py", SNIPPET, "a.adder = 'add.txt'\n", "error"),
         ("my_pkg/add.py", SNIPPET, "adder = added\n", "info"),
         ("my_pkg/add.py", SNIPPET, "import my_pkg.third\n", "error"),
-        ("my_pkg/add.py", SNIPPET, "thirds = third_\n", "warning"),
+        ("my_pkg/add.py", SNIPPET, "thirds = third_\n", "info"),
         ("my_pkg/talker.py", SNIPPET, SNIPPET, "error"),
-        ("my_pkg/add.py", f"{SNIPPET}if __name__ == '__main__':\n", "", "warning"),
-        ("my_pkg/add.py", f"def main():\n{SNIPPET}  a\n", "", "warning"),
-        ("my_pkg/add.py", "# a\n\nprint 1\n", "", "warning"),
+        ("my_pkg/add.py", f"{SNIPPET}if __name__ == '__main__':\n", "", "info"),
+        ("my_pkg/add.py", f"def main():\n{SNIPPET}  a\n", "", "info"),
+        ("my_pkg/add.py", "# a\n\nprint 1\n", "", "info"),
         ("my_pkg/add_old.py", "print 1\n", "", "info"),
         ("my_pkg/__init__.py", SNIPPET, "", "error"),
         ("test/test_add.py", SNIPPET, "", "error"),
@@ -99,7 +99,7 @@ def test_a_snippet_that_nothing_imports(path: str, text: str, other: str, level:
         ("install(DIRECTORY launch scripts/ DESTINATION lib/my_pkg)\n", "error"),
         ("install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts DESTINATION lib/my_pkg)\n", "error"),
         ("file(GLOB FOUND scripts/*.py)\ninstall(PROGRAMS ${FOUND} DESTINATION lib/my_pkg)\n", "error"),
-        ("ament_python_install_package(scripts)\ninstall(DIRECTORY scripts_more DESTINATION lib/my_pkg)\n", "warning"),
+        ("ament_python_install_package(scripts)\ninstall(DIRECTORY scripts_more DESTINATION lib/my_pkg)\n", "info"),
     ],
 )
 def test_a_script_that_cmake_installs(line: str, level: str) -> None:
@@ -279,7 +279,7 @@ def test_a_file_laid_aside_within_a_package(code: str, path: str, text: str, exp
 @pytest.mark.parametrize(
     ("path", "text", "level"),
     [
-        ("urdf/arm.urdf", "<robot name='r'>", "warning"),
+        ("urdf/arm.urdf", "<robot name='r'>", "info"),
         ("urdf/arm.urdf", " ", "info"),
         ("urdf/leg.urdf", "<robot name='r'>", "error"),
     ],

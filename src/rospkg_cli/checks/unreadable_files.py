@@ -10,7 +10,7 @@ from ..languages.cmake.lexer import tokens
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.behavior_trees import is_tree
-from ..package.file_role import is_set_aside, role_of
+from ..package.file_role import role_of
 from ..read_problem import ReadProblem
 from ..unreadable import Unreadable
 from .fault import Level
@@ -21,9 +21,6 @@ TAKEN_BY_URDFDOM = frozenset({ReadProblem.XML_PREFIX, ReadProblem.XML_AFTER_ROOT
 """What tinyxml2, which knows no prefixes and takes several root elements, reads all the same."""
 
 COMMENTS = ("comment", "bracket comment")
-PROGRAM = regex(r"__main__|\A#!|^(?:async )?def main\b", re.MULTILINE)
-SNIPPET = regex(r"\A(?:[ \t]*(?:#[^\n]*)?\n)*[ \t]+[^\s#]")
-"""A text whose first line of code is indented: it is there to be pasted."""
 ROS1_LAUNCH = regex(r"<node\b[^>]*\btype\s*=|\$\(find ")
 """Nodes and paths as roslaunch takes them."""
 LIBRARY = regex(r"\A\s*(?:<\?[^>]*\?>\s*|<!--.*?-->\s*)*<library\b", re.DOTALL)
@@ -61,13 +58,11 @@ class UnreadableFile:
         return self.file.code is ReadProblem.PYTHON_SYNTAX and is_module and not self.started.is_reached(path)
 
     def level_of_module(self) -> tuple[Level | None, str]:
-        """Return the level of a module that nothing starts, and why it is no error."""
-        path = self.file.path
-        if self.started.is_named(path):
-            return "warning", "; nothing that is started imports this module"
-        text = self.files.readable_text(path)
-        is_aside = is_set_aside(path) or (SNIPPET.match(text) and not PROGRAM.search(text))
-        return "info" if is_aside else "warning", "; no other file names this module"
+        """Return the level of a module that nothing here starts, and why: packages that need this one may import it."""
+        if any(each.modules for each in self.opened.workspace.needing(self.opened.package.name)):
+            return "warning", "; nothing that is started here imports this module, packages that need this one may"
+        is_named = self.started.is_named(self.file.path)
+        return "info", f"; {'nothing that is started imports' if is_named else 'no other file names'} this module"
 
     def level_of_robot(self) -> tuple[Level | None, str]:
         """Return the level of a robot, a world or a behavior tree, by who opens it."""
@@ -76,7 +71,9 @@ class UnreadableFile:
             return "info", "; no file of the package names it"
         if self.opened.is_surely_named(path):
             return None, ""
-        return "warning", "; no file of the package " + ("names it" if self.opened.has(path) else "opens it")
+        if self.opened.has(path):
+            return "warning", "; no file of the package names it in full, but one may open it"
+        return "info", "; no file of the package opens it"
 
     def level(self) -> tuple[Level | None, str]:
         """Return the level, None for the rule's own, and why it is another: a robot may be read, or by nothing."""

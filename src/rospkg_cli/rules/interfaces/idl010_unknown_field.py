@@ -32,7 +32,8 @@ TALKER = "from std_msgs.msg import String\n\n\ndef words():\n    msg = String()\
 LEFT, IN_TEST = "; nothing starts or imports this module", "; only a test runs it"
 UNCALLED, UNREACHED = "; nothing calls this method", "; nothing here leads to this function"
 OFF, BY_PATH = "; a switch turns it off that nothing throws", "; it runs only where the file is started by its path"
-NEVER = (LEFT, UNCALLED, UNREACHED, WHY["late"], BY_PATH, OFF)
+REPLACED, UNUSED = "; the class is defined again below", "; its object is made and never used"
+NEVER = (LEFT, UNCALLED, UNREACHED, WHY["late"], BY_PATH, OFF, REPLACED, UNUSED)
 REASONS = (
     (FieldUses.is_uncalled, UNCALLED),
     (FieldUses.is_unreached, UNREACHED),
@@ -41,8 +42,8 @@ REASONS = (
     (FieldUses.is_turned_off, OFF),
     (FieldUses.is_in_handler, "; it runs after another exception alone"),
     (FieldUses.is_called_with_care, "; who calls it catches that"),
-    (FieldUses.is_replaced, "; the class is defined again below"),
-    (FieldUses.is_idle, "; its object is made and never used"),
+    (FieldUses.is_replaced, REPLACED),
+    (FieldUses.is_idle, UNUSED),
 )
 """Why a use seldom runs, where that is true of all places."""
 
@@ -57,8 +58,8 @@ REASONS = (
         "catches that, only a test runs it, or a message is made with it and the pages do not say that the package is "
         "for Humble or older alone",
         Severity.INFO: "nothing starts or imports the module, calls the method, or leads to the function, it stands "
-        "behind `rclpy.spin`, a switch turns it off, or a message is made with it and the pages name Jazzy or newer "
-        "alone",
+        "behind `rclpy.spin`, a switch turns it off, its object is never used, its class is defined again, or a "
+        "message is made with it and the pages name Jazzy or newer alone",
     },
     examples=(
         Example(
@@ -91,15 +92,14 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     Where a variable may hold something else, or its type or attributes are asked for; where an AttributeError is
     caught; for what an action client is handed, a message around the feedback or result (`.feedback`), which
     annotations often take for it; for packages outside of the workspace, unless the name is near a field or was one in
-    ROS 1; under a condition that is for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A method
-    of an object that is bound to a name which nothing reads is a warning, unless its construction comes to it, and so
-    is one of a class that is defined again further down. So is a use in an `except` branch, in a function whose callers
-    catch what it raises, and in a test. A module that no entry point and no other file of the package names or imports,
-    beside others that start, is an info, and so is a function that no program leads to, what stands behind
-    `rclpy.spin`, under the `__main__` of an entry point's module, or under a switch that nothing throws. In a branch of
-    its function it is a warning. What a message is made with
-    (`Twist(liner=…)`) raises up to Iron: where the pages, scripts and workflows of the repository name none after it,
-    it is an error, where they name Jazzy or newer alone, an info, and else a warning.
+    ROS 1; under a condition that is for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A method of an
+    object that is bound to a name which nothing reads is an info, unless its construction comes to it, as is one of a
+    class that is defined again below. A use in an `except` branch, in a function whose callers catch what it raises,
+    and in a test is a warning. A module that no entry point and no other file of the package names or imports, beside
+    others that start, is an info, and so is a function that no program leads to, what stands behind `rclpy.spin`, under
+    the `__main__` of an entry point's module, or under a switch that nothing throws; in a branch it is a warning. What
+    a message is made with (`Twist(liner=…)`) raises up to Iron: where the pages, scripts and workflows of the
+    repository name none after it, it is an error, where they name Jazzy or newer alone, an info, and else a warning.
 
     ## Fix safety
     The intended field is a guess.

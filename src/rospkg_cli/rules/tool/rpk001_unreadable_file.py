@@ -34,10 +34,10 @@ ament_package()
     over=UnreadableFile,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a robot that no file names, or that urdfdom reads all the same; a module of Python that "
-        "nothing imports that is started; a launch file for ROS 1",
-        Severity.INFO: "bytes that are no text in comments of CMake, a snippet of Python that no other file names, an "
-        "empty robot that none names, or plugins without a root around them",
+        Severity.WARNING: "a robot that no file surely opens, or that urdfdom reads all the same; a launch file for "
+        "ROS 1; a module of Python that another package may import",
+        Severity.INFO: "a robot that no file opens, a module of Python that nothing imports that is started, bytes "
+        "that are no text in comments of CMake, or plugins without a root around them",
     },
     examples=(
         Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}),
@@ -61,13 +61,13 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     interfaces is reported by its own rules, a file that is too large by RPK007. Of worlds and SDF only tags that don't
     match are told, as Gazebo reads past the rest; of behavior trees those that are not closed, too.
 
-    A robot, a world or a behavior tree is a warning where no file of the workspace names it, an info where it is empty
-    as well. It is a warning, too, where urdfdom reads past the fault: an undeclared prefix, or something behind the
-    root element, in a plain `.urdf`. A Python module is a warning where no entry point, launch file or CMake file names
-    it, nor a module that one of these names; it is an info where no file names it at all and it is a snippet, whose
-    first line is indented, or laid aside (`old/`, `a_backup.py`). A launch file for ROS 1 is a warning. Several
-    `<library>` of a plugin description without a root are an info, and so are bytes that are not UTF-8 in comments of a
-    CMake file. A `<` in the value of an attribute of a plugin description is no fault, since pluginlib takes it.
+    A robot, a world or a behavior tree is an info where no file of the workspace opens it, a warning where one may do
+    so, as another file has its name. It is a warning, too, where urdfdom reads past the fault: an undeclared prefix, or
+    something behind the root element, in a plain `.urdf`. A Python module is an info where no entry point, launch file
+    or CMake file names it, nor a module that one of these names, a warning where another package needs this one. A
+    launch file for ROS 1 is a warning. Several `<library>` of a plugin description without a root are an info, and so
+    are bytes that are not UTF-8 in comments of a CMake file. A `<` in the value of an attribute of a plugin description
+    is no fault, since pluginlib takes it.
     """
     file = scope.file
     if not (file.grammar or file.skipped):
