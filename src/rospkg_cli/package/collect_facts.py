@@ -17,6 +17,7 @@ from .include_dirs import include_dirs
 from .included_headers import included_headers
 from .interfaces.interface_index import interface_names
 from .interfaces.message_fields import message_fields
+from .interfaces.typed_with import typed_with
 from .launch.launch_file import launch_summaries, loaded_components, started_nodes
 from .launch.parsed_yaml import parsed_keys, parsed_yaml
 from .launch.read_signature import launch_signatures
@@ -107,6 +108,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("parameters", "node_code"): of_code,
     ("node_names",): one("node_names", node_names),
     ("messages",): one("messages", message_fields),
+    ("typed_with",): one("typed_with", typed_with),
     ("started_nodes",): one("started_nodes", started_nodes),
     ("loaded_components",): one("loaded_components", loaded_components),
     ("parsed_yaml",): one("parsed_yaml", parsed_yaml),

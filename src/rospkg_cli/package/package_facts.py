@@ -105,6 +105,8 @@ class PackageFacts:
     """`msg/Name`, `srv/Name`, `action/Name`."""
     messages: tuple[MessageFields, ...] = ()
     """The fields of its messages, services and actions, but for those in .idl files."""
+    typed_with: frozenset[str] = frozenset()
+    """The packages that its interfaces are generated with, and that so come with them."""
     share_files: frozenset[str] = frozenset()
     """The files of share/<name> after the build, relative to it."""
     settled_folders: frozenset[str] = frozenset()

@@ -174,7 +174,7 @@ class ExportedDependencies:
                 facts = self.workspace.named(name)
                 waiting += rows("cmake_exports.txt").get(name, ())
                 if facts is not None:
-                    waiting += built_against(facts)
+                    waiting += (*built_against(facts), *facts.typed_with)
                     continue
                 waiting += [need for table in tables for need in table.get(name, ())]
                 listed = any(name in table for table in tables)

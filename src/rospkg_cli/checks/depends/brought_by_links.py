@@ -78,8 +78,8 @@ class NeedsOfPackages(dict[str, "Needs | None"]):
 
 def needs_of(name: str, workspace: Workspace) -> Needs | None:
     if (facts := workspace.named(name)) is not None:
-        kept = facts.kept_links
-        return tuple((d.name, EVERYWHERE) for d in facts.dependencies if d.tag in PASSED_ON and d.name not in kept)
+        declared = {each.name for each in facts.dependencies if each.tag in PASSED_ON} - facts.kept_links
+        return tuple((each, EVERYWHERE) for each in sorted(declared | facts.typed_with))
     tables = [*(rows(f"{table}.txt") for table in TABLES), rows("cmake_exports.txt")]
     if any(name in table for table in tables):
         needs = [need for table in tables for need in table.get(name, ())]

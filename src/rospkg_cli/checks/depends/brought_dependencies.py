@@ -151,7 +151,7 @@ def found_passed_on(name: str, workspace: Workspace) -> PassedOn:
     facts = workspace.named(name)
     if facts is not None:
         needs = [need for need in facts.dependencies if need.tag in PASSED_ON]
-        certain = tuple(need.name for need in needs if need.certain)
+        certain = (*(need.name for need in needs if need.certain), *sorted(facts.typed_with))
         return PassedOn(certain, tuple(need.name for need in needs if not need.certain), facts.knows("dependencies"))
     row = table_needs(name)
     perhaps = tuple(need[1:] for need in row if need[0] == PERHAPS)
