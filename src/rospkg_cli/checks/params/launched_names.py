@@ -12,6 +12,7 @@ from ...package.workspace import Workspace
 from ...ros.known_nodes import KnownParameter
 from ...source import Span
 from ...suggest import near_names, same_words
+from .code_of_programs import is_of_another
 from .declaring_packages import ENOUGH, is_its_own
 from .idle_nodes import Start, start_of
 from .known_given import GivenValue, KnownGroup, KnownNodes
@@ -40,6 +41,7 @@ class LaunchedName:
     package: str
     name: str
     meant: str
+    """"" for nothing: only another program of the package declares a near name."""
     is_removed: bool = False
     """Whether older releases had it, and no supported distribution has."""
     file: ParameterFile | None = None
@@ -93,8 +95,10 @@ class LaunchedNames:
                 near = bare or near_names(name, free, 2 if others else 1) or same_words(name, free)
                 near = near or with_another_word(name, free)
                 if len(near) == 1 and DIGITS.sub("", near[0]) != DIGITS.sub("", name):
-                    start = start_of(each.launch, each.node)
-                    yield LaunchedName(each.launch.path, text.span, facts.name, name, near[0], start=start)
+                    start, started = start_of(each.launch, each.node), each.node.executable or each.node.plugin
+                    program = started.literal if started is not None else None
+                    meant = "" if is_of_another(near[0], program, facts) else near[0]
+                    yield LaunchedName(each.launch.path, text.span, facts.name, name, meant, start=start)
 
 
 def with_dots(name: str, names: Collection[str]) -> list[str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import posixpath
 import re
 from collections.abc import Iterator
 
@@ -15,6 +14,7 @@ from ...package.params.declared_parameter import DeclaredParameter, type_named
 from ...package.params.scalar_types import DOUBLE
 from ...source import Span
 from ..launch.idle_actions import conditional
+from .code_of_programs import is_of
 from .declaring_packages import ENOUGH, is_its_own
 from .idle_nodes import hardest, level_of, start_of
 from .known_given import GivenValue, is_cast_behind, launch_value, type_of_text
@@ -58,15 +58,6 @@ def declared(each: NodeArguments, facts: PackageFacts, name: str) -> list[Declar
     codes = [code.paths for code in facts.node_code if started is not None and code.starts == started.literal]
     near = [one for one in fitting if any(one.path in paths for paths in codes)]
     return near if codes else [one for one in fitting if started is not None and is_of(one.path, started.literal)]
-
-
-def is_of(path: str, program: str | None) -> bool:
-    """Return whether a source is called like the program, whose sources are not known."""
-    if not program or (program.endswith(".py") and not path.endswith(".py")):
-        return False
-    stem, name = posixpath.splitext(posixpath.basename(path))[0], program.rpartition("::")[2].removesuffix(".py")
-    plain, own = (each.replace("_", "").lower().removesuffix("node") for each in (stem, name))
-    return plain == own
 
 
 def given_values(each: NodeArguments) -> Iterator[tuple[GivenValue, str]]:

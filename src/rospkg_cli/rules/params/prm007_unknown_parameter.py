@@ -124,7 +124,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         is_mild = more or softer == "info" or not named.is_certain or scope.readers.is_idle(named.path, named.span)
         message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped{why}"
         others, level = also(named.path, named.others), Severity.INFO if is_mild else None
-        yield Hit(named.path, named.span, f"{message}; did you mean `{named.meant}`?", level, others)
+        hint = f"did you mean `{named.meant}`?" if named.meant else "declare it, or take it out"
+        yield Hit(named.path, named.span, f"{message}; {hint}", level, others)
     for path, fault in (*scope.strange_names(), *scope.repeated_reads()):
         yield from hits(path, [fault])
     for limit in scope.joints.mistyped():
