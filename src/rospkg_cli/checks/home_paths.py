@@ -34,10 +34,10 @@ from .home_path_texts import (
 )
 from .launch.idle_actions import level_at
 from .left_files import LeftFiles
-from .logged_texts import is_said
 from .params.launch_overrides import is_given, is_overridden
 from .params.replaced_defaults import is_replaced
 from .reached_definitions import ReachedDefinitions
+from .shown_texts import is_only_shown
 from .unread_paths import UnreadPaths
 from .yaml_elsewhere import is_named_yaml, is_of_another
 
@@ -105,13 +105,14 @@ class HomePaths:
         places: dict[str, re.Match[str]] = {}
         for pattern in patterns(path):
             for match in pattern.finditer(bare):
-                places.setdefault(match["path"], match)
+                if not is_only_shown(path, bare, Span(*match.span("path")), file):
+                    places.setdefault(match["path"], match)
         for named, match in sorted(places.items(), key=lambda each: each[1].start()):
             is_image = bare[: match.start("path")].rstrip(" \t\"'").endswith("image:")
             is_asked_here = is_asked or (path.endswith(".py") and is_in_handler(bare, match.start()))
             may_be_there = is_asked_here or self.is_of_many(match["user"] or match["mac"])
             place, home = Span(*match.span("path")), self.home_of(named)
-            if file is not None and (is_unreached(file, place) or is_said(file, place)):
+            if file is not None and is_unreached(file, place):
                 continue
             is_seldom_read = self.is_seldom_read(path) or IS_SOUGHT.search(bare, 0, match.start()) is not None
             is_seldom_read = is_seldom_read or (path.endswith(YAML) and not is_image and not self.is_used(path))

@@ -78,15 +78,16 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     defaults, and there where the workspace is moved or only installed.
 
     ## When it is quiet
-    Tests, comments, what a substitution fills in, what is under a condition that never holds on Linux, and paths below
-    the home of an account that robots, containers and examples have (`/home/ubuntu`), of one that a Dockerfile of the
-    repository names, or in code that asks whether something exists or tries something else first, unless they lead into
-    the workspace: then they are an info. So is the default of a parameter for which all YAML of the package that gives
-    it has another value, or launch files have one, a value of YAML that they replace, what an RViz config or YAML that
-    nothing names has, a script in a folder that is none for code, a source that no target compiles, a module that
-    nothing starts or imports beside others, a script or launch file that nothing installs or names, a function that no
-    program leads to, what a launch file has only for an action that it never adds, and what is put into a variable of a
-    function or a member, which nothing reads. Robots and worlds are URD002's, what setup.py installs is SET205's.
+    Tests, comments, texts that are only shown (descriptions, help, logs), what a substitution fills in, what is under a
+    condition that never holds on Linux, and paths below the home of an account that robots, containers and examples
+    have (`/home/ubuntu`), of one that a Dockerfile of the repository names, or in code that asks whether something
+    exists or tries something else first, unless they lead into the workspace: then they are an info. So is the default
+    of a parameter for which all YAML of the package that gives it has another value, or launch files have one, a value
+    of YAML that they replace, what an RViz config or YAML that nothing names has, a script in a folder that is none for
+    code, a source that no target compiles, a module that nothing starts or imports beside others, a script or launch
+    file that nothing installs or names, a function that no program leads to, what a launch file has only for an action
+    that it never adds, and what is put into a variable of a function or a member, which nothing reads. Robots and
+    worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
     others = [each for each in paths.found if each.of_package is None and not each.may_be_there]
