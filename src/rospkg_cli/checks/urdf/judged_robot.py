@@ -9,7 +9,9 @@ from ...package.urdf.robot_file import RobotFile
 from ..fault import Fault, once_each, softer
 from ..older_distribution import OlderDistribution
 from .expanded_robots import ExpandedRobots
+from .given_prefixes import gives_text
 from .launched_robots import LaunchedRobots
+from .lost_prefix import EMPTY, UNLESS, UNLESS_EMPTY
 from .macro_prefix import prefix_faults
 from .opened_robots import OpenedRobots
 from .validation import VAIN, robot_faults
@@ -17,6 +19,7 @@ from .xacro_calls import XacroCalls, ancestors
 from .xacro_problems import of_one_parameter
 from .xacro_slips import MUST_BE_GIVEN
 
+PREFIX = regex(r"the prefix of `\$\{\s*(\w+)")
 IN_GAZEBO = regex(r"(?:gazebo|gz|ign)_ros2_control/")
 
 
@@ -59,7 +62,19 @@ class JudgedRobot:
             return replace(fault, level="info")
         if self.is_idle or (not self.launched.has(self.robot.path) and may_be_elsewhere(fault)):
             return softer(fault, "info", "as soon as something opens this robot")
-        return replace(fault, level="warning")
+        return self.without_prefix(fault) if UNLESS in fault.message else replace(fault, level="warning")
+
+    def without_prefix(self, fault: Fault) -> Fault:
+        """Return a lost prefix as a warning only where a call of the macro gives one."""
+        around = list(ancestors(self.robot.document.root, fault.span))
+        macro = next((each for each in reversed(around) if each.tag == "xacro:macro"), None)
+        parameter = PREFIX.search(fault.message)
+        if macro is None or parameter is None:
+            return replace(fault, level="info")
+        near = self.calls.including(self.robot.path.rpartition("/")[2])
+        given = gives_text(macro, parameter[1], near, self.calls.texts)
+        said = fault.message if given is not False else fault.message.replace(UNLESS_EMPTY, EMPTY)
+        return replace(fault, level="warning" if given else "info", message=said)
 
     @property
     def is_simulated(self) -> bool:

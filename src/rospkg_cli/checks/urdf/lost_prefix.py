@@ -12,6 +12,9 @@ from .expanded_places import Found, own_place
 
 PREFIX = regex(r"\$\{[^{}]+\}")
 """What is not known of a name, as it is written."""
+UNLESS = ", unless the prefix of "
+UNLESS_EMPTY, EMPTY = " is empty: ", " is empty, as it is in each call here: "
+"""What is said of a prefix that may be empty, and of one that is."""
 
 
 def lost_prefix(given: Given, names: frozenset[str], taken: frozenset[str]) -> str:
@@ -28,5 +31,5 @@ def without_prefix(node: Node, given: Given, meant: str, kind: str) -> Iterator[
     name = shown(given.value)
     place = own_place(node, given.span, name)
     if place is not None:
-        message = f"no {kind} is called `{name}`, unless the prefix of `{meant}` is empty: write `{meant}`"
+        message = f"no {kind} is called `{name}`{UNLESS}`{meant}`{UNLESS_EMPTY}write `{meant}`"
         yield place[0].path, Fault(place[1], message, "warning")

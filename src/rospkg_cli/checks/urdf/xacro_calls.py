@@ -134,6 +134,10 @@ class XacroCalls:
             found.update(match.group(1) for match in INSERTED.finditer(text))
         return found
 
+    def including(self, name: str) -> tuple[str, ...]:
+        """Return the texts that may include a file of a name."""
+        return tuple(text for text in self.texts if may_include(text, name))
+
     @cached_property
     def texts(self) -> tuple[str, ...]:
         paths = (path for path in self.files.paths if path.endswith((".xacro", ".urdf", ".xml")))

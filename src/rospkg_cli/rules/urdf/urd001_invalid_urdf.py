@@ -101,13 +101,13 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     transmission or an SRDF. A macro is expanded only where it is called, a property evaluated only where `${…}` reads
     it, what is in `<xacro:if>` only for some: there the level is lower. Where a file may be a part of a robot, or
     something that it includes is not here, names that it lacks are reported only where a near one is there, or one with
-    a prefix (`${prefix}hand` for `hand`) that is no joint's child. What a macro takes is not known behind an include of
-    a computed name (`${type}.urdf.xacro`), where a file of the package that it may be defines it again. A fault is an
-    error only where a launch file of the workspace names the robot, or one that includes it. Of a robot that no launch
-    file, code or command of a page names, it is an info, if its package has or opens others, does not install it, or
-    others name the package; so it is in a folder such as `old/`. Joints of a `<ros2_control>` that the robot lacks are
-    one where pages and scripts name Humble or older ones alone and no plugin for Gazebo moves them, and an argument
-    that is its own default where no launch file is known to leave it out.
+    a prefix (`${prefix}hand` for `hand`) that is no joint's child; that is a warning only where a call gives one. What
+    a macro takes is not known behind an include of a computed name (`${type}.urdf.xacro`), where a file of the package
+    that it may be defines it again. A fault is an error only where a launch file of the workspace names the robot, or
+    one that includes it. Of a robot that no launch file, code or command of a page names, it is an info, if its package
+    has or opens others, does not install it, or others name the package; so it is in a folder such as `old/`. Joints of
+    a `<ros2_control>` that the robot lacks are one where pages and scripts name Humble or older ones alone and no
+    plugin for Gazebo moves them, and an argument that is its own default where no launch file is known to leave it out.
 
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py
