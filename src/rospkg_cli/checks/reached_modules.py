@@ -6,6 +6,7 @@ import re
 from functools import cached_property
 
 from ..languages.python.file import Import, PythonFile
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import Role, role_of
 from ..package.install_table import InstallTable
@@ -19,6 +20,7 @@ PAGES = (".md", ".rst", ".sh")
 
 PROSE = (".md", ".rst")
 """Files in which a `#` begins no comment."""
+SCRIPTS = regex(r"\bscripts\s*=")
 NAMING = (".py", ".cfg", ".toml", ".xml", ".yaml", ".yml", ".urdf", ".xacro", ".txt", ".launch")
 """Files that name modules: entry points, plugins, launch files."""
 
@@ -88,7 +90,19 @@ class ReachedModules:
         name, module = re.escape(path.rpartition("/")[2]), re.escape(self.installed.names[path])
         word = re.compile(rf"(?<!\w)(?:{name}|{module})(?!\w)")  # `my_pkg.dot` is not named by `my_pkg.dot_qt`
         pages = (each for each in self.installed.files.paths if each.endswith((*PAGES, *NAMING)))
-        return not any(self.names(each, word) for each in pages if each != path)
+        others = {path, "setup.py"} if path in self.put_beside else {path}
+        return not any(self.names(each, word) for each in pages if each not in others)
+
+    @cached_property
+    def put_beside(self) -> frozenset[str]:
+        """The modules that `data_files` puts beside the programs as well, for these to import: no one starts them so.
+
+        What `scripts` names is a program.
+        """
+        if SCRIPTS.search(self.installed.files.readable_text("setup.py")):
+            return frozenset()
+        rows = (row for row in self.table.of("executable") if row.path == "setup.py" and not row.entry)
+        return frozenset(row.source for row in rows if row.source in self.installed.names)
 
     def names(self, path: str, word: re.Pattern[str]) -> bool:
         """Return whether a text names a module; a comment of code or of a list does not."""

@@ -91,7 +91,7 @@ class ReachedPlaces:
         """Return where the names stand that a program or a module reads whenever it is started or imported."""
         module, rows = self.installed.names.get(file.path, ""), [*self.table.of("executable")]
         is_program = any(row.source == file.path and not row.entry for row in rows)
-        is_started = is_program or module in self.reached.started
+        is_started = (is_program or module in self.reached.started) and not self.reached.is_left(file.path)
         if not is_started or self.reached.is_optional(file.path) or self.is_unwanted(file):
             return frozenset()
         entries = [row.entry.partition(":")[2] for row in rows if row.entry.partition(":")[0] == module]
