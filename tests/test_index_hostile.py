@@ -70,7 +70,7 @@ def test_malicious_data_is_one_sentence_and_the_old_names_stay(
 PLAIN = [
     FILES["rosdep/base.yaml"],
     FILES["humble/distribution.yaml"],
-    "a: &a {k: 1, j: [x, y]}\nb: {<<: *a, k: 3}\nc: {<<: [*a, {j: 2, z: 0}], <<: {z: 1}}\nd: *a\n",
+    "a: &a {k: 1, j: [x, y]}\nb: {<<: *a, k: 3}\nc: {<<: [*a, {j: 2, z: 0}], z: 1}\nd: *a\n",
     "'on': on\n'1': 1\nnull: ~\nf: 1.5\nd: 2020-01-01\nx: 0x1f\no: 010\ns: 1:30\nm: !!map {a: !!str 1}\nq: ! on\n",
     "a: |\n  text\nb: >-\n  more\n? key\n: value\nlist: [<<, =]\n",
     "",
@@ -88,6 +88,12 @@ def test_plain_yaml_says_what_pyyaml_says(text: str) -> None:
             plain_yaml.plain_yaml(text.encode())
         return
     assert plain_yaml.plain_yaml(text.encode()) == expected
+
+
+def test_of_several_merge_keys_the_first_wins() -> None:
+    """PyYAML says so since 6.0.4; before, the last one won."""
+    found = plain_yaml.plain_yaml(b"a: {<<: [{k: 1}, {k: 2, z: 0}], <<: {z: 1, y: 3}}")
+    assert found == {"a": {"k": 1, "z": 0, "y": 3}}
 
 
 def test_no_more_is_kept_than_the_bounds_say(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,6 +11,10 @@ from typing import Any
 MAX_DEPTH = 50
 """rosdep's lists have six levels, distribution files five."""
 
+TOO_DEEP = f"it is nested deeper than {MAX_DEPTH} levels"
+LIBYAML_DEPTH = "exceeded maximum nesting depth"
+"""What libyaml says since 0.2.6, of 1,000 levels: it looks ahead, so that it may be the first to see them."""
+
 MAX_VALUES = 1_000_000
 """Scalars, lists and mappings with all that aliases stand for; the largest of rosdistro's files has about 60,000."""
 
@@ -63,8 +67,8 @@ class Open:
         sources = value if isinstance(value, list) else [value]
         if not all(isinstance(each, dict) for each in sources):
             raise YamlError("what is merged is no mapping")
-        for each in reversed(sources):
-            self.merged.update(each)
+        for each in sources:  # the first one that has a key gives its value
+            self.merged = {**each, **self.merged}
         return sum(map(len, sources))
 
     def ended(self) -> Any:
@@ -99,7 +103,7 @@ class PlainBuilder:
             self.put(value, None, size, False)
         elif name in ("SequenceStartEvent", "MappingStartEvent"):
             if len(self.open) >= MAX_DEPTH:
-                raise YamlError(f"it is nested deeper than {MAX_DEPTH} levels")
+                raise YamlError(TOO_DEEP)
             kind = list if name == "SequenceStartEvent" else dict
             self.open.append(Open(event.tag, kind, event.anchor, self.count))
             self.add(1)
@@ -152,6 +156,8 @@ def plain_yaml(data: bytes) -> Any:
         raise YamlError(str(error), mark.line + 1 if mark else None) from None
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
+        if getattr(error, "problem", "") == LIBYAML_DEPTH:
+            raise YamlError(TOO_DEEP, mark.line + 1 if mark else None) from None
         raise YamlError("it is not YAML", mark.line + 1 if mark else None, is_syntax=True) from None
     except (ArithmeticError, LookupError, TypeError, ValueError):  # dates and numbers that are none
         raise YamlError("it is not YAML", event.start_mark.line + 1 if event else None, is_syntax=True) from None
