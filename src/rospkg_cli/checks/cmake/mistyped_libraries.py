@@ -19,6 +19,7 @@ SHORTEST = 5
 """Letters of a name that can be told from another one."""
 SHORT = 8
 """Letters of a name from which two may be wrong."""
+FOLDERS = ("link_directories", "target_link_directories")
 SEARCHES = ("find_library", "pkg_check_modules", "pkg_search_module")
 
 
@@ -33,7 +34,7 @@ class MistypedLibraries:
         """
         if not self.cmake.is_complete:
             return
-        unclear = self.cmake.reads_unknown_files or UNKNOWN in self.named
+        unclear = self.cmake.reads_unknown_files or UNKNOWN in self.named or self.may_be_elsewhere
         seen: set[tuple[str, int, str]] = set()
         for link in TargetLinks(self.cmake).all:
             word = link.word
@@ -43,6 +44,8 @@ class MistypedLibraries:
                 continue
             seen.add(key)
             near = self.nearest(word.text) if word.text not in self.named else None
+            if near == link.target:  # no target is linked with itself: the library lies elsewhere
+                continue
             if near is not None and (not maybe or is_clear_slip(word.text, near)):
                 yield word, near, not maybe
 
@@ -57,6 +60,11 @@ class MistypedLibraries:
     def is_file(self, name: str) -> bool:
         """Return whether the package brings a library of that name, already built."""
         return any(path.rpartition("/")[2].startswith(f"lib{name}.") for path in self.cmake.package_files.paths)
+
+    @property
+    def may_be_elsewhere(self) -> bool:
+        """Whether the linker is told of a folder that may hold libraries which nothing here builds."""
+        return any(True for _ in self.cmake.named(*FOLDERS))
 
     @cached_property
     def libraries(self) -> frozenset[str]:

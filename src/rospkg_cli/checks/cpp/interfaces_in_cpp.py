@@ -18,6 +18,7 @@ from ...suggest import near_names
 from ..depends.compiled_sources import compiled_sources, harm_in, only_under_conditions
 from ..fault import Level
 from ..interfaces.known_interfaces import KnownInterfaces, base_name
+from .installed_headers import is_installed_header
 
 HEADER = regex(r"([a-z]\w*)/(msg|srv|action)/(\w+)\.(?:hpp|h)")
 TYPE = regex(r"(?<!\w)(?<!\w::)([a-z]\w*)::(msg|srv|action)::([A-Z]\w*)")
@@ -77,6 +78,8 @@ class InterfacesInCpp:
             near = self.as_generated(package, name, lowered, each.path)
             if (not names and not near) or name in lowered or self.is_own_header(each.path):
                 continue
+            if is_installed_header(each.path, self.known.workspace):
+                continue  # beside the generated ones
             near = near or near_names(name, lowered, 2 if self.known.is_here(package) else 1)
             if near or self.known.is_here(package):
                 meant = f"{package}/{kind}/{near[0]}.{each.path.rpartition('.')[2]}" if near else ""

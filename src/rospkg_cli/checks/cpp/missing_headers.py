@@ -18,6 +18,7 @@ from ...source import Span
 from ...suggest import near_names, nearest
 from ..depends.compiled_sources import compiled_sources, harm_in, only_under_conditions, own_compiled
 from ..fault import Level
+from .installed_headers import is_installed_header
 
 MADE = (".pb.h", ".pb.hpp", "_generated.h")
 """What compilers of protobuf and flatbuffers write: by hand too, into folders that git ignores."""
@@ -82,16 +83,10 @@ class MissingHeaders:
         return (folder, meant) if meant or (not is_open and self.has_all(facts, folder)) else None
 
     def is_there(self, header: str) -> bool:
-        """Return whether a file of the package ends with the path, or a package of the workspace has the header.
-
-        rosidl lets those who use a package of interfaces look in `include/<package>` as well.
-        """
+        """Return whether a file of the package ends with the path, or a package of the workspace has the header."""
         ends = self.by_name.get(posixpath.basename(header), ())
         wanted = f"/{posixpath.normpath(header)}"
-        if any(f"/{path}".endswith(wanted) for path in ends) or self.workspace.having("header_files", header):
-            return True
-        folder = header.partition("/")[0]
-        return any(facts.name == folder for facts in self.workspace.having("header_files", f"{folder}/{header}"))
+        return any(f"/{path}".endswith(wanted) for path in ends) or is_installed_header(header, self.workspace)
 
     def knows_own(self, header: str) -> bool:
         """Return whether the build makes no header of that name, and no folder of git or a submodule lacks it."""
