@@ -10,7 +10,7 @@ from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import Role, role_of
 from ..package.install_table import InstallTable
-from ..package.launch.text import uncommented
+from ..package.launch.live_text import live_text
 from .home_path_texts import without_comments
 from .installed_modules import InstalledModules
 from .run_imports import RunImports
@@ -109,7 +109,7 @@ class ReachedModules:
         text = self.installed.files.readable_text(path)
         if path.endswith(PROSE) or not word.search(text):
             return bool(word.search(text))
-        bare = without_comments(path, text) if path.endswith(".py") else uncommented(path, text)
+        bare = without_comments(path, text) if path.endswith(".py") else live_text(self.installed.files, path)
         return bool(word.search(bare))
 
     def is_for_launch(self, path: str) -> bool:

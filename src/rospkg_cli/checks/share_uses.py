@@ -21,9 +21,6 @@ CODE = (*CPP, ".py", ".xml", ".yaml", ".yml", ".urdf", ".xacro", ".sdf", ".world
         ".rviz", ".launch")  # fmt: skip
 """The files that may open something at run time."""
 
-FOR_ROS1 = regex(r"(?s)<launch\b.*?\$\((?:find|arg)\s")
-"""A launch file that only roslaunch takes: it opens nothing in ROS 2."""
-
 BY_PATH = regex(r"\b(?:ros2[ \t]+launch|python3?)[ \t]+([^\s`\"']+)")
 """A launch file that is started where it lies: behind `ros2 launch` stands no package."""
 
@@ -92,8 +89,7 @@ class ShareUses:
         paths = (path for path in self.files.paths if path.endswith(CODE) and role_of(path) not in ("test", "aside"))
         paths = (path for path in paths if path.partition("/")[0] not in self.absent)
         files = self.files
-        bare = (files.readable_text(path) if path.endswith(CPP) else live_text(files, path) for path in paths)
-        return tuple(text for text in bare if not FOR_ROS1.search(text))
+        return tuple(files.readable_text(path) if path.endswith(CPP) else live_text(files, path) for path in paths)
 
     @cached_property
     def readmes(self) -> tuple[str, ...]:

@@ -9,9 +9,14 @@ from functools import cached_property
 from ..files import PackageFiles
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
+from ..package.launch.live_text import live_text
+from .home_path_texts import without_comments
 
 NAMING = (".py", ".cfg", ".toml", ".txt", ".cmake", ".xml", ".launch", ".yaml", ".yml", ".json", ".sh")
 """Files that may name a module, beside those whose texts only tell of it."""
+
+
+BINDING = (".py", ".cfg", ".toml")
 
 
 @dataclass(frozen=True)
@@ -21,8 +26,21 @@ class StartedTexts:
     def named(self, path: str, others: Iterator[str]) -> Iterator[str]:
         """Yield those of some files that name a Python file or its module."""
         stem = re.escape(path.rpartition("/")[2].partition(".")[0])
-        named = re.compile(rf"(?<![\w.-]){stem}(?!\w)|\.{stem}\b")
-        return (each for each in others if each != path and named.search(self.files.readable_text(each)))
+        word = re.compile(rf"(?<![\w.-]){stem}(?!\w)|\.{stem}\b")
+        # where names are bound, those of variables and of entry points may be the same word
+        is_entry = re.search(rf"\b{stem}\s*=", self.files.readable_text("setup.py")) is not None
+        quoted = "" if is_entry else rf"|[\"']{stem}[\"']"
+        module = re.compile(rf"\.{stem}\b|\b{stem}\.py\b{quoted}|\b(?:import|from)\b[^\n]*\b{stem}\b")
+        for each in others:
+            named = module if each.endswith(BINDING) else word
+            if each != path and named.search(self.code(each)):
+                yield each
+
+    def code(self, path: str) -> str:
+        """Return a text without what is said in it: comments, and strings of Python that stand alone."""
+        is_plain = path.endswith(".py") and role_of(path) != "launch"
+        text = self.files.readable_text(path) if is_plain else ""
+        return without_comments(path, text) if is_plain else live_text(self.files, path)
 
     def is_named(self, path: str) -> bool:
         """Return whether another file names a Python file."""

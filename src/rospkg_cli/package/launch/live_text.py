@@ -1,4 +1,7 @@
-"""What a launch file says in what it does: without comments, and without actions that it makes and never adds."""
+"""What a launch file says in what it does: without comments, and without actions that it makes and never adds.
+
+One for ROS 1 does nothing.
+"""
 
 from __future__ import annotations
 
@@ -7,9 +10,14 @@ import contextlib
 from ...files import PackageFiles
 from ...languages.python.file import PythonFile, parse_python
 from ...languages.python.unread_values import never_added
+from ...lazy_regex import regex
 from ...unreadable import UnreadableError
 from .text import uncommented
 from .uncalled_functions import ENTRY, uncalled_functions
+
+MARKUP = (".launch", ".xml")
+OF_ROS1 = regex(r"<node\b[^>]*\btype\s*=|\$\((?:find|arg)\s")
+OF_ROS2 = regex(r"<node\b[^>]*\bexec\s*=|\$\((?:var|find-pkg-share)\s")
 
 
 def live_text(files: PackageFiles, path: str) -> str:
@@ -18,6 +26,8 @@ def live_text(files: PackageFiles, path: str) -> str:
     A node that is taken out of the launch description leaves the paths of its files behind, which nothing opens.
     """
     text = files.readable_text(path)
+    if path.endswith(MARKUP) and is_for_ros1(text):
+        return ""
     if path.endswith(".py") and ENTRY in text:
         with contextlib.suppress(UnreadableError):  # another rule tells of it
             text = without_unread(parse_python(files.source(path)))
@@ -30,3 +40,9 @@ def without_unread(file: PythonFile) -> str:
     for span in sorted((*never_added(file), *uncalled_functions(file)), key=lambda each: each.start):
         kept, at = kept + text[at : span.start], max(at, span.end)
     return kept + text[at:]
+
+
+def is_for_ros1(text: str) -> bool:
+    """Return whether a text is a launch file that only roslaunch takes."""
+    bare = uncommented(".launch", text) if "<launch" in text else ""
+    return OF_ROS1.search(bare) is not None and OF_ROS2.search(bare) is None
