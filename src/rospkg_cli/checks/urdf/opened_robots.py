@@ -14,6 +14,7 @@ from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_words import may_be_made, words_of
 from ...package.workspace import Workspace
+from ..yaml_elsewhere import is_named_yaml
 
 ROBOTS = (".urdf", ".xacro", ".sdf", ".world")
 OPENERS = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h", ".sh", ".md", ".rst", ".txt")
@@ -24,6 +25,8 @@ PAGES = (".md", ".rst", ".txt")
 LETTERS = regex(r"[^\W\d_]{2}")
 COMMAND = r"(?:\b(?:ros2|xacro\w*|check_urdf|urdf_to_\w+|rviz2?|gz|gazebo|ign|python3?)[\s(]|:=)"
 """What stands in a line of a page that tells how to open a robot; others only tell that it is there."""
+LOOKS = "MoveItConfigsBuilder"
+"""MoveIt looks for the robot by its name alone."""
 INCLUDE = regex(r"(?m)^[ \t]*#[ \t]*include\b.*")
 DOCSTRING = regex(r"\A(?:\s|#[^\n]*\n)*[ru]?(\"{3}|'{3})[\s\S]*?\1")
 
@@ -40,8 +43,25 @@ class OpenedRobots:
         Robots name files in full; launch files and code often put the suffix behind a name, which then has letters:
         `1` stands everywhere.
         """
+        if self.is_other_copy(path):
+            return False
         may_be = not self.is_copy(path) and (self.is_put_together(path) or self.is_named_elsewhere(path))
         return may_be or self.is_named(path)
+
+    def is_other_copy(self, path: str) -> bool:
+        """Return whether texts name a file of this name with the folder of another copy, and none with this one's."""
+        copies = [each for each in self.files.paths if each.rpartition("/")[2] == path.rpartition("/")[2]]
+        return len(copies) > 1 and not self.is_named_in_folder(path) and any(map(self.is_named_in_folder, copies))
+
+    def is_named_in_folder(self, path: str) -> bool:
+        """Return whether a text, of this package or another, names a file together with the folder it lies in."""
+        folder, _, name = path.rpartition("/")
+        last = folder.rpartition("/")[2]
+        in_parts = re.compile(rf"(?<![\w.]){re.escape(last)}[\"'/,\s]+{re.escape(name)}(?![\w.])")
+        if not last or any(in_parts.search(text) for other, text in self.texts if other != path):
+            return bool(last)
+        others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
+        return any({last, name} <= words for facts in others for words in facts.robot_words)
 
     def is_surely_named(self, path: str) -> bool:
         """Return whether a text of the package names a file, or one of another that names the package as well.
@@ -80,13 +100,13 @@ class OpenedRobots:
         name = path.rpartition("/")[2]
         word, full, is_copy = re.escape(name.partition(".")[0]), f"{re.escape(name)}{ENDS}", self.is_copy(path)
         before = r"(?<![\w./-])" if is_copy else ""  # what names the other has a folder before it
-        ends = rf"(?:[\"'/]|\.{self.but_others(name)})"
+        ends = rf"(?:[\"']|\.{self.but_others(name)})"  # behind a slash it is a folder
         stem = re.compile(rf"[\"'{'' if is_copy else '/'}]{word}{ends}|{before}{full}")
         plain = re.compile(rf"{before}(?<![\w.-]){word}(?![\w-])|{before}{full}")
         typed = re.compile(rf"^(?=.*{COMMAND}).*{before}{full}", re.MULTILINE)
         for other, text in self.texts:
             how = plain if other.endswith((".yaml", ".yml")) else typed if other.endswith(PAGES) else stem
-            in_full = other.endswith(ROBOTS) or not LETTERS.search(word)
+            in_full = other.endswith(ROBOTS) or not LETTERS.search(word) or not may_end(other, text, name)
             how = re.compile(before + full) if in_full else how
             is_beside = not is_copy or "/" not in other or not other.endswith(PAGES)
             is_beside = is_beside and not any(has_folders(each, text) for each in self.deeper(path))
@@ -109,11 +129,18 @@ class OpenedRobots:
             stem = name  # the word alone is a package
         for facts in self.workspace.packages:
             for words in facts.robot_words if facts.name != own else ():
-                if own in words and (stem in words or may_be_made(name, words)):
+                is_stem = stem in words and not self.names_another(words, name)
+                if own in words and (is_stem or may_be_made(name, words)):
                     return True
-                if stem in words and not any(other in words for other in self.having(name)):
+                if is_stem and not any(other in words for other in self.having(name)):
                     return True
         return False
+
+    def names_another(self, words: frozenset[str], name: str) -> bool:
+        """Return whether words name another file of this stem, as `arm.urdf` beside `arm.sdf`, and not this one."""
+        stem = name.partition(".")[0]
+        others = {each.rpartition("/")[2] for each in self.files.paths} - {name}
+        return name not in words and any(each in words for each in others if each.partition(".")[0] == stem)
 
     def having(self, name: str) -> list[str]:
         """Return the other packages that have a file of a name."""
@@ -161,7 +188,18 @@ class OpenedRobots:
             (path, self.read(path))
             for path in self.files.paths
             if path.endswith(ROBOTS + OPENERS) and path != "package.xml" and role_of(path) not in ("test", "aside")
+            if self.is_read(path)
         )
+
+    def is_read(self, path: str) -> bool:
+        """Return whether a file is no YAML, or one that something may give to a node: another opens no robot."""
+        is_yaml = path.endswith((".yaml", ".yml")) and role_of(path) != "launch"
+        return not is_yaml or is_named_yaml(path, self.package, self.workspace)
+
+
+def may_end(path: str, text: str, name: str) -> bool:
+    """Return whether code may put a suffix behind the name of a robot, which may be a name in Gazebo as well."""
+    return not path.endswith(".py") or LOOKS in text or may_be_made(name, words_of(text))
 
 
 def has_folders(folder: str, text: str) -> bool:
