@@ -49,7 +49,9 @@ FILES = {
         "ament_cmake",
         "top_pkg",
     ).replace("MINE", "my_pkg"),
-    "top_pkg/CMakeLists.txt": "project(top_pkg)\nament_package()\n",
+    "top_pkg/CMakeLists.txt": (
+        "project(top_pkg)\ninstall(DIRECTORY launch DESTINATION share/top_pkg)\nament_package()\n"
+    ),
     "top_pkg/launch/top.launch.xml": LAUNCH,
     "top_pkg/launch/near.launch.xml": "<launch/>\n",
     "part_pkg/package.xml": manifest("  <member_of_group>parts</member_of_group>\n", "ament_cmake", "part_pkg"),

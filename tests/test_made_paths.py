@@ -80,7 +80,7 @@ def test_what_git_ignores_and_empty_submodules_are_expected() -> None:
 @pytest.mark.parametrize(
     ("condition", "expected"),
     [
-        ("WIN32", [Severity.WARNING]),
+        ("WIN32", [Severity.INFO]),
         ("SOMETHING", [Severity.WARNING]),
         (f"EXISTS {HERE}/src/other.cpp", []),
         ("$ENV{ROS_VERSION} EQUAL 1", []),

@@ -94,6 +94,10 @@ def test_git_must_be_able_to_bring_it_back(workspace: Path) -> None:
 def test_what_a_computed_name_hides_is_refused(workspace: Path) -> None:
     launch = workspace / "src/other/launch/up.launch.py"
     launch.parent.mkdir()
+    installed = "data_files=[('share/other/launch', ['launch/up.launch.py'])]"
+    (launch.parents[1] / "setup.py").write_text(
+        f"from setuptools import setup\n\nsetup(name='other', version='1.0.0', {installed})\n"
+    )
     launch.write_text(
         "from launch_ros.actions import Node\n\n\ndef generate_launch_description():\n"
         "    owner = 'old_' 'name'\n    return [Node(package=owner, executable='drive')]  # old_name\n"

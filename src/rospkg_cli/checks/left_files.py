@@ -12,6 +12,9 @@ from ..languages.cpp.file import CppFile
 from ..light_dataclasses import dataclass
 from ..package.cmake.cmake_project import CMake
 from ..package.install_table import InstallKind, InstallTable
+from ..package.launch.live_text import live_text
+from ..package.package_facts import PackageFacts
+from ..package.workspace import Workspace
 from ..unreadable import READABLE
 from .depends.compiled_sources import sources_by_use
 from .home_path_texts import CPP, MARKUP
@@ -26,6 +29,8 @@ BESIDE = ("CMakeLists.txt", ".cmake", "Makefile")
 @dataclass(frozen=True)
 class LeftFiles:
     files: PackageFiles
+    package: PackageFacts
+    workspace: Workspace
     table: InstallTable | None = None
     reached: ReachedModules | None = None
     cmake: CMake | None = None
@@ -35,11 +40,16 @@ class LeftFiles:
         """Return whether nothing that is known compiles, installs, imports, starts or names a file."""
         if path.endswith(CPP):
             return self.is_uncompiled(path)
-        if not path.endswith((".py", *MARKUP)) or is_collected(path):
+        if not path.endswith((".py", *MARKUP)) or path == "setup.py" or is_collected(path):
             return False
         if path.endswith(".py") and self.reached is not None and self.reached.is_left(path):
-            return True
+            return not self.is_for_others
         return self.is_uninstalled(path) and not self.is_named(path)
+
+    @cached_property
+    def is_for_others(self) -> bool:
+        """Whether a package that needs this one has modules, which may import those of this one."""
+        return any(each.modules for each in self.workspace.needing(self.package.name))
 
     def is_uncompiled(self, path: str) -> bool:
         """Return whether no target compiles a source, nor a file that includes it, beside others that are compiled."""
@@ -56,12 +66,16 @@ class LeftFiles:
     def installed(self) -> frozenset[str]:
         return frozenset(row.source for row in self.table.rows) if self.table is not None else frozenset()
 
+    def live(self, path: str) -> str:
+        """Return what a file says: a page in all its text, any other file without comments."""
+        return self.files.readable_text(path) if path.endswith(PAGES) else live_text(self.files, path)
+
     def is_named(self, path: str) -> bool:
         """Return whether another file, of the package or of what builds the repository, has the name of a file."""
         name = posixpath.basename(path)
         stem = re.escape(name.removesuffix(".py"))
         word = re.compile(rf"(?<![\w-]){re.escape(name)}(?!\w)|\b(?:import|from)\b[^\n]*(?<!\w){stem}(?!\w)")
         paths = (each for each in self.files.paths if each != path and each.endswith((*PAGES, *NAMING, *BESIDE)))
-        if any(word.search(self.files.readable_text(each)) for each in paths):
+        if any(word.search(self.files.readable_text(each)) and word.search(self.live(each)) for each in paths):
             return True
         return any(map(word.search, build_texts(self.files)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import PurePosixPath
 from typing import Any
 
@@ -16,11 +17,18 @@ from ...unreadable import UnreadableError
 
 OF_RUNS = ("DEP", "LCH", "PRM", "URD", "IDL010", "IDL011")
 """Families about launches and runs, and about machines that others install packages on, and rules about Python."""
+IN_USE = (*OF_RUNS, "PLG", "IDL012", "CMK201", "RPK001")
+"""Families and rules about code, launch files and what these open: nobody meets their faults in a file that is left."""
+UNLED = "; nothing here leads to this file"
 AT_RUN_TIME = ("DEP109", "DEP110")
 """Rules about imports: their errors do not stop a build."""
 OPENED = ("PRM", "URD", "IDL010", "IDL011")
 """Those about files that launch files open, or others import, by their names."""
 BUILD_FILES = ("package.xml", "CMakeLists.txt", "setup.py", ".cmake")
+
+
+def nothing_is_left(_: str) -> bool:
+    return False
 
 
 @dataclass
@@ -30,6 +38,8 @@ class FindingBuilder:
     files: PackageFiles
     whole: PackageFiles
     package: str
+    is_left: Callable[[str], bool]
+    """Whether nothing of the package leads to a file, by its path in the package."""
 
     @property
     def crash_path(self) -> str:
@@ -61,11 +71,13 @@ class FindingBuilder:
 
     def build(self, rule: Rule[Any], hit: Hit) -> Finding:
         place, source = self.place(hit.path, hit.span), self.source(hit.path)
+        level = self.level(rule.code, hit.level or rule.severity, hit.path)
+        is_unled = level is not Severity.INFO and rule.code.startswith(IN_USE) and self.is_left(hit.path)
         return Finding(
             code=rule.code,
             name=rule.name,
-            severity=self.level(rule.code, hit.level or rule.severity, hit.path),
-            message=hit.message,
+            severity=Severity.INFO if is_unled else level,
+            message=hit.message + UNLED if is_unled else hit.message,
             location=place,
             package=self.package_of(hit.path),
             excerpt=source.slice(source.line_span(place.line)),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
+from functools import partial
 from zlib import crc32
 
 from ...disk import DiskTree
@@ -134,10 +135,11 @@ class Worker:
         seen = RecordedWorkspace(view, folder) if self.is_recorded or self.notes_questions else view
         whole = PackageFiles(package.files.whole or self.tree)
         facts = workspace.at(folder)
-        builder = FindingBuilder(package.files, whole, facts.name)
+        inputs = self.inputs(package, seen)
+        builder = FindingBuilder(package.files, whole, facts.name, partial(is_left, inputs))
         fitting = (code for code in codes if not (facts.is_for_ros1 and code.startswith(OF_ROS_2)))
         rules = [rule_by_code(code) for code in fitting if has_inputs(code, package)]
-        results = list(run_rules(self.inputs(package, seen), rules, builder))
+        results = list(run_rules(inputs, rules, builder))
         results += reader_crashes(package, builder.package, builder.crash_path)
         findings = tuple(r for r in results if isinstance(r, Finding))
         crashes = tuple(r for r in results if isinstance(r, RuleCrash))
@@ -149,6 +151,13 @@ class Worker:
             self.questions[folder] = noted
             self.checked |= observed_in(folder, package, noted)
         return PackageResults(folder, findings, crashes, suppressions, len(package.files.paths), checksums)
+
+
+def is_left(inputs: InputsOf, path: str) -> bool:
+    """Return whether nothing of a package leads to a file; imported where a finding needs it."""
+    from ...checks.left_files import LeftFiles
+
+    return any(each.has(path) for each in inputs(LeftFiles))
 
 
 def observed_in(folder: str, package: Package, noted: frozenset[Question] = frozenset()) -> dict[str, Observed]:
