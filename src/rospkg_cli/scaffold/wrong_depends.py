@@ -39,4 +39,4 @@ def corrected(asked: tuple[str, ...], wrong: Mapping[str, Finding]) -> str:
 def names_of(finding: Finding) -> list[str]:
     """Return the name that a finding would write, none where nothing is needed."""
     operations = finding.fix.operations if finding.fix else ()
-    return [each.text for each in operations[:1] if isinstance(each, Edit)]
+    return [each.text for each in operations[:1] if isinstance(each, Edit) and each.text]

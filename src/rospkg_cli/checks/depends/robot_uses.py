@@ -162,7 +162,7 @@ class RobotUses:
             if name is not None and name not in self.available and name not in TOOLS:
                 is_optional = not use.path.endswith((".yaml", ".yml")) or not self.loads_plugins
                 is_optional = is_optional or name in LOADED_BY_OWN or not self.parameters.may_have(use.path)
-                is_optional = is_optional or self.is_passed_over(use) or not use.is_listed
+                is_optional = is_optional or self.is_passed_over(use) or not (use.is_listed or self.is_needed)
                 usage, consequence = f"and its plugin `{use.name}` is named here", "the node can't load it"
                 yield name, RobotUse(use.path, use.span, usage, consequence, is_optional)
 
@@ -175,12 +175,16 @@ class RobotUses:
         if is_commented_out(text, use.span.start):
             return True
         own = block_of(text, use.span.start)
-        is_open = self.declared.workspace.is_needed(self.declared.facts.name)
-        if own is None or is_open or self.parameters.is_spawned(own):
+        if own is None or self.is_needed or self.parameters.is_spawned(own):
             return False
         if not self.parameters.may_spawn:
             return True
         return any(self.parameters.is_spawned(name) for name in types_beside(text, own))
+
+    @cached_property
+    def is_needed(self) -> bool:
+        """Whether another package of the workspace depends on this one: it may spawn what is not spawned here."""
+        return self.declared.workspace.is_needed(self.declared.facts.name)
 
     def package_of(self, use: PluginUse) -> str | None:
         """Return the package of a plugin; None for what may be the name of something else."""
