@@ -44,7 +44,10 @@ FILES = {"src/core.cpp": "int core() {return 1;}\n", "include/my_pkg/core.hpp": 
     "headers-not-installed",
     over=ExportedHeaders,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "no library is exported, or one of plugins or components, and no package here builds on it"},
+    levels={
+        Severity.INFO: "no library is exported, or one of plugins, components or beside programs, and no package here "
+        "includes its headers, or each that does has copies"
+    },
     examples=(
         Example(
             bad={**FILES, "CMakeLists.txt": CMAKE.replace("ament_package", LINES + "ament_package")},
@@ -72,7 +75,9 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     Where an install rule or CMake itself can't be evaluated, in `ament_auto_package()`, for a package that exports only
     plugins as targets, and as soon as one header is installed, but for one that another package includes and that has
     no CMake file that looks elsewhere. Plugins and components are loaded and not linked: an info, where no
-    package of the workspace builds against this one; so are headers in a folder that no user is told of.
+    package of the workspace builds against this one; so are headers in a folder that no user is told of, those that
+    all who build against it have as copies of their own, and those of a package with programs that nobody here builds
+    against.
     """
     cmake = exported.headers.package.cmake
     if not exported.headers.package.is_ament:
@@ -116,8 +121,7 @@ def none_installed(exported: ExportedHeaders) -> Iterator[Hit]:
         "the first `#include`; add `install(DIRECTORY include/ …)`"
     )
     fix = Fix("install the headers", (install_headers(package.cmake),))
-    level = Severity.INFO if exported.are_of_plugins else None
-    yield Hit(call.path, call.command.span, message, level, fix=fix)
+    yield Hit(call.path, call.command.span, message, None if exported.are_for_others else Severity.INFO, fix=fix)
 
 
 def misplaced(exported: ExportedHeaders) -> Iterator[Hit]:
@@ -127,11 +131,12 @@ def misplaced(exported: ExportedHeaders) -> Iterator[Hit]:
         word, place = doubled
         name = headers.package.facts.name
         message = f"the headers land in `{place}/`: who uses `{name}` stops at the first `#include`"
-        is_quiet = exported.are_of_plugins or not exported.may_be_used or not headers.exports
-        level = Severity.INFO if is_quiet and not exported.is_built_against else None
-        yield Hit(word.path, word.span, f"{message}; install `include/`, with a slash", level)
+        is_met = exported.are_needed or (bool(headers.exports) and exported.are_for_others)
+        yield Hit(
+            word.path, word.span, f"{message}; install `include/`, with a slash", None if is_met else Severity.INFO
+        )
     elif untold := ToldFolders(headers).untold():
         if not untold.told and (exported.are_of_plugins or (untold.is_shared and not exported.is_built_against)):
             return
-        level = Severity.INFO if exported.are_of_plugins or not exported.is_built_against else None
+        level = None if exported.are_needed else Severity.INFO
         yield Hit(untold.row.path, untold.row.span, not_told(untold), level)

@@ -37,7 +37,7 @@ def cmake(lines: str) -> str:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "it has no library, and a package of the workspace is built with this one",
-        Severity.INFO: "nothing makes it, in a package without headers that no other one here is built with",
+        Severity.INFO: "it is a program or nothing makes it, in a package without headers that nobody here builds with",
     },
     examples=(
         Example(
@@ -66,8 +66,8 @@ def unknown_exported_library(exported: ExportedLibraries) -> Iterator[Hit]:
 
     ## When it is quiet
     For other names, which may be libraries of the system, for those that a command of another package is given, and
-    where a file that can't be read is included. Under a condition that can't be evaluated. A library that nothing makes
-    is an info in a package without headers, unless CMake builds another one of the workspace with it.
+    where a file that can't be read is included. Under a condition that can't be evaluated. A program, or a library that
+    nothing makes, is an info in a package without headers, unless CMake builds another one of the workspace with it.
 
     ## Fix safety
     The nearest library may not be the one that was intended.
@@ -78,7 +78,8 @@ def unknown_exported_library(exported: ExportedLibraries) -> Iterator[Hit]:
         if each.near and exported.package.cmake.source_text(each.word).strip('"') == each.word.text:
             fix = Fix(f"write `{each.near}`", (Edit(each.word.path, each.word.span, each.near),), Safety.UNSAFE)
         level = Severity.ERROR if is_needed and each.kind != "unknown" else None
-        level = Severity.INFO if each.kind == "unknown" and not each.near and exported.is_idle else level
+        is_spared = exported.is_idle and not each.near and each.kind in ("unknown", "executable")
+        level = Severity.INFO if is_spared else level
         yield Hit(each.word.path, each.word.span, message(exported, each), level, fix=fix)
 
 
