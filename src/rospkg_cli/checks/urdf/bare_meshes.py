@@ -32,8 +32,14 @@ def bare_meshes(document: Document, files: PackageFiles, package: PackageFacts) 
     return found
 
 
-def without_scheme(found: dict[tuple[Span, str], str]) -> tuple[str, str]:
+def is_relative(found: dict[tuple[Span, str], str]) -> bool:
+    """Return whether Gazebo does not find one of such meshes either: it does by what xacro makes of `$(find …)`."""
+    return not all(FOUND.fullmatch(path) for _, path in found)
+
+
+def without_scheme(found: dict[tuple[Span, str], str], *, is_shown: bool) -> tuple[str, str]:
     """Return what is said of such meshes, and what to do."""
     (_, path), url = next(iter(found.items()))
     them = f"`{path}` and {len(found) - 1} more are no URLs" if len(found) > 1 else f"`{path}` is no URL"
-    return f"{them}: RViz and MoveIt take no path without a scheme, and don't find the mesh", f"write `{url}`"
+    when = "" if is_shown else ", as soon as one of them shows this robot"
+    return f"{them}: RViz and MoveIt take no path without a scheme, and don't find the mesh{when}", f"write `{url}`"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Callable, Sequence
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -28,28 +29,44 @@ class LaunchedRobots:
 
     @cached_property
     def paths(self) -> frozenset[str]:
+        return self.opened_by(self.launches, self.workspace.packages)
+
+    def opened_by(
+        self,
+        launches: Sequence[tuple[str, str]],
+        packages: Sequence[PackageFacts],
+        includes: Callable[[str, str], bool] = may_include,
+    ) -> frozenset[str]:
+        """Return the robots that some launch files of this package, or those of some packages, open.
+
+        `includes` says whether a text includes a file of a name.
+        """
         robots = {path: text for path, text in self.opened.texts if path.endswith(ROBOTS)}
-        waiting = [path for path in robots if self.is_named(path) or self.is_included_elsewhere(path)]
+        waiting = [
+            path
+            for path in robots
+            if self.is_named(path, launches, packages) or self.is_included_elsewhere(path, packages)
+        ]
         found = set(waiting)
         while waiting:
             text = robots[waiting.pop()]
-            more = [path for path in robots if path not in found and may_include(text, path.rpartition("/")[2])]
+            more = [path for path in robots if path not in found and includes(text, path.rpartition("/")[2])]
             found.update(more)
             waiting += more
         return frozenset(found)
 
-    def is_named(self, path: str) -> bool:
-        """Return whether a launch file, of this package or another one, names a robot, and no other is called so."""
+    def is_named(self, path: str, launches: Sequence[tuple[str, str]], packages: Sequence[PackageFacts]) -> bool:
+        """Return whether one of some launch files, of this package or others, names a robot, and no other is so."""
         name, own = path.rpartition("/")[2], self.package.name
         others = self.opened.having(name)
-        for _, text in self.launches:
+        for _, text in launches:
             words = words_of(text)
             is_another = own not in words and any(other in words for other in others)
             if names(words, text, name) and not is_another and self.is_this_copy(path, text):
                 return True
         return any(
             names_file(words, own, name)
-            for facts in self.workspace.packages
+            for facts in packages
             for words in (facts.robot_words if facts.name != own else ())
         )
 
@@ -65,9 +82,9 @@ class LaunchedRobots:
             return not any(has_folders(posixpath.dirname(each), text) for each in again)
         return not again or all(re.search(rf"\b{re.escape(each)}\b", text) for each in folder.split("/"))
 
-    def is_included_elsewhere(self, path: str) -> bool:
+    def is_included_elsewhere(self, path: str, packages: Sequence[PackageFacts]) -> bool:
         """Return whether a robot of another package includes a file, and a launch file opens that one."""
-        return any(self.is_reached(*each) for each in self.including(self.package.name, path))
+        return any(self.is_reached(*each, packages) for each in self.including(self.package.name, path))
 
     def including(self, package: str, path: str) -> list[tuple[str, str]]:
         """Return the files of other packages that include one: package and path."""
@@ -78,13 +95,13 @@ class LaunchedRobots:
             if owner == package and included == path
         ]
 
-    def is_reached(self, package: str, path: str) -> bool:
+    def is_reached(self, package: str, path: str, packages: Sequence[PackageFacts]) -> bool:
         """Return whether a launch file opens a file of another package, or one that includes it, in a few steps."""
         waiting, seen = [(package, path)], {(package, path)}
         while waiting:
             owner, inner = waiting.pop()
             name = inner.rpartition("/")[2]
-            for facts in self.workspace.packages:
+            for facts in packages:
                 if any(names_file(words, owner, name, is_own=facts.name == owner) for words in facts.robot_words):
                     return True
             more = [each for each in self.including(owner, inner) if each not in seen]

@@ -27,6 +27,7 @@ from .opened_robots import OpenedRobots
 from .reached_files import ReachedFiles
 from .replaced_paths import ReplacedPaths
 from .same_folder import SameFolder
+from .shown_robots import ShownRobots
 from .xacro_calls import XacroCalls, ancestors
 
 LOADS = regex(r"\bload_yaml\(\s*[\"']$")
@@ -43,6 +44,7 @@ class RobotInWorkspace:
     calls: XacroCalls
     opened: OpenedRobots
     launched: LaunchedRobots
+    shown: ShownRobots
     reached: ReachedFiles
     replaced: ReplacedPaths
     fetched: FetchedMeshes

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.fault import Fault, softer
-from ...checks.urdf.bare_meshes import bare_meshes, without_scheme
+from ...checks.fault import Fault, Level, softer
+from ...checks.urdf.bare_meshes import bare_meshes, is_relative, without_scheme
 from ...checks.urdf.missing_files import RobotInWorkspace
 from ...checks.urdf.missing_level import missing_fault
 from ...checks.urdf.missing_resource import MissingResource, advice, also
 from ...checks.urdf.personal_paths import of_one_machine, personal_paths
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
-from ...light_dataclasses import replace
 from ...rule import rule
 from ...source import Span
 
@@ -103,8 +102,9 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     workspace opens (none of the package names it, in code or in a command of a page, and no other that names the
     package) or that lies in a folder such as `old/`, and in a macro that nothing here calls. The default of an argument
     is an info where nothing reads the argument, or where each launch file that opens the robot gives another value. A
-    path without a scheme is one where no launch file opens the robot. So is a path of which each launch file that opens
-    the robot replaces a part in its text, and a file that a page or a script of the package tells to fetch or unpack.
+    path without a scheme is one where no launch file opens the robot, or none that does starts RViz or move_group by
+    default, where Gazebo finds it: `$(find …)`. So is a path of which each launch file that opens the robot replaces a
+    part in its text, and a file that a page or a script of the package tells to fetch or unpack.
     """
     for each in scope.missing():
         same = list(scope.beside.lacking(scope.robot, each))
@@ -118,8 +118,8 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
         yield of_several(scope, found, *of_one_machine(found, scope.robot.document))
     bare = bare_meshes(scope.robot.document, scope.files, scope.package) if not scope.is_idle else {}
     if found := scope.beside.untold(scope.robot, list(bare)):
-        hit = of_several(scope, found, *without_scheme(bare))
-        yield hit if scope.launched.has(scope.robot.path) else replace(hit, level=Severity.INFO)
+        is_met = (scope.launched if is_relative(bare) else scope.shown).has(scope.robot.path)
+        yield of_several(scope, found, *without_scheme(bare, is_shown=is_met), None if is_met else "info")
 
 
 def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity | None, str]:
@@ -130,9 +130,11 @@ def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity 
     return Severity(level) if level else None, best.message + advice(missing)
 
 
-def of_several(scope: RobotInWorkspace, found: list[tuple[Span, str]], message: str, advice: str) -> Hit:
+def of_several(
+    scope: RobotInWorkspace, found: list[tuple[Span, str]], message: str, advice: str, level: Level | None = None
+) -> Hit:
     (first, _), *others = found
     best = scope.weighed(Fault(first, message, "warning"))
     best = softer(best, "info", "as soon as something opens this robot") if scope.is_idle else best
     again = tuple(Related(scope.robot.path, span, f"`{other}` too") for span, other in others)
-    return Hit(scope.robot.path, first, f"{best.message}; {advice}", Severity(best.level or "warning"), again)
+    return Hit(scope.robot.path, first, f"{best.message}; {advice}", Severity(level or best.level or "warning"), again)
