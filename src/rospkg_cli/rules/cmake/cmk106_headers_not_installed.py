@@ -74,10 +74,9 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     ## When it is quiet
     Where an install rule or CMake itself can't be evaluated, in `ament_auto_package()`, for a package that exports only
     plugins as targets, and as soon as one header is installed, but for one that another package includes and that has
-    no CMake file that looks elsewhere. Plugins and components are loaded and not linked: an info, where no
-    package of the workspace builds against this one; so are headers in a folder that no user is told of, those that
-    all who build against it have as copies of their own, and those of a package with programs that nobody here builds
-    against.
+    no CMake file that looks elsewhere. An info are those of plugins and components, which are loaded and not linked,
+    and of packages with programs, where nobody here builds against this one, what all who do have copies of, and a
+    folder that no user is told of.
     """
     cmake = exported.headers.package.cmake
     if not exported.headers.package.is_ament:
@@ -128,8 +127,7 @@ def misplaced(exported: ExportedHeaders) -> Iterator[Hit]:
     """Yield headers that are installed where no user looks for them."""
     headers = exported.headers
     if doubled := exported.in_doubled_folder():
-        word, place = doubled
-        name = headers.package.facts.name
+        (word, place), name = doubled, headers.package.facts.name
         message = f"the headers land in `{place}/`: who uses `{name}` stops at the first `#include`"
         is_met = exported.are_needed or (bool(headers.exports) and exported.are_for_others)
         yield Hit(
