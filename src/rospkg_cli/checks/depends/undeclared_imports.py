@@ -18,6 +18,7 @@ from ..ros1_import import ROS1, ros1_import
 from ..unrun_tests import is_never_run
 from .brought_dependencies import COLCON, ROSDEP, Bringer
 from .declared_dependencies import DeclaredDependencies
+from .hand_installs import HandInstalls
 from .import_provider import import_providers, undeclared_provider
 from .pip_installs import PipInstalls
 
@@ -67,6 +68,11 @@ class ImportDependencies:
         """Return whether the requirements, a Dockerfile, a script or a page of the repository have pip install it."""
         index = self.declared.workspace.index
         return index.is_key(missing.name) and PipInstalls(self.files).has(missing.places[0].module, missing.name, index)
+
+    def is_by_hand(self, missing: UndeclaredImport) -> bool:
+        """Return whether a page of the repository tells people to install a library by hand."""
+        names = (missing.name, missing.places[0].module.partition(".")[0])
+        return self.declared.workspace.index.is_key(missing.name) and HandInstalls(self.files).has(names)
 
     def serving(self, missing: UndeclaredImport) -> tuple[str, ...]:
         """Return the names that provide what is missing: the one to declare, and others that would do."""

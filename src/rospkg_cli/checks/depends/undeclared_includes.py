@@ -32,6 +32,7 @@ from .compiled_sources import (
     own_compiled,
 )
 from .declared_dependencies import DeclaredDependencies
+from .hand_installs import HandInstalls
 from .required_by_cmake import required_modules, required_packages
 from .undeclared_find_package import FindPackageDependencies
 from .unnamed_sources import UnnamedSources
@@ -190,6 +191,11 @@ class IncludeDependencies:
     @cached_property
     def certain(self) -> set[str]:
         return certainly_compiled(self.cmake, self.sources)
+
+    def are_by_hand(self, cmake: str, names: Iterable[str], headers: Iterable[str] = ()) -> bool:
+        """Return whether a page of the repository tells people to install a library by hand."""
+        keys = [each for each in names if self.declared.workspace.index.is_key(each)]
+        return bool(keys) and HandInstalls(self.files).has((cmake, *keys, *headers))
 
     def may_be_submodule(self, each: IncludedPackage) -> bool:
         """Return whether it is a library that a submodule may hold, which CMake looks into and which is not here."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from ...checks.depends.hand_installs import BY_PAGE
 from ...checks.depends.name_source import is_left_out
 from ...checks.depends.undeclared_imports import ImportDependencies, ImportUse, UndeclaredImport
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
@@ -30,8 +31,8 @@ OPTIONAL = "; this module is imported only where that may fail"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment, "
-        "where only PyPI has it or the repository has pip install it, where nothing but launch files, only `try`, "
-        "or nothing at all imports the module, and where nothing leads to the function of the import"
+        "where only PyPI has it or the repository has it installed by pip or by hand, where nothing but launch files, "
+        "only `try`, or nothing at all imports the module, and where nothing leads to the function of the import"
     },
     examples=(
         Example(
@@ -74,10 +75,10 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     that start, is an info, and one that others import under `try` … `except ImportError` alone; so is an import in a
     function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's module, what
     `ros2 launch` brings, where only launch files import the module, and a library that a requirements.txt, a
-    Dockerfile, a script or a page of the repository has pip install. Left out are optional imports: under `try` …
-    `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
-    get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, and the package's
-    own modules, and libraries of which rosdep has keys for older releases of Ubuntu alone.
+    Dockerfile, a script or a page of the repository has pip install, or a page tells to install by hand. Left out are
+    optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks
+    for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files that nothing
+    installs, and the package's own modules, and libraries of which rosdep has keys for older releases of Ubuntu alone.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, where no released package has the name, or where a comment of
@@ -126,6 +127,7 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
     todo = advice(declared, kind, missing.name)
     if not end:
         end = PIP if imports.is_for_pip(missing) else imports.why_seldom(missing.places)
+        end = end or (BY_PAGE if imports.is_by_hand(missing) else "")
     message = f"`{missing.name}` is imported{shown} and not declared: {what}; {todo}{end}"
     places = related((place.path, place.span) for place in missing.places)
     mild = bool(end) or is_launch or is_left_out(declared, missing.name)

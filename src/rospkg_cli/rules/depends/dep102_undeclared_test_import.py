@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.hand_installs import BY_PAGE
 from ...checks.depends.name_source import is_left_out
 from ...checks.depends.undeclared_imports import ImportDependencies
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
@@ -21,7 +22,8 @@ NEVER_RUN = "; `colcon test` does not run this file today"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency or colcon brings or may bring it, package.xml has it in a comment, "
-        "setup.py does not ask for pytest, or `colcon test` does not run the file or comes to the function"
+        "a page tells to install it by hand, setup.py does not ask for pytest, or `colcon test` does not run the file "
+        "or comes to the function"
     },
     examples=(
         Example(
@@ -74,6 +76,7 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
             f"{fails} fails with ModuleNotFoundError; {advice(declared, 'test_depend', missing.name)}{others}"
         )
         end = NEVER_RUN if imports.are_never_run(missing.places) else imports.why_seldom(missing.places)
+        end = end or (BY_PAGE if imports.is_by_hand(missing) else "")
         places = related((place.path, place.span) for place in missing.places)
         is_mild = bool(end) or is_left_out(declared, missing.name) or not imports.has_pytest
         level = Severity.INFO if is_mild else None

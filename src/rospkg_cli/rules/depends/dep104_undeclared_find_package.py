@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.find_package_sentences import not_installable, unknown_command
+from ...checks.depends.hand_installs import BY_PAGE
 from ...checks.depends.name_source import is_left_out
 from ...checks.depends.required_by_cmake import stops_with
 from ...checks.depends.strange_packages import StrangePackages
 from ...checks.depends.undeclared_find_package import UndeclaredFindPackage
 from ...checks.depends.undeclared_includes import IncludeDependencies
-from ...checks.depends.undeclared_test_commands import CommandsForTests, UndeclaredTestCommand
+from ...checks.depends.undeclared_test_commands import CommandsForTests
 from ...edits.undeclared_hits import BroughtUse, advice, brought_includes, declaration, left_to_others, where_absent
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
@@ -31,8 +33,8 @@ FOUND_IN_TESTS = CMAKE.replace(
     levels={
         Severity.WARNING: "for a package that is found, since it may be installed, and for commands in tests; an error "
         "is a command that nothing defines",
-        Severity.INFO: "where a declared dependency brings or may bring it, package.xml has it in a comment, its "
-        "rosdep key has no rule for a supported distribution, or no one here knows the package",
+        Severity.INFO: "where a declared dependency brings or may bring it, package.xml has it in a comment, a page "
+        "tells to install it by hand, its key has no rule for a supported distribution, or no one here knows it",
     },
     examples=(
         Example(
@@ -73,9 +75,10 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
 
     ## When it is quiet
     What a declared dependency certainly installs, or may, as anything may come with a package that is not here, is one
-    info, with what only C++ includes of the kind (DEP105). So is a key of rosdep that no supported distribution has a
-    rule for, as vendor packages took the place of `gz-math7`. What is optional (QUIET, without use) or under a
-    condition that depends on the machine is left alone, and so is what comes with the build tools.
+    info, with what only C++ includes of the kind (DEP105). So is a library that a page tells to install by hand, and a
+    key of rosdep that no supported distribution has a rule for, as vendor packages took the place of `gz-math7`. What
+    is optional (QUIET, without use) or under a condition that depends on the machine is left alone, and so is what
+    comes with the build tools.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -91,18 +94,10 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
         if missing.bringer:
             brought.append(BroughtUse(name, missing.bringer, kind, found.word.path, found.word.span))
             continue
-        known = "" if name == found.name else f" (`{name}` for rosdep)"
         if not missing.is_installable:
             yield Hit(found.word.path, found.word.span, not_installable(missing), Severity.INFO)
             continue
-        library = dependencies.for_run_time(found)
-        what = f"declares `{library}` alone, which has no headers" if library else "does not declare it"
-        message = (
-            f"CMake requires `{found.name}`{known}, and package.xml {what}: "
-            f"{consequence(includes, missing)}; {advice(declared, kind, name)}"
-        )
-        level = Severity.INFO if is_left_out(declared, name) else Severity.WARNING
-        yield Hit(found.word.path, found.word.span, message, level, fix=declaration(declared, kind, name))
+        yield undeclared(includes, missing, kind)
     included = brought_includes(includes) if brought else []
     how = "required by CMake or included" if included else "required by CMake"
     yield from left_to_others(declared, [*brought, *included], how)
@@ -115,20 +110,19 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
         yield Hit(each.call.path, each.call.command.name_span, unknown_command(each), level)
 
 
-def unknown_command(each: UndeclaredTestCommand) -> str:
-    start = f"`{each.call.name}` comes with `{each.package}`, which is neither found nor declared"
-    if each.may_be_brought:
-        stops = "it is known only if another package finds it"
-    else:
-        stops = 'CMake stops with "Unknown CMake command"'
-    return f"{start}: {stops}; find it, and declare it as `<test_depend>`"
-
-
-def not_installable(missing: UndeclaredFindPackage) -> str:
-    return (
-        f"CMake requires `{missing.found.name}`, and package.xml does not declare it: rosdep installs nothing for "
-        f"`{missing.names[0]}` on supported distributions; declare the vendor package that brings it"
+def undeclared(includes: IncludeDependencies, missing: UndeclaredFindPackage, kind: str) -> Hit:
+    """Return the hit of a package that CMake requires and nothing brings."""
+    found, name, declared = missing.found, missing.names[0], includes.declared
+    known = "" if name == found.name else f" (`{name}` for rosdep)"
+    library = includes.find_packages.for_run_time(found)
+    what = f"declares `{library}` alone, which has no headers" if library else "does not declare it"
+    by_page = BY_PAGE if includes.are_by_hand(found.name, missing.names) else ""
+    message = (
+        f"CMake requires `{found.name}`{known}, and package.xml {what}: "
+        f"{consequence(includes, missing)}; {advice(declared, kind, name)}{by_page}"
     )
+    level = Severity.INFO if by_page or is_left_out(declared, name) else Severity.WARNING
+    return Hit(found.word.path, found.word.span, message, level, fix=declaration(declared, kind, name))
 
 
 def consequence(includes: IncludeDependencies, missing: UndeclaredFindPackage) -> str:

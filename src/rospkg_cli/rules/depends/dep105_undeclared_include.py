@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.hand_installs import BY_PAGE
 from ...checks.depends.name_source import is_left_out
 from ...checks.depends.undeclared_includes import IncludeDependencies
 from ...edits.undeclared_hits import advice, brought_includes, declaration, left_to_others, related, tag_of
@@ -27,9 +28,9 @@ MAIN = "int main() {return 0;}\n"
     over=IncludeDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a dependency brings it, or may bring it, as an empty submodule may, package.xml has it "
-        "in a comment, or no file that includes it is compiled, or installed where a package of the "
-        "workspace builds against this one"
+        Severity.INFO: "where a dependency brings it, or may bring it, as an empty submodule may, a page tells to "
+        "install it by hand, package.xml has it in a comment, or no file that includes it is compiled, or installed "
+        "where a package of the workspace builds against this one"
     },
     examples=(
         Example(
@@ -58,14 +59,15 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     What a declared dependency or a package that CMake requires certainly installs, or may, is one info, which names who
     brings it, and DEP104's where CMake requires such a package, too. So is what only files include that an option of
     CMake must ask for, or only headers that are not compiled, where others are, or no package of the workspace builds
-    against this one, or that are not installed. Files that
-    no target compiles, or that no CMake file names beside neighbours named one by one, includes under `#if` (unless it
-    asks for a macro that CMake defines in any case), headers that all others include under it, neighbours whose folder
-    CMake names (`include_directories(../other/include)`), what CMake fetches, and packages that `find_package()` names
-    as well (DEP104) are left alone. So are libraries that a git submodule is named after, checked out or not, and those
-    that CMake looks for without need, where only what includes them waits for it, what is declared under a condition
-    that does not hold (`$ROS_VERSION == 1`), where no build is sure to compile what includes it, and types whose
-    package comes with another undeclared one. What an empty submodule that CMake looks into may hold is an info.
+    against this one, or that are not installed. Files that no target compiles, or that no CMake file names beside
+    neighbours named one by one, includes under `#if` (unless it asks for a macro that CMake defines in any case),
+    headers that all others include under it, neighbours whose folder CMake names
+    (`include_directories(../other/include)`), what CMake fetches, and packages that `find_package()` names as well
+    (DEP104) are left alone. So are libraries that a git submodule is named after, checked out or not, and those that
+    CMake looks for without need, where only what includes them waits for it, what is declared under a condition that
+    does not hold (`$ROS_VERSION == 1`), where no build is sure to compile what includes it, and types whose package
+    comes with another undeclared one. What an empty submodule that CMake looks into may hold is an info, and a library
+    that a page tells to install by hand.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -86,8 +88,9 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
         )
         places = related((use.path, use.span) for use in each.uses)
         is_mild = is_left_out(declared, name) or includes.are_optional(each) or includes.are_idle(each)
-        is_mild = is_mild or includes.may_be_submodule(each)
+        by_page = BY_PAGE if includes.are_by_hand(each.cmake, each.names, [use.header for use in each.uses]) else ""
+        is_mild = is_mild or includes.may_be_submodule(each) or bool(by_page)
         level = Severity.INFO if is_mild else None
-        yield Hit(first.path, first.span, message, level, places, declaration(declared, kind, name))
+        yield Hit(first.path, first.span, message + by_page, level, places, declaration(declared, kind, name))
     if not any(missing.bringer for missing in includes.find_packages.missing()):  # else DEP104 tells of both
         yield from left_to_others(declared, brought_includes(includes), "included")

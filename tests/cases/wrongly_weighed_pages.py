@@ -1,0 +1,42 @@
+"""Libraries that a page tells people to install by hand: wheels, a clone, a copied header, conda, from source."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example
+
+from .setups import python
+
+PAGES = (
+    "- Jetson: torch / flash-attn wheels from an index\n",
+    "Four wheels, and torch on the GPU.\n",
+    "    conda install -c pytorch torch\n",
+    "Build torch 2.1 from source.\n",
+    "Build this package from source. It needs torch.\n",
+    "    git clone https://github.com/ada/torch.git\n",
+)
+CLONE = "```sh\ngit clone https://github.com/jlblancoc/nanoflann.git\n```\n"
+COPY = "sudo cp nanoflann/include/nanoflann.hpp /usr/local/include/\n"
+PROGRAM = "{}add_executable(tree src/tree.cpp)\ninstall(TARGETS tree DESTINATION lib/${{PROJECT_NAME}})\n"
+
+
+def trained(page: str, path: str = "my_pkg/train.py") -> Example:
+    return python({path: "import torch\n", "README.md": page})
+
+
+def tree(page: str, line: str = "", header: str = "nanoflann.hpp") -> Example:
+    text = CMAKE.replace("ament_package", f"{PROGRAM.format(line)}ament_package")
+    files = {"CMakeLists.txt": text, "README.md": page}
+    files["src/tree.cpp"] = f"#include <{header}>\nint main() {{return 0;}}\n"
+    return Example(on="ament_cmake", bad=files, good={})
+
+
+FOUND = "find_package(yaml-cpp REQUIRED)\n"
+CASES = {
+    "DEP101": tuple(map(trained, PAGES)),
+    "DEP102": tuple(trained(each, "test/test_train.py") for each in PAGES[:2]),
+    "DEP104": (
+        tree("git clone git@github.com:jbeder/yaml-cpp.git\n", FOUND, "vector"),
+        tree("It reads YAML.\n", FOUND, "vector"),
+    ),
+    "DEP105": tuple(map(tree, (CLONE, COPY, "It uses nanoflann.\n"))),
+}
