@@ -9,6 +9,7 @@ from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..ros.distros import DISTROS
+from .distribution_words import words_elsewhere, words_of_package
 from .setup.linked_build import build_texts
 
 STARTABLE = (".py", ".xml", ".yaml", ".yml")
@@ -36,6 +37,23 @@ class OlderDistribution:
         pages = [text.lower() for text in build_texts(self.files)]
         of_branch = frozenset(name for page in pages for name in OF_BRANCH.findall(page))
         return of_branch or frozenset(name for page in pages for name in names_in(page))
+
+    @cached_property
+    def meant(self) -> frozenset[str]:
+        """Those named; where none is, those that other pages, launch files, docstrings and names of files tell.
+
+        The package's own word on one of those named counts more than what else the repository has them for. Only asked
+        of what is a finding: it reads many a file.
+        """
+        if not self.named:
+            return frozenset[str]().union(*words_elsewhere(self.files))
+        own = words_of_package(self.files) if not self.named.isdisjoint(UNSUPPORTED) and self.names_supported else ()
+        return frozenset(own) if own and self.named.issuperset(own) else self.named
+
+    @property
+    def is_meant_unsupported(self) -> bool:
+        """Whether one before Humble is meant, and none after it."""
+        return bool(self.meant) and self.meant.issubset(UNSUPPORTED)
 
     @property
     def is_named_alone(self) -> bool:
@@ -71,13 +89,15 @@ class OlderDistribution:
         return names_older(path) and not all(map(names_older, others))
 
     def is_for_older(self, path: str) -> bool:
-        """Return whether one before Galactic is named alone, or a file or a folder is called as being for one."""
+        """Return whether one before Galactic is meant alone, or a file or a folder is called as being for one."""
         folder = called(self.files.folder)
-        return self.is_named_alone or names_older(path) or (bool(folder) and folder.issubset(OLDER))
+        if names_older(path) or (bool(folder) and folder.issubset(OLDER)):
+            return True
+        return bool(self.meant) and self.meant.issubset(OLDER)
 
     def is_for_unsupported(self, path: str) -> bool:
-        """Return whether none that is supported is named, or a file or a folder is called as being for an older one."""
-        return self.is_before_humble or is_called_older(path) or self.is_in_older_folder
+        """Return whether none that is supported is meant, or a file or a folder is called as being for an older one."""
+        return is_called_older(path) or self.is_in_older_folder or self.is_meant_unsupported
 
     @property
     def is_in_older_folder(self) -> bool:

@@ -48,7 +48,11 @@ class LaunchCalls:
     def faults(self) -> Iterator[Fault]:
         """Yield what launch or Python refuses; a warning where the distribution that is named lets it pass."""
         for fault in call_faults(self.file):
-            if fault.level is None and fault.message.startswith(LATER) and self.distribution.is_named_alone:
+            if (
+                fault.level is None
+                and fault.message.startswith(LATER)
+                and self.distribution.is_for_older(self.file.path)
+            ):
                 yield softer(fault, "warning", "but not in Foxy")
             else:
                 yield fault

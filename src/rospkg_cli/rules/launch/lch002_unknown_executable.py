@@ -69,8 +69,9 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     without `generate_launch_description`, is a warning; one that nothing adds to the launch description, or that a
     function makes which nothing calls, an info. So is what was there in Foxy or Galactic, where pages and scripts name
     no later distribution, or a folder around is called after one of these, or parameters of the package name plugins of
-    that time (`nav2_recoveries/Spin`); and where package.xml declares a sister of the package that no distribution has:
-    a fork may have it.
+    that time (`nav2_recoveries/Spin`). Where no README, script or workflow names one, other pages, launch files,
+    docstrings and names of files are asked; where several are named, the package's own description is. It is an info,
+    too, where package.xml declares a sister of the package that no distribution has: a fork may have it.
 
     ## Fix safety
     The name is replaced by the only similar one; another program may be right.

@@ -77,7 +77,8 @@ def removed_launch_argument(calls: LaunchCalls) -> Iterator[Hit]:
 
     ## When it is quiet
     Files that check which distribution they run on are left alone, and so are launch files for ROS 1. Where pages and
-    scripts of the repository name Foxy and no later distribution, or a folder is called after it, it is an info; so is
+    scripts of the repository (or, if these name none, its other pages, launch files, docstrings and names of files)
+    name Foxy and no later distribution, or a folder is called after it, it is an info; so is
     a word of `ros2 control` where they name Foxy or Galactic alone, or where a spawner or another command of the launch
     file brings the same controller into the state. A Python file whose name or folder says that it is for Foxy or an
     older one (`launch/foxy/`, `eloquent_start.py`), beside launch files for others, is left alone.
