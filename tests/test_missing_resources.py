@@ -74,7 +74,8 @@ def test_what_the_build_writes_is_not_missing() -> None:
 
 def test_a_robot_that_is_not_installed_is_read_from_the_source_alone() -> None:
     text = f"{HEAD}{mesh('meshes/leg.stl')}</robot>\n"
-    (finding,) = lint("", batch__robot_DOT_xacro=text)
+    launch = "PATH = folder + '/batch/other.xacro'\n"
+    (finding,) = lint("", batch__other_DOT_xacro=text, launch__other_DOT_launch_DOT_py=launch)
     assert finding.severity.value == "warning"
     assert ", where the robot is read from the source: it is not installed; add it" in finding.message
 

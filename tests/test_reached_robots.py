@@ -132,6 +132,7 @@ def test_a_number_in_other_files_does_not_open_a_robot(name: str, level: str) ->
         "package.xml": manifest("", "ament_cmake"),
         "CMakeLists.txt": INSTALL,
         "config/a.yaml": f"arm:\n  ros__parameters:\n    robot: {name}\n",
+        "launch/b.launch.py": "PATH = share + '/config/a.yaml'\n",
         f"urdf/{name}.xacro": f"{TOP}{MESH}</robot>\n",
     }
     (finding,) = lint_files(files, ["URD002"]).findings

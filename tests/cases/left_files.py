@@ -12,6 +12,7 @@ FILES = {
 }
 OPENS = f"import glob\n\nIMAGES = glob.glob('{HOME}')\n"
 NODE = "add_executable(node src/node.cpp)\ninstall(TARGETS node DESTINATION lib/${PROJECT_NAME})\n"
+BESIDE = "install(FILES launch/b.launch.xml DESTINATION share/my_pkg/launch)\n"
 LAUNCH = '<launch>\n  <node pkg="joy" exec="joy_node"/>\n</launch>\n'
 
 
@@ -47,5 +48,11 @@ CASES = {
         cmake(launch__a_DOT_launch_DOT_xml=LAUNCH),
         cmake("install(DIRECTORY launch DESTINATION share/my_pkg)\n", launch__a_DOT_launch_DOT_xml=LAUNCH),
         cmake(launch__a_DOT_launch_DOT_xml=LAUNCH, README_DOT_md="ros2 launch launch/a.launch.xml\n"),
+        cmake(BESIDE, launch__a_DOT_launch_DOT_xml=LAUNCH, launch__b_DOT_launch_DOT_xml="<launch/>\n"),
+        cmake(
+            BESIDE,
+            launch__a_DOT_launch_DOT_xml=LAUNCH,
+            launch__b_DOT_launch_DOT_xml='<launch>\n  <include file="$(dirname)/a.launch.xml"/>\n</launch>\n',
+        ),
     ),
 }

@@ -11,6 +11,7 @@ from ..files import PackageFiles
 from ..languages.cpp.file import CppFile
 from ..light_dataclasses import dataclass
 from ..package.cmake.cmake_project import CMake
+from ..package.file_role import role_of
 from ..package.install_table import InstallKind, InstallTable
 from ..package.launch.live_text import live_text
 from ..package.package_facts import PackageFacts
@@ -44,7 +45,13 @@ class LeftFiles:
             return False
         if path.endswith(".py") and self.reached is not None and self.reached.is_left(path):
             return not self.is_for_others
-        return self.is_uninstalled(path) and not self.is_named(path)
+        is_forgotten = role_of(path) == "launch" and not self.installs_launch_files
+        return self.is_uninstalled(path) and not is_forgotten and not self.is_named(path)
+
+    @cached_property
+    def installs_launch_files(self) -> bool:
+        """Whether any launch file is installed: where none is, they are forgotten, and not left."""
+        return any(role_of(path) == "launch" for path in self.installed)
 
     @cached_property
     def is_for_others(self) -> bool:

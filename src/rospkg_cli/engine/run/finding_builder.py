@@ -17,7 +17,7 @@ from ...unreadable import UnreadableError
 
 OF_RUNS = ("DEP", "LCH", "PRM", "URD", "IDL010", "IDL011")
 """Families about launches and runs, and about machines that others install packages on, and rules about Python."""
-IN_USE = (*OF_RUNS, "PLG", "IDL012", "CMK201", "RPK001")
+IN_USE = (*OF_RUNS, "PLG", "IDL012", "CMK201")
 """Families and rules about code, launch files and what these open: nobody meets their faults in a file that is left."""
 UNLED = "; nothing here leads to this file"
 AT_RUN_TIME = ("DEP109", "DEP110")
