@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.install_table import InstallTable
 from ...package.urdf.robot_file import RobotFile
+from ...source import Span
 from ..fault import Fault, once_each, softer
 from ..older_distribution import OlderDistribution
 from .expanded_robots import ExpandedRobots
@@ -20,6 +23,7 @@ from .xacro_problems import of_one_parameter
 from .xacro_slips import MUST_BE_GIVEN
 
 PREFIX = regex(r"the prefix of `\$\{\s*(\w+)")
+LEVELS = (None, "error", "warning", "info")
 IN_GAZEBO = regex(r"(?:gazebo|gz|ign)_ros2_control/")
 
 
@@ -33,10 +37,14 @@ class JudgedRobot:
     distribution: OlderDistribution
     table: InstallTable | None = None
 
-    @property
-    def is_idle(self) -> bool:
-        """Whether nothing here opens the robot: the package has or opens others, or does not even install this one."""
-        path, table = self.robot.path, self.table
+    def is_idle(self, path: str) -> bool:
+        """Return whether nothing here opens a robot, nor one that includes it."""
+        tops = self.opened.including(path) or [path]
+        return not self.opened.has(path) and all(map(self.is_idle_alone, tops))
+
+    def is_idle_alone(self, path: str) -> bool:
+        """Return whether nothing opens a robot: the package has or opens others, or does not even install this one."""
+        table = self.table
         lost = table is not None and table.knows("share") and all(row.source != path for row in table.rows)
         is_one_of_several = lost or self.opened.has_others(path)
         return not self.opened.has(path) if is_one_of_several else self.opened.is_passed_over(path)
@@ -45,23 +53,36 @@ class JudgedRobot:
         """Return what is wrong with the file as it is written, then with what xacro makes of it, each place once."""
         written = robot_faults(self.robot, self.calls)
         told = {fault.span for fault in written}
-        made = [fault for fault in self.expanded.faults_of(self.robot.path) if fault.span not in told]
+        made = self.made(told)
         told.update(fault.span for fault in made)
         later = prefix_faults(self.robot.document.root) if self.robot.is_xacro else ()
-        others = [fault for fault in later if fault.span not in told]
-        found = of_one_parameter(once_each(sorted([*written, *made, *others], key=lambda fault: fault.span)))
-        return [self.at_its_level(fault) for fault in found if fault.level or not self.is_replaced(fault)]
+        own = [*written, *(fault for fault in later if fault.span not in told)]
+        weighed = [self.at_its_level(each, self.robot.path) for each in own if each.level or not self.is_replaced(each)]
+        return of_one_parameter(once_each(sorted([*made, *weighed], key=lambda fault: fault.span)))
 
-    def at_its_level(self, fault: Fault) -> Fault:
-        """Return a fault as an error only where a launch file opens the robot, as an info where nothing does."""
-        if fault.level == "info" or (fault.level is None and self.launched.has(self.robot.path)):
+    def made(self, told: Collection[Span]) -> list[Fault]:
+        """Return what xacro meets in the file, each place once: as grave as in the robot where it is the gravest."""
+        found: dict[Span, Fault] = {}
+        for robot, fault in self.expanded.faults_of(self.robot.path):
+            if fault.span not in told and (fault.level or not self.is_replaced(fault)):
+                weighed = self.at_its_level(fault, robot)
+                before = found.setdefault(fault.span, weighed)
+                if LEVELS.index(weighed.level) < LEVELS.index(before.level):
+                    found[fault.span] = weighed
+        return list(found.values())
+
+    def at_its_level(self, fault: Fault, robot: str) -> Fault:
+        """Return a fault as an error only where a launch file opens a robot that meets it, as an info where nothing."""
+        is_launched = self.launched.has(robot)
+        if fault.level == "info" or (fault.level is None and is_launched):
             return fault
         if VAIN in fault.message and self.distribution.is_before_jazzy and not self.is_simulated:
             return softer(fault, "info", "and stops from Jazzy on alone, which no page names")
         if MUST_BE_GIVEN in fault.message and self.may_be_given(fault):
             return replace(fault, level="info")
-        if self.is_idle or (not self.launched.has(self.robot.path) and may_be_elsewhere(fault)):
-            return softer(fault, "info", "as soon as something opens this robot")
+        if not is_launched and (may_be_elsewhere(fault) or self.is_idle(robot)):
+            which = "this robot" if robot == self.robot.path else "a robot that reaches this"
+            return softer(fault, "info", f"as soon as something opens {which}")
         return self.without_prefix(fault) if UNLESS in fault.message else replace(fault, level="warning")
 
     def without_prefix(self, fault: Fault) -> Fault:

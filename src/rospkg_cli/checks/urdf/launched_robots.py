@@ -13,7 +13,6 @@ from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_words import LAUNCH, is_launch, may_be_made, words_of
 from ...package.workspace import Workspace
 from .opened_robots import ROBOTS, OpenedRobots, has_folders
-from .xacro_calls import may_include
 
 
 @dataclass(frozen=True)
@@ -35,11 +34,11 @@ class LaunchedRobots:
         self,
         launches: Sequence[tuple[str, str]],
         packages: Sequence[PackageFacts],
-        includes: Callable[[str, str], bool] = may_include,
+        includes: Callable[[str, str], bool] | None = None,
     ) -> frozenset[str]:
         """Return the robots that some launch files of this package, or those of some packages, open.
 
-        `includes` says whether a text includes a file of a name.
+        Where `includes` is given, it says as well whether a text includes a file of a name.
         """
         robots = {path: text for path, text in self.opened.texts if path.endswith(ROBOTS)}
         waiting = [
@@ -49,8 +48,10 @@ class LaunchedRobots:
         ]
         found = set(waiting)
         while waiting:
-            text = robots[waiting.pop()]
-            more = [path for path in robots if path not in found and includes(text, path.rpartition("/")[2])]
+            by = waiting.pop()
+            more = [path for path in robots if path not in found and self.opened.is_included(path, by, robots[by])]
+            if includes is not None:
+                more = [path for path in more if includes(robots[by], path.rpartition("/")[2])]
             found.update(more)
             waiting += more
         return frozenset(found)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -15,8 +16,11 @@ from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_words import may_be_made, words_of
 from ...package.workspace import Workspace
 from ..yaml_elsewhere import is_named_yaml
+from .included_paths import includes_path
+from .xacro_calls import may_include
 
 ROBOTS = (".urdf", ".xacro", ".sdf", ".world")
+XACRO = (".urdf", ".xacro")
 OPENERS = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h", ".sh", ".md", ".rst", ".txt")
 LAUNCH = (".py", ".xml", ".launch", ".yaml", ".yml")
 ENDS = r"(?!\.(?:xacro|urdf)\b)"
@@ -41,12 +45,43 @@ class OpenedRobots:
         """Return whether a file may be opened: a text of the package names it, or one of a package that names this.
 
         Robots name files in full; launch files and code often put the suffix behind a name, which then has letters:
-        `1` stands everywhere.
+        `1` stands everywhere. A robot that names a file opens it where something opens the robot.
         """
+        return any(self.is_opened_itself(each) for each in (path, *self.including(path)))
+
+    def is_opened_itself(self, path: str) -> bool:
+        """Return whether something else than a robot of the package may open a file."""
         if self.is_other_copy(path):
             return False
         may_be = not self.is_copy(path) and (self.is_put_together(path) or self.is_named_elsewhere(path))
-        return may_be or self.is_named(path)
+        return may_be or any(not other.endswith(XACRO) for other in self.naming(path))
+
+    def including(self, path: str) -> list[str]:
+        """Return the robots of the package that name a file, those that name one of these, and so on."""
+        found, waiting = {path}, [path]
+        while waiting:
+            inner = waiting.pop()
+            more = [] if self.is_other_copy(inner) else self.robots_naming(inner)
+            waiting += [each for each in more if each not in found]
+            found.update(more)
+        return sorted(found - {path})
+
+    def robots_naming(self, path: str) -> list[str]:
+        """Return the robots that name a file: by an include, or elsewhere in their texts."""
+        name = path.rpartition("/")[2]
+        texts = dict(self.texts)
+        named = (each for each in self.naming(path) if each.endswith(XACRO))
+        return [
+            each for each in named if not may_include(texts[each], name) or self.is_included(path, each, texts[each])
+        ]
+
+    def is_included(self, path: str, by: str, text: str) -> bool:
+        """Return whether a robot of the package, of a text, may include a file of the package."""
+        return includes_path(by, text, path, self.package.name, self.paths)
+
+    @cached_property
+    def paths(self) -> frozenset[str]:
+        return frozenset(self.files.paths)
 
     def is_other_copy(self, path: str) -> bool:
         """Return whether texts name a file of this name with the folder of another copy, and none with this one's."""
@@ -97,6 +132,10 @@ class OpenedRobots:
         return [posixpath.dirname(each) for each in self.files.paths if "/" not in path and each.endswith(f"/{path}")]
 
     def is_named(self, path: str) -> bool:
+        return any(True for _ in self.naming(path))
+
+    def naming(self, path: str) -> Iterator[str]:
+        """Yield the paths of the texts of the package that name a file."""
         name = path.rpartition("/")[2]
         word, full, is_copy = re.escape(name.partition(".")[0]), f"{re.escape(name)}{ENDS}", self.is_copy(path)
         before = r"(?<![\w./-])" if is_copy else ""  # what names the other has a folder before it
@@ -111,8 +150,7 @@ class OpenedRobots:
             is_beside = not is_copy or "/" not in other or not other.endswith(PAGES)
             is_beside = is_beside and not any(has_folders(each, text) for each in self.deeper(path))
             if other != path and name.partition(".")[0] in text and is_beside and how.search(text):
-                return True
-        return False
+                yield other
 
     def but_others(self, name: str) -> str:
         """Return a pattern that fits no suffix of another file of this stem: of `arm.urdf` beside `arm.sdf`."""

@@ -15,6 +15,7 @@ from ...files import PackageFiles
 from ...languages.xml.parser import Document, Element
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.launch.text import uncommented
 from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_file import RobotFile
 from ...package.workspace import Workspace
@@ -49,10 +50,16 @@ class XacroCalls:
             if around.tag in CONDITIONS:
                 return softer(fault, "warning", "where the condition around it holds")
             if around.tag == "xacro:macro" and not self.is_called(name):
-                return softer(fault, "info", f"as soon as something calls the macro `{name}`")
+                return self.in_macro(name, fault)
             if around.tag == "xacro:property" and around.get("lazy_eval") != "false" and not self.is_read(around):
                 return softer(fault, "info", f"as soon as something reads `{name}`")
         return fault
+
+    def in_macro(self, name: str, fault: Fault) -> Fault:
+        """Return a fault in a macro as an info where nothing calls that."""
+        if self.is_called(name):
+            return fault
+        return softer(fault, "info", f"as soon as something calls the macro `{name}`")
 
     def is_robot(self, robot: RobotFile) -> bool:
         """Return whether a file is a robot of its own: it has a name, and no other file mentions it."""
@@ -110,12 +117,16 @@ class XacroCalls:
         return frozenset(match.group(1) for text in self.texts for match in MACRO.finditer(text))
 
     def is_called(self, macro: str) -> bool:
-        return macro in self.called or macro.removeprefix("xacro:") in self.called
+        """Return whether a file calls a macro, of the package or of another one that names the package."""
+        name, own = macro.removeprefix("xacro:"), self.package.name
+        others = (facts for facts in self.workspace.packages if facts.name != own)
+        return name in self.called or any({name, own} <= words for facts in others for words in facts.robot_words)
 
     @cached_property
     def called(self) -> frozenset[str]:
         """The names behind `xacro:` in the tags of all files, without the namespace of an include."""
-        found = {match.group(1) for text in self.texts for match in CALL.finditer(text)}
+        texts = (uncommented(".xml", text) for text in self.texts)
+        found = {match.group(1) for text in texts for match in CALL.finditer(text)}
         return frozenset(found | {name.rpartition(".")[2] for name in found})
 
     def is_read(self, element: Element) -> bool:

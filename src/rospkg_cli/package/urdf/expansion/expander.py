@@ -36,8 +36,8 @@ class Expander(ExpansionState):
         self.inside(document.root, self.found.children, Context(document.source, self.scope))
         return self.found
 
-    def uncalled(self) -> Iterator[Expansion]:
-        """Yield what the macros of the robot that nothing called make, each with parameters of unknown values.
+    def uncalled(self) -> Iterator[tuple[Macro, Expansion]]:
+        """Yield the macros of the robot that nothing called, and what each makes with parameters of unknown values.
 
         One of several of a name, each under a condition, is among them: the last one is called.
         """
@@ -48,7 +48,7 @@ class Expander(ExpansionState):
                     scope.names[each.name] = XacroUnknown(f"${{{each.name}}}")
                 made = replace(self.found, children=[], problems=[])
                 self.inside(macro.element, made.children, Context(macro.source, scope, macro.is_certain))
-                yield made
+                yield macro, made
 
     def inside(self, element: Element, into: list[Node], context: Context) -> None:
         """Expand the children of an element."""
