@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Iterator
 from functools import cached_property
 from typing import Annotated
 
@@ -78,11 +79,40 @@ class LeftFiles:
         return self.files.readable_text(path) if path.endswith(PAGES) else live_text(self.files, path)
 
     def is_named(self, path: str) -> bool:
-        """Return whether another file, of the package or of what builds the repository, has the name of a file."""
-        name = posixpath.basename(path)
-        stem = re.escape(name.removesuffix(".py"))
-        word = re.compile(rf"(?<![\w-]){re.escape(name)}(?!\w)|\b(?:import|from)\b[^\n]*(?<!\w){stem}(?!\w)")
-        paths = (each for each in self.files.paths if each != path and each.endswith((*PAGES, *NAMING, *BESIDE)))
-        if any(word.search(self.files.readable_text(each)) and word.search(self.live(each)) for each in paths):
-            return True
-        return any(map(word.search, build_texts(self.files)))
+        """Return whether a file of the package, or of what builds the repository, leads to a file by its name.
+
+        A module that nothing leads to leads nowhere.
+        """
+        found, waiting = {path}, [path]
+        while waiting:
+            one = waiting.pop()
+            word = naming(one)
+            if any(map(word.search, build_texts(self.files))):
+                return True
+            for each in self.having(word, one):
+                if not self.may_be_left(each):
+                    return True
+                waiting += [each] if each not in found else []
+                found.add(each)
+        return False
+
+    def having(self, word: re.Pattern[str], path: str) -> Iterator[str]:
+        """Yield the other files that have the name of one."""
+        ends = (*PAGES, *NAMING, *BESIDE)
+        others = (each for each in self.files.paths if each != path and each.endswith(ends))
+        named = (each for each in others if word.search(self.files.readable_text(each)))
+        return (each for each in named if word.search(self.live(each)))
+
+    def may_be_left(self, path: str) -> bool:
+        """Return whether a file is code that nothing installs, or a module that nothing starts or imports."""
+        if not path.endswith(".py") or role_of(path) != "run" or is_collected(path):
+            return False
+        is_left = self.is_uninstalled(path) or (self.reached is not None and self.reached.is_left(path))
+        return is_left and not self.is_for_others
+
+
+def naming(path: str) -> re.Pattern[str]:
+    """Return how other files name a file: by its name, or as a module."""
+    name = posixpath.basename(path)
+    stem = re.escape(name.removesuffix(".py"))
+    return re.compile(rf"(?<![\w-]){re.escape(name)}(?!\w)|\b(?:import|from)\b[^\n]*(?<!\w){stem}(?!\w)")

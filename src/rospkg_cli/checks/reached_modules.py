@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from functools import cached_property
 
 from ..languages.python.file import Import, PythonFile
@@ -83,15 +84,33 @@ class ReachedModules:
         return {}
 
     def is_named_nowhere(self, path: str) -> bool:
-        if self.has(path) or not self.table.knows("executable"):
+        """Return whether no text names a module, but those of modules that nothing names either."""
+        if not self.table.knows("executable"):
             return False
-        if self.is_library and self.installed.names[path] in self.started:
-            return False
+        found, waiting = {path}, [path]
+        while waiting:
+            one = waiting.pop()
+            if self.is_in_use(one):
+                return False
+            around = [each for each in self.naming(one) if each not in found]
+            found.update(around)
+            waiting += around
+        return True
+
+    def is_in_use(self, path: str) -> bool:
+        """Return whether a file is no installed module, or one that is started, imported, or there for others."""
+        if self.has(path):
+            return True
+        module = self.installed.names[path]
+        return module in self.entries or (self.is_library and module in self.started)
+
+    def naming(self, path: str) -> Iterator[str]:
+        """Yield the files that name a module by its file or its dotted name."""
         name, module = re.escape(path.rpartition("/")[2]), re.escape(self.installed.names[path])
         word = re.compile(rf"(?<!\w)(?:{name}|{module})(?!\w)")  # `my_pkg.dot` is not named by `my_pkg.dot_qt`
         pages = (each for each in self.installed.files.paths if each.endswith((*PAGES, *NAMING)))
         others = {path, "setup.py"} if path in self.put_beside else {path}
-        return not any(self.names(each, word) for each in pages if each not in others)
+        return (each for each in pages if each not in others and self.names(each, word))
 
     @cached_property
     def put_beside(self) -> frozenset[str]:
