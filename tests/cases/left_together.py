@@ -1,4 +1,4 @@
-"""Modules that only modules import which nothing starts."""
+"""Modules that only modules import which nothing starts, and scripts among the programs that can't be started."""
 
 from __future__ import annotations
 
@@ -11,6 +11,18 @@ TALKER = "def main():\n    pass\n"
 STARTS = setup_py(scripts("talker = my_pkg.talker:main"))
 INNER = STARTS.replace(FOUND, "[package_name]")
 COMPUTED = STARTS.replace("'talker = my_pkg.talker:main'", "f'talker = {package_name}.talker:main'")
+PROGRAMS = STARTS.replace(
+    "        ('share/' + package_name, ['package.xml']),\n",
+    "        ('share/' + package_name, ['package.xml']),\n        ('lib/' + package_name, ['scripts/export.py']),\n",
+)
+COMMENTED = """\
+from launch import LaunchDescription
+
+
+def generate_launch_description():
+    {}
+    return LaunchDescription([])
+"""
 
 
 def python(setup: str = STARTS, **files: str) -> Example:
@@ -21,6 +33,10 @@ def python(setup: str = STARTS, **files: str) -> Example:
 def idle(setup: str = STARTS, **files: str) -> Example:
     """Return a module with a path that a window imports, which nothing starts but what is in `files`."""
     return python(setup, my_pkg__camera=OPENS, my_pkg__window="from my_pkg.camera import IMAGES\n", **files)
+
+
+def program(setup: str = PROGRAMS, **files: str) -> Example:
+    return python(setup, scripts__export=OPENS, **files)
 
 
 CASES = {
@@ -43,5 +59,9 @@ CASES = {
             my_pkg__talker=f"from .window import IMAGES\n\n\n{TALKER}",
         ),
         python(my_pkg__camera=f"import my_pkg.window\n{OPENS}", my_pkg__window="import my_pkg.camera\n"),
+        program(),
+        program(launch__a_launch=COMMENTED.format("# cmd=['python3', 'export.py']")),
+        program(launch__a_launch=COMMENTED.format("run(['python3', 'export.py'])")),
+        program(PROGRAMS.replace("    zip_safe", "    scripts=['scripts/export.py'],\n    zip_safe")),
     ),
 }

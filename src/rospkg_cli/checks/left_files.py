@@ -21,7 +21,7 @@ from ..unreadable import READABLE
 from .depends.compiled_sources import sources_by_use
 from .home_path_texts import CPP, MARKUP
 from .reached_definitions import is_collected
-from .reached_modules import NAMING, PAGES, ReachedModules
+from .reached_modules import NAMING, PAGES, SCRIPTS, ReachedModules
 from .setup.linked_build import build_texts
 
 KINDS: tuple[InstallKind, ...] = ("executable", "share", "module", "other")
@@ -47,7 +47,8 @@ class LeftFiles:
         if path.endswith(".py") and self.reached is not None and self.reached.is_left(path):
             return not self.is_for_others
         is_forgotten = role_of(path) == "launch" and not self.installs_launch_files
-        return self.is_uninstalled(path) and not is_forgotten and not self.is_named(path)
+        is_left = (self.is_uninstalled(path) and not is_forgotten) or self.is_no_program(path)
+        return is_left and not self.is_named(path)
 
     @cached_property
     def installs_launch_files(self) -> bool:
@@ -78,6 +79,13 @@ class LeftFiles:
         """Return what a file says: a page in all its text, any other file without comments."""
         return self.files.readable_text(path) if path.endswith(PAGES) else live_text(self.files, path)
 
+    def is_no_program(self, path: str) -> bool:
+        """Return whether setup.py puts a file among the programs, and `ros2 run` does not find it: it has no bit."""
+        rows = [row for row in self.table.rows if row.source == path] if self.table is not None else []
+        is_data = bool(rows) and all(row.what == "executable" and not row.entry for row in rows)
+        is_data = is_data and all(row.path == "setup.py" for row in rows) and not self.files.is_executable(path)
+        return is_data and SCRIPTS.search(self.files.readable_text("setup.py")) is None  # that sets the bit
+
     def is_named(self, path: str) -> bool:
         """Return whether a file of the package, or of what builds the repository, leads to a file by its name.
 
@@ -97,9 +105,9 @@ class LeftFiles:
         return False
 
     def having(self, word: re.Pattern[str], path: str) -> Iterator[str]:
-        """Yield the other files that have the name of one."""
-        ends = (*PAGES, *NAMING, *BESIDE)
-        others = (each for each in self.files.paths if each != path and each.endswith(ends))
+        """Yield the other files that have the name of one; what setup.py installs it names without a use."""
+        ends, without = (*PAGES, *NAMING, *BESIDE), {path, "setup.py"} if path in self.installed else {path}
+        others = (each for each in self.files.paths if each not in without and each.endswith(ends))
         named = (each for each in others if word.search(self.files.readable_text(each)))
         return (each for each in named if word.search(self.live(each)))
 
