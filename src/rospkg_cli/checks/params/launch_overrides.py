@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from ...package.launch.launch_file import LaunchedNode, LaunchFile, NodeParameters
 from ...package.params.parameter_file import ParameterFile
 from ...source import Span
+from .include_overrides import replaced_by_includes, replaced_by_rewriting
 from .replaced_defaults import DECLARES, LONGEST
 
 
@@ -21,11 +22,18 @@ def is_given(before: str, value: str, package: str, launches: Iterable[LaunchFil
 
 
 def is_overridden(path: str, place: Span, files: Iterable[ParameterFile], launches: Iterable[LaunchFile]) -> bool:
-    """Return whether each node that launch files hand a parameter file gets the value at a place otherwise, later."""
+    """Return whether all that launch files hand a parameter file to get the value at a place otherwise, later."""
     blocks = (block for file in files if file.path == path for block in file.blocks)
-    names = [each.name for block in blocks for each in block.parameters if each.value.span.holds(place)]
+    names = [(block, each.name) for block in blocks for each in block.parameters if each.value.span.holds(place)]
+    launches = tuple(launches)
+    if not names:
+        return False
+    block, name = names[0]
     later = [behind for node in nodes_of(launches) if (behind := behind_file(node, path)) is not None]
-    return bool(names and later) and all(any(True for _ in given(each, names[0])) for each in later)
+    replaced = [any(True for _ in given(each, name)) for each in later]
+    replaced += replaced_by_includes(path, block.name.rpartition("/")[2], name, launches)
+    replaced += replaced_by_rewriting(path, name, launches)
+    return bool(replaced) and all(replaced)
 
 
 def nodes_of(launches: Iterable[LaunchFile]) -> Iterator[LaunchedNode]:

@@ -83,12 +83,12 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     have (`/home/ubuntu`), of one that a Dockerfile of the repository names, or in code that asks whether something
     exists or tries something else first, unless they lead into the workspace: then they are an info. So is the default
     of a parameter for which all YAML of the package that gives it has another value, or launch files have one, a value
-    of YAML that they replace, what an RViz config or YAML that nothing names has, a script in a folder that is none for
-    code, a source that no target compiles, a module that nothing starts or imports beside others, or only such modules,
-    a script or launch file that nothing installs or names, a script that setup.py puts among the programs without the
-    bit to be executed and that nothing names, a function that no program leads to, what a launch file has only for an
-    action that it never adds, and what is put into a variable of a function or a member, which nothing reads. Robots
-    and worlds are URD002's, what setup.py installs is SET205's.
+    of YAML that they replace (nav2's, by its argument `map`, too), what an RViz config or YAML that nothing names has,
+    a script in a folder that is none for code, a source that no target compiles, a module that nothing starts or
+    imports beside others, or only such modules, a script or launch file that nothing installs or names, a script that
+    setup.py puts among the programs without the bit to be executed and that nothing names, a function that no program
+    leads to, what a launch file has only for an action that it never adds, and what is put into a variable of a
+    function or a member, which nothing reads. Robots and worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
     others = [each for each in paths.found if each.of_package is None and not each.may_be_there]
