@@ -38,6 +38,7 @@ from .params.launch_overrides import is_given, is_overridden
 from .params.replaced_defaults import is_replaced
 from .reached_definitions import ReachedDefinitions
 from .shown_texts import is_only_shown
+from .told_settings import is_told_by_comment, is_told_by_page
 from .unread_paths import UnreadPaths
 from .yaml_elsewhere import is_named_yaml, is_of_another
 
@@ -62,7 +63,7 @@ class HomePath:
     is_seldom_read: bool
     """Whether RViz, a script in a folder of its own, a file that nothing compiles, installs or starts, or YAML that
     nothing names, has it, which few start; or the parameter files of the package replace it; or it is one of several
-    places for modules, or a launch file has it that nothing uses."""
+    places for modules, a launch file has it that nothing uses, or a comment or page tells to write another."""
     is_unreached: bool = False
     """Whether it is in a function of Python that nothing leads to."""
     is_unread: bool = False
@@ -118,6 +119,7 @@ class HomePaths:
             is_seldom_read = is_seldom_read or (path.endswith(YAML) and not is_image and not self.is_used(path))
             is_seldom_read = is_seldom_read or self.is_unused(path, place) or is_guarded_macro(bare, match.start())
             is_seldom_read = is_seldom_read or self.is_replaced(path, place, bare, named)
+            is_seldom_read = is_seldom_read or self.is_setting(path, text, bare, place.start)
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
             is_unread = self.unread is not None and self.unread.has(path, place)
             yield HomePath(path, place, named, *home, *flags, is_unread)
@@ -133,6 +135,11 @@ class HomePaths:
         if path.endswith(YAML):
             return is_overridden(path, place, self.parameters, launches)
         return is_replaced(before, value, self.parameters) or is_given(before, value, self.facts.name, launches)
+
+    def is_setting(self, path: str, text: str, bare: str, place: int) -> bool:
+        """Return whether people are told to write a path of their own at a place."""
+        is_script = self.left is not None and self.left.is_uninstalled(path)
+        return is_told_by_comment(text, bare, place, is_script=is_script) or is_told_by_page(self.files, path)
 
     def python(self, path: str) -> PythonFile | None:
         return self.definitions.run.modules.at(path) if self.definitions and path.endswith(".py") else None
