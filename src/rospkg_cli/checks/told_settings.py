@@ -23,6 +23,17 @@ TELLS = regex(
     re.IGNORECASE,
 )
 """How a comment tells people to write another value."""
+ELSEWHERE = regex(
+    r"\b(?:cambi(?:a|ar|e)|modifi(?:ca|car|que)|ajust(?:a|ar|e)|altere|mude)\b[^\n]{0,40}"
+    r"\b(?:rutas?|caminhos?|est[aeo]|aqu[ií]|seg[uú]n|necess?[aá]rio|tus?|sua?)\b"
+    r"|\b(?:Pfade?|hier|diese[rsn]?)\b[^\n]{0,40}\b(?:anpassen|ändern|ersetzen)\b"
+    r"|\b(?:changer|modifier|remplacer|adapter)\b[^\n]{0,40}\b(?:chemins?|ici|votre|ce)\b"
+    r"|(?:修改|替换|更改|改成|改为|换成)[^\n]{0,20}(?:路径|目录|这里|此处|你|自己)"
+    r"|(?:路径|目录|这里|此处)[^\n]{0,20}(?:修改|替换|更改|改成|改为|换成)|(?:你|自己)的[^\n]{0,12}(?:路径|目录|文件)"
+    r"|(?:パス|ここ)[^\n]{0,20}変更|(?:경로|여기)[^\n]{0,20}(?:변경|수정)",
+    re.IGNORECASE,
+)
+"""The same in other languages."""
 NAMES = regex(
     r"\b(?:set|configure|specify|enter|define)\b[^\n]{0,30}\b(?:paths?|folders?|director(?:y|ies)|files?|locations?)\b",
     re.IGNORECASE,
@@ -43,7 +54,8 @@ def is_told_by_comment(text: str, bare: str, place: int, *, is_script: bool) -> 
     `bare` is the text with blanks in place of comments; `is_script` says that nothing but a person starts the file.
     """
     said = "\n".join(comments_at(text, bare, place))
-    return TELLS.search(said) is not None or (is_script and NAMES.search(said) is not None)
+    is_told = TELLS.search(said) is not None or ELSEWHERE.search(said) is not None
+    return is_told or (is_script and NAMES.search(said) is not None)
 
 
 def comments_at(text: str, bare: str, place: int) -> Iterator[str]:
