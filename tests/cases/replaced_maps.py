@@ -33,7 +33,7 @@ def generate_launch_description():
 """
 
 
-def includes(*included: str, before: str = "", node: str = "map_server", more: str = "") -> Example:
+def includes(*included: str, before: str = "", node: str = "map_server", more: str = "", path: str = MAP) -> Example:
     """Return a package that includes files with arguments, each `path: arguments`."""
     lines = [each.partition(": ") for each in included]
     inner = "".join(f'  <include file="{path}">{arguments}</include>\n' for path, _, arguments in lines)
@@ -43,7 +43,7 @@ def includes(*included: str, before: str = "", node: str = "map_server", more: s
         "maps/map.pgm": "P2 1 1 1 0\n",
         "launch/a.launch.xml": f"<launch>\n{before}{inner}</launch>\n",
         "launch/b.launch.py": more or "# nothing yet\n",
-        "config/nav.yaml": f"{node}:\n  ros__parameters:\n    yaml_filename: {MAP}\n",
+        "config/nav.yaml": f"{node}:\n  ros__parameters:\n    yaml_filename: {path}\n",
     }
     return Example(bad=files, good={})
 
@@ -64,5 +64,9 @@ CASES = {
         includes(BRINGUP + GIVEN, f"{HERE}/launch/c.launch.xml: {PARAMS}"),
         includes(more=REWRITES.format("yaml_filename")),
         includes(more=REWRITES.format("use_sim_time")),
+    ),
+    "PRM010": (
+        includes(BRINGUP, path=f"{HERE}/maps/none.yaml"),
+        includes(BRINGUP + GIVEN, path=f"{HERE}/maps/none.yaml"),
     ),
 }

@@ -6,17 +6,22 @@ import posixpath
 import re
 from collections.abc import Iterator
 from functools import cached_property
+from typing import Annotated
 
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import is_set_aside, role_of
+from ...package.launch.launch_file import LaunchFile
 from ...package.package_facts import PackageFacts
+from ...package.params.parameter_file import ParameterFile
 from ...package.workspace import Workspace
 from ...source import Span
+from ...unreadable import READABLE
 from ..closest_path import closest_path
 from ..fault import Fault
 from ..yaml_elsewhere import is_named_yaml
+from .launch_overrides import is_overridden
 
 MAP = regex(r"^resolution[ \t]*:[\s\S]*^origin[ \t]*:|^origin[ \t]*:[\s\S]*^resolution[ \t]*:", re.MULTILINE)
 IMAGE = regex(r"^image[ \t]*:[ \t]*[\"']?([\w][\w ./-]*\.\w+)[\"']?[ \t]*(?:#.*)?\r?$", re.MULTILINE)
@@ -33,13 +38,15 @@ class NamedFiles:
     files: PackageFiles
     package: PackageFacts
     workspace: Workspace
+    launches: Annotated[tuple[LaunchFile, ...], READABLE] = ()
+    parameters: Annotated[tuple[ParameterFile, ...], READABLE] = ()
 
     def faults(self) -> Iterator[tuple[str, Fault]]:
         """Yield what is missing; nothing where a package of tests has a file that nothing names."""
         for path in self.files.paths:
             if path.endswith((".yaml", ".yml")) and role_of(path) not in ("test", "aside") and not is_set_aside(path):
                 text = self.files.readable_text(path)
-                found = self.of_map(path, text) if MAP.search(text) else self.of_parameters(text)
+                found = self.of_map(path, text) if MAP.search(text) else self.of_parameters(path, text)
                 for fault in found:
                     if fault.level == "info" or self.is_used(path):
                         yield path, fault
@@ -66,17 +73,19 @@ class NamedFiles:
             Span(*found.span(1)), f"{message}; {f'did you mean `{hint}`?' if hint else 'add it, or correct it'}"
         )
 
-    def of_parameters(self, text: str) -> Iterator[Fault]:
+    def of_parameters(self, path: str, text: str) -> Iterator[Fault]:
         """Yield the files below a share directory; launch may set what it names, so that is an info."""
         for found in SHARED.finditer(text) if PARAMETERS in text else ():
-            name, path = found[2] or found[3], posixpath.normpath(found[4].lstrip("/"))
+            name, named = found[2] or found[3], posixpath.normpath(found[4].lstrip("/"))
             facts = self.package if name == self.package.name else self.workspace.named(name)
-            if facts is None or not self.lacks(facts, path):
+            if facts is None or not self.lacks(facts, named):
                 continue
-            near = closest_path(path, facts.share_files)
+            near = closest_path(named, facts.share_files)
             hint = f"did you mean `{near}`?" if near else "add it, or correct the path"
-            message = f"`{name}` has no file `{path}`: what opens it finds nothing there"
+            message = f"`{name}` has no file `{named}`: what opens it finds nothing there"
             is_set = any(found[1].rpartition(".")[2] in each for each in self.starting)
+            place = Span(*found.span(2 if found[2] else 3))
+            is_set = is_set or is_overridden(path, place, self.parameters, self.launches)
             why = ", where the launch file gives no other" if is_set else ""
             yield Fault(Span(found.start(4) + 1, found.end(4)), f"{message}{why}; {hint}", "info" if is_set else None)
 
