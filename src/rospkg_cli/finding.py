@@ -83,6 +83,10 @@ class Fix:
                 raise ValueError(f"the edits of one fix overlap in {path}: {self.title}")
 
 
+AGAIN = "and here"
+"""What is said of another place of the same fault, at the same level."""
+
+
 @dataclass(frozen=True, slots=True)
 class Related:
     """Another location that explains a hit."""

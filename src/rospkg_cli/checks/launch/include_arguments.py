@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Collection, Iterator
+from typing import Annotated
 
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.launch.file_references import FileReference, first_in
-from ...package.launch.launch_file import Include
+from ...package.launch.launch_file import Include, LaunchFile
 from ...package.launch.launch_signature import LaunchSignature
 from ...ros.known_launch_files import known_arguments
 from ...source import Span
 from ...suggest import as_near, near_names, nearest
+from ...unreadable import READABLE
 from .missing_references import LaunchContext, MissingReference
+from .one_cause import CausedPlace, told_at
 
 SHORTEST = 5
 DIGITS = regex(r"\d")
@@ -35,10 +38,41 @@ class ArgumentMismatch:
     rivals: tuple[str, ...] = ()
     """Other arguments that are about as near as the suggestion."""
 
+    @property
+    def is_fault(self) -> bool:
+        """Whether it is more than an argument that is left over, or that a file further on may take."""
+        return self.is_missing or bool(self.is_sure and self.suggestion)
+
 
 @dataclass(frozen=True)
 class IncludeContext:
     scope: LaunchContext
+    around: Annotated[tuple[LaunchFile, ...], READABLE] = ()
+    """All launch files of the package that can be read."""
+
+    def together(self) -> Iterator[list[CausedPlace[ArgumentMismatch]]]:
+        """Yield the places in the package of each mismatch that is told in this file.
+
+        An argument that is missing under any name is one of each include: every one may need another value.
+        """
+        own = self.scope.file.path
+        others = (file for file in self.around if file.path != own)
+        files = (self.scope.file, *others) if next(self.mismatches(), None) else ()
+        places = [
+            CausedPlace(
+                (
+                    replace(each, span=Span(0, 0)),
+                    (file.path, each.span) if each.is_missing and not each.suggestion else "",
+                ),
+                None if each.is_fault else "info",
+                file.path,
+                each.span,
+                each,
+            )
+            for file in files
+            for each in IncludeContext(replace(self.scope, file=file)).mismatches()
+        ]
+        yield from told_at(own, places)
 
     def mismatches(self) -> Iterator[ArgumentMismatch]:
         """Yield the unknown and the missing arguments of includes, as far as the included file is known."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
+from typing import Annotated
 
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts
@@ -13,11 +14,13 @@ from ...package.workspace import Workspace
 from ...ros.names import NameKind
 from ...ros.well_known import WrongName, wrong_name
 from ...suggest import nearest
+from ...unreadable import READABLE
 from ..cmake.component_registration import ComponentRegistration
 from ..fault import Level
 from ..older_distribution import OlderDistribution
 from .forked_packages import is_of_fork
 from .idle_actions import level_at
+from .one_cause import CausedPlace, told_at
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +34,8 @@ class UnknownComponent:
     """Of the package; None where no package of that name is known at all."""
     elsewhere: tuple[tuple[str, str], ...] = ()
     """Package and class of what other packages register under the same or the same last name."""
+    plain: bool = False
+    """Whether the text is the name and nothing else."""
     wrong: WrongName | None = None
     """Of a well-known package that is not here: what is wrong with the name."""
 
@@ -53,6 +58,20 @@ class LoadedComponents:
     own: ComponentRegistration | None
     package: PackageFacts
     distribution: OlderDistribution
+    around: Annotated[tuple[LaunchFile, ...], READABLE] = ()
+    """All launch files of the package that can be read."""
+
+    def unknown_together(self) -> Iterator[list[CausedPlace[UnknownComponent]]]:
+        """Yield the places in the package of each unknown component that is told in this file; the worst is first."""
+        others = (file for file in self.around if file.path != self.file.path)
+        files = (self.file, *others) if next(self.unknown(), None) else ()
+        every = [replace(self, file=file) for file in files]
+        places = [
+            CausedPlace((each.package, each.name), one.level_of(each)[0], one.file.path, each.plugin.span, each)
+            for one in every
+            for each in one.unknown()
+        ]
+        yield from told_at(self.file.path, places)
 
     def level_of(self, each: UnknownComponent) -> tuple[Level | None, str]:
         """Return the level of a component, None for the rule's own, and why it is not that."""
@@ -80,15 +99,15 @@ class LoadedComponents:
             name = node.plugin.literal if node.plugin else None
             if node.kind != "composable_node" or not package or not name or node.plugin is None:
                 continue
-            facts = self.workspace.named(package)
+            facts, plain = self.workspace.named(package), self.file.source.slice(node.plugin.span) == name
             if facts is not None:
                 known = name in facts.components or (package, name) in self.told
                 if facts.knows("components") and not known:
-                    yield UnknownComponent(package, node.plugin, name, facts, self.elsewhere(name, facts))
+                    yield UnknownComponent(package, node.plugin, name, facts, self.elsewhere(name, facts), plain)
             elif wrong := wrong_name("components", package, name):
-                yield UnknownComponent(package, node.plugin, name, None, (), wrong)
+                yield UnknownComponent(package, node.plugin, name, None, (), plain, wrong)
             elif found := self.renamed(package, name):
-                yield UnknownComponent(package, node.plugin, name, None, found)
+                yield UnknownComponent(package, node.plugin, name, None, found, plain)
 
     def renamed(self, package: str, name: str) -> tuple[tuple[str, str], ...]:
         """Return who registers the class of an unknown package; nothing where that may be another class."""

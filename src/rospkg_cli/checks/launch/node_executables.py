@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
+from typing import Annotated
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
+from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import LaunchText
 from ...package.package_facts import PackageFacts
 from ...ros.well_known import WrongName, removed, wrong_name
 from ...source import Span
 from ...suggest import nearest, slips
+from ...unreadable import READABLE
 from ..closest_path import is_like
 from ..fault import Level
 from ..older_distribution import OlderDistribution
@@ -19,6 +22,7 @@ from .forked_packages import is_of_fork
 from .idle_actions import level_at
 from .missing_references import LaunchContext
 from .named_programs import named_programs
+from .one_cause import CausedPlace, told_at
 
 PROGRAM = regex(r"[^.]+(\.(py|sh|bash|pl|rb|js))?")
 
@@ -92,12 +96,24 @@ class WellKnownUse:
     wrong: WrongName
     level: Level | None
     why: str
+    plain: bool
+    """Whether the text is the name and nothing else."""
 
 
 @dataclass(frozen=True)
 class NodeExecutables:
     scope: LaunchContext
     distribution: OlderDistribution
+    around: Annotated[tuple[LaunchFile, ...], READABLE] = ()
+    """All launch files of the package that can be read."""
+
+    @property
+    def each_file(self) -> Iterator[NodeExecutables]:
+        """Those of each launch file of the package; this one is first."""
+        yield self
+        for file in self.around:
+            if file.path != self.scope.file.path:
+                yield replace(self, scope=replace(self.scope, file=file))
 
     def level_of(self, use: WellKnownUse) -> Level | None:
         """Return the level of a name that is not there; where the repository is for an older distribution it is.
@@ -148,6 +164,24 @@ class NodeExecutables:
             if is_told and not known and not posixpath.isabs(name):
                 yield replace(node, sister=self.sister(node), entry=self.entry(node))
 
+    def unknown_together(self) -> Iterator[list[CausedPlace[ExecutableUse]]]:
+        """Yield the uses in the package of each unknown executable that is told in this file; the worst is first."""
+        places = (
+            CausedPlace((use.facts.name, use.executable), use.level, use.path, use.span, use)
+            for each in (self.each_file if next(self.unknown_executables(), None) else ())
+            for use in each.unknown_executables()
+        )
+        yield from told_at(self.scope.file.path, places)
+
+    def renamed_together(self) -> Iterator[list[CausedPlace[WellKnownUse]]]:
+        """Yield the uses in the package of each name that is told in this file, with their levels; the worst first."""
+        places = (
+            CausedPlace((use.package, use.name), each.level_of(use), each.scope.file.path, use.executable.span, use)
+            for each in (self.each_file if next(self.renamed(), None) else ())
+            for use in each.renamed()
+        )
+        yield from told_at(self.scope.file.path, places)
+
     def renamed(self) -> Iterator[WellKnownUse]:
         """Yield the nodes of well-known packages that are not here, under a name that these do not have."""
         file, workspace = self.scope.file, self.scope.workspace
@@ -158,7 +192,8 @@ class NodeExecutables:
             if wrong is not None and each.executable.span not in seen:
                 seen.add(each.executable.span)
                 level = milder(level_at(file, each.span), level_at(file, each.executable.span))
-                yield WellKnownUse(each.package, each.executable, name, wrong, *level)
+                is_plain = file.source.slice(each.executable.span) == name
+                yield WellKnownUse(each.package, each.executable, name, wrong, *level, is_plain)
 
     def blank(self) -> Iterator[tuple[LaunchText, str]]:
         """Yield the executables and packages of nodes that hold nothing, and packages with a blank."""
@@ -189,11 +224,3 @@ MILDEST: tuple[Level | None, ...] = ("info", "warning", None)
 def milder(one: tuple[Level | None, str], other: tuple[Level | None, str]) -> tuple[Level | None, str]:
     """Return the milder of two levels: of an action that a function makes, and of the name that it is given."""
     return min(one, other, key=lambda each: MILDEST.index(each[0]))
-
-
-def by_name(uses: Iterable[ExecutableUse]) -> list[list[ExecutableUse]]:
-    """Return the uses of each executable of each package; the first of those that fail most is first."""
-    found: dict[tuple[str, str], list[ExecutableUse]] = {}
-    for use in uses:
-        found.setdefault((use.facts.name, use.executable), []).append(use)
-    return [sorted(each, key=lambda use: -MILDEST.index(use.level)) for each in found.values()]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from ...package.launch.evaluated_launch import EvaluatedLaunch
 from ...package.launch.launch_classes import class_of
@@ -11,6 +11,8 @@ from ...source import Source, Span
 from ..enumeration import in_ticks
 from ..fault import Fault, TextRepair, joined
 
+LATER = "launch no longer takes"
+"""What Foxy takes; the rest is ROS 1's."""
 RENAMED = {
     "node_executable": "executable",
     "node_name": "name",
@@ -62,7 +64,7 @@ def python_arguments(launch: EvaluatedLaunch, source: Source) -> Iterator[tuple[
 def removed(span: Span, name: str, now: str, has_both: bool) -> Fault:
     start = f"`{name}` is ROS 1's: launch takes no such argument of a node and stops there"
     if name not in ROS1:
-        start = f"launch no longer takes `{name}` of a node and stops there"
+        start = f"{LATER} `{name}` of a node and stops there"
     better = f", and `{now}` is given as well: remove it" if has_both else f"; write `{now}`"
     repair = None if has_both else TextRepair(f"call it `{now}`", ((span, now),))
     return Fault(span, start + better, repair=repair)
@@ -74,7 +76,11 @@ def together(found: Mapping[Span, tuple[str, bool]]) -> Iterator[Fault]:
     faults = {span: removed(span, name, now[name], has_both) for span, (name, has_both) in found.items()}
     old = {span: name for span, (name, has_both) in found.items() if name in RENAMED and not has_both}
     if len(old) > 1:
-        better = in_ticks(RENAMED[name] for name in old.values())
-        start = f"launch no longer takes {in_ticks(old.values())} of nodes and stops there"
-        yield joined([faults.pop(span) for span in old], f"{start}; write {better}", f"write {better}")
+        yield joined([faults.pop(span) for span in old], *told_of(old.values()))
     yield from faults.values()
+
+
+def told_of(names: Collection[str]) -> tuple[str, str]:
+    """Return what is said of several keywords of Foxy, and the title of what renames them."""
+    better = in_ticks(RENAMED[name] for name in names)
+    return f"{LATER} {in_ticks(names)} of nodes and stops there; write {better}", f"write {better}"

@@ -7,7 +7,7 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from ...files import PackageFiles
-from ...finding import Edit, Finding, Fix, Hit, Location, Move, Operation, Severity
+from ...finding import AGAIN, Edit, Finding, Fix, Hit, Location, Move, Operation, Related, Severity
 from ...light_dataclasses import dataclass, replace
 from ...package.file_role import is_set_aside
 from ...package.workspace import Workspace
@@ -70,6 +70,7 @@ class FindingBuilder:
         return self.package
 
     def build(self, rule: Rule[Any], hit: Hit) -> Finding:
+        hit = self.at_met_place(rule, hit)
         place, source = self.place(hit.path, hit.span), self.source(hit.path)
         level = self.level(rule.code, hit.level or rule.severity, hit.path)
         is_unled = level is not Severity.INFO and rule.code.startswith(IN_USE) and self.is_left(hit.path)
@@ -87,6 +88,18 @@ class FindingBuilder:
                 self.place(o.path, o.span) for o in (hit.fix.operations if hit.fix else ()) if isinstance(o, Edit)
             ),
         )
+
+    def at_met_place(self, rule: Rule[Any], hit: Hit) -> Hit:
+        """Return a hit of several launch files at the first of its places that is not left or laid aside."""
+        level = hit.level or rule.severity
+        if not rule.code.startswith("LCH") or all(each.path == hit.path for each in hit.related):
+            return hit
+        own = Related(hit.path, hit.span, AGAIN)
+        for each in (own, *(each for each in hit.related if each.message == AGAIN)):
+            if self.level(rule.code, level, each.path) is level and not self.is_left(each.path):
+                others = tuple(own if other is each else other for other in hit.related)
+                return hit if each is own else replace(hit, path=each.path, span=each.span, related=others)
+        return hit
 
     def level(self, code: str, level: Severity, path: str) -> Severity:
         """Return the level of a hit: one lower where nobody starts what is laid aside in a folder called `old/`.

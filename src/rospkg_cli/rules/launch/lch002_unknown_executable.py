@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.node_executables import ExecutableUse, NodeExecutables, WellKnownUse, by_name
+from ...checks.launch.node_executables import ExecutableUse, NodeExecutables, WellKnownUse
+from ...checks.launch.one_cause import CausedPlace
 from ...checks.launch.without_package import NodesWithoutPackage, PathUse
 from ...edits.blank_names import blank_name
+from ...edits.caused_places import level_of, other_places
 from ...edits.offers import node_command
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
-from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...package.package_facts import PackageFacts
 from ...rule import rule
 
@@ -57,7 +59,8 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     The node is of this package, or of another package of the workspace, and is neither a console_script nor a target or
     script that CMake installs; a command of `ros2 run` and `ExecutableInPackage` are looked at likewise. A node without
     a package is looked for on the PATH, where only what packages put into `bin/` is. Of packages that everybody uses it
-    knows what they install: it says what is a letter or two away, and what only old distributions had.
+    knows what they install: it says what is a letter or two away, and what only old distributions had. All places of a
+    name in the launch files of a package are one finding, where it is worst.
 
     ## Why is this bad?
     The launch stops with "executable 'taker' not found on the libexec directory".
@@ -76,18 +79,17 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     ## Fix safety
     The name is replaced by the only similar one; another program may be right.
     """
-    for node, *others in by_name(started.unknown_executables()):
+    for uses in started.unknown_together():
+        node = uses[0].item
         start = f"`{node.facts.name}` installs no executable `{node.executable}`"
         whole = f"{start}: {node.ends}"
         told = {None: whole, "warning": f"{whole}, {node.why}", "info": f"{start}, {node.why}"}
-        level = Severity(node.level) if node.level else None
         message = f"{told[node.level]}; {hint(node, started.scope.package)}"
-        again = tuple(Related(each.path, each.span, "and here") for each in others)
-        yield Hit(node.path, node.span, message, level, again, rename([node, *others], node.suggestion))
-    for known in started.renamed():
-        mild = started.level_of(known)
-        severity, fix = Severity(mild) if mild else None, other_name(started, known)
-        yield Hit(started.scope.file.path, known.executable.span, not_offered(known), severity, fix=fix)
+        fix = rename([each.item for each in uses], node.suggestion)
+        yield Hit(node.path, node.span, message, level_of(uses), other_places(uses), fix)
+    for places in started.renamed_together():
+        first, fix = places[0], other_name(places)
+        yield Hit(first.path, first.span, not_offered(first.item), level_of(places), other_places(places), fix)
     for text, what in started.blank():
         yield blank_name(started.scope.file.path, text, what)
     for use in NodesWithoutPackage(started.scope).uses():
@@ -103,11 +105,13 @@ def not_offered(use: WellKnownUse) -> str:
     return f"{start}: the launch stops{raised}{use.why and ', '}{use.why}{hint if better else ''}"
 
 
-def other_name(started: NodeExecutables, use: WellKnownUse) -> Fix | None:
-    file, better, span = started.scope.file, use.wrong.better, use.executable.span
-    if not better or "/" in better or file.source.slice(span) != use.name:
+def other_name(places: list[CausedPlace[WellKnownUse]]) -> Fix | None:
+    """Return what writes the other name wherever the old one stands as it is."""
+    better = places[0].item.wrong.better
+    edits = tuple(Edit(each.path, each.span, better) for each in places if each.item.plain)
+    if not better or "/" in better or not edits:
         return None
-    return Fix(f"start `{better}`", (Edit(file.path, span, better),), Safety.UNSAFE)
+    return Fix(f"start `{better}`", edits, Safety.UNSAFE)
 
 
 def without_package(use: PathUse) -> str:

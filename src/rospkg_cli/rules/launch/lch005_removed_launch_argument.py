@@ -4,19 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.fault import Fault, Level, softer_advice
-from ...checks.launch.call_errors import LaunchCalls
-from ...checks.launch.idle_actions import IN_BRANCH, NO_ENTRY, level_at
-from ...checks.launch.removed_arguments import removed_arguments
-from ...checks.launch.removed_commands import removed_commands
-from ...edits.fault_hits import hits
+from ...checks.fault import Fault
+from ...checks.launch.one_cause import CausedPlace
+from ...checks.launch.removed_words import RemovedWord, RemovedWords
+from ...edits.caused_places import other_places
+from ...edits.fault_hits import fix_for
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
-from ...finding import Hit, Safety, Severity
-from ...light_dataclasses import replace
+from ...finding import Fix, Hit, Related, Safety, Severity
 from ...rule import rule
 
-LATER = "launch no longer takes"
-"""What Foxy takes; the rest is ROS 1's."""
 PYTHON = """\
 from launch import LaunchDescription
 from launch_ros.actions import Node
@@ -43,7 +39,7 @@ FILES = {
 @rule(
     "LCH005",
     "removed-launch-argument",
-    over=LaunchCalls,
+    over=RemovedWords,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "its condition is false by default, or it stands in a branch that is not always taken",
@@ -63,13 +59,14 @@ FILES = {
         ),
     ),
 )
-def removed_launch_argument(calls: LaunchCalls) -> Iterator[Hit]:
+def removed_launch_argument(words: RemovedWords) -> Iterator[Hit]:
     """
     ## What it does
     Finds arguments of nodes that launch_ros removed, such as `node_executable`.
     They are `node_executable`, `node_name`, `node_namespace` and `node_plugin`, which launch_ros had up to Foxy, and
     `type=` of nodes, which is ROS 1's. States and verbs that `ros2 control` no longer has are told, too
-    (`load_controller --set-state start`).
+    (`load_controller --set-state start`). What is alike in the launch files of a package is one finding, where it is
+    worst.
 
     ## Why is this bad?
     The launch stops with `__init__() got an unexpected keyword argument 'node_executable'` or `missing 1 required
@@ -83,26 +80,21 @@ def removed_launch_argument(calls: LaunchCalls) -> Iterator[Hit]:
     file brings the same controller into the state. A Python file whose name or folder says that it is for Foxy or an
     older one (`launch/foxy/`, `eloquent_start.py`), beside launch files for others, is left alone.
     """
-    if calls.file.frontend == "python" and calls.distribution.is_kept_for_older(calls.file.path):
-        return
-    file, distribution = calls.file, calls.distribution
-    keywords, commands = list(removed_arguments(file)), list(removed_commands(file))
-    if file.frontend == "python" and distribution.is_for_older(file.path):
-        keywords = [
-            softer_advice(each, "info", "but not in Foxy") if each.message.startswith(LATER) else each
-            for each in keywords
-        ]
-    if distribution.is_for_unsupported(file.path):
-        commands = [softer_advice(each, "info", "but not in Foxy and Galactic") for each in commands]
-    for fault in keywords:
-        level, why = level_at(file, fault.span)
-        if why in (NO_ENTRY, IN_BRANCH):  # a condition of launch does not help: Python refuses to make the action
-            fault = softer_advice(fault, milder(fault, "warning"), why)
-        yield from hits(file.path, [replace(fault, level="info") if level == "info" else fault])
-    for fault in commands:
-        level, why = level_at(file, fault.span)
-        yield from hits(file.path, [softer_advice(fault, milder(fault, level), why) if level else fault])
+    for fault, places in words.together():
+        first, again = places[0], other_places(places)
+        around = [Related(each.path, *place) for each in places for place in each.item.fault.related]
+        level = Severity(fault.level) if fault.level else None
+        yield Hit(
+            first.path, first.span, fault.message, level, tuple(dict.fromkeys((*again, *around))), rename(fault, places)
+        )
 
 
-def milder(fault: Fault, level: Level) -> Level:
-    return "info" if fault.level == "info" else level
+def rename(fault: Fault, places: list[CausedPlace[RemovedWord]]) -> Fix | None:
+    """Return what renames all of them; None where one of them can't be."""
+    repairs = [each.item.fault.repair for each in places]
+    if fault.repair is None or not all(repairs):
+        return None
+    fixes = [fix_for(each.path, repair) for each, repair in zip(places, repairs, strict=True) if repair]
+    unsafe = any(each.safety is Safety.UNSAFE for each in fixes)
+    edits = dict.fromkeys(edit for each in fixes for edit in each.operations)
+    return Fix(fault.repair.title, tuple(edits), Safety.UNSAFE if unsafe else Safety.SAFE)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.idle_actions import level_at
 from ...checks.launch.loaded_components import LoadedComponents, UnknownComponent
+from ...checks.launch.one_cause import CausedPlace
+from ...edits.caused_places import level_of, other_places
 from ...example import CMAKE, Example, manifest
-from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
 
 BAD = """\
@@ -65,7 +66,8 @@ def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
     Composable nodes of this package, or of another one of the workspace, have to be in
     `rclcpp_components_register_node`. A component of an unknown package is reported where another package registers its
     class. Of packages that everybody uses it knows the components, and says what is a letter or two away from one, and
-    what only distributions that are no longer supported had.
+    what only distributions that are no longer supported had. All places of a name in the launch files of a package are
+    one finding, where it is worst.
 
     ## Why is this bad?
     The container starts, and says "Failed to find class with the requested plugin name" (or, of a package that
@@ -80,16 +82,11 @@ def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
     ## Fix safety
     The name is replaced by the only similar class; another one may be right.
     """
-    by_class: dict[tuple[str, str], list[UnknownComponent]] = {}
-    for each in loaded.unknown():
-        by_class.setdefault((each.package, each.name), []).append(each)
-    for alike in by_class.values():
-        each, *others = sorted(alike, key=lambda one: level_at(loaded.file, one.plugin.span)[0] is not None)
-        level, why = loaded.level_of(each)
-        message = message_for(each, f", {why}" if why else "")
-        path, again = loaded.file.path, tuple(Related(loaded.file.path, one.plugin.span, "and here") for one in others)
-        severity = Severity(level) if level else None
-        yield Hit(path, each.plugin.span, message, severity, again, rename(loaded, alike))
+    for places in loaded.unknown_together():
+        first = places[0]
+        _, why = loaded.level_of(first.item)
+        message = message_for(first.item, f", {why}" if why else "")
+        yield Hit(first.path, first.span, message, level_of(places), other_places(places), rename(places))
 
 
 def message_for(each: UnknownComponent, why: str) -> str:
@@ -111,8 +108,8 @@ def message_for(each: UnknownComponent, why: str) -> str:
     return f"`{each.facts.name}` registers no component `{each.name}`: the container can't load it{why}; {hint}"
 
 
-def rename(loaded: LoadedComponents, uses: list[UnknownComponent]) -> Fix | None:
-    better, file = uses[0].suggestion, loaded.file
-    if better is None or any(file.source.slice(each.plugin.span) != each.name for each in uses):
+def rename(places: list[CausedPlace[UnknownComponent]]) -> Fix | None:
+    better = places[0].item.suggestion
+    if better is None or not all(each.item.plain for each in places):
         return None
-    return Fix(f"load `{better}`", tuple(Edit(file.path, each.plugin.span, better) for each in uses), Safety.UNSAFE)
+    return Fix(f"load `{better}`", tuple(Edit(each.path, each.span, better) for each in places), Safety.UNSAFE)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.include_arguments import ArgumentMismatch, IncludeContext
+from ...edits.caused_places import level_of, other_places
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -55,7 +56,8 @@ def include_argument_mismatch(context: IncludeContext) -> Iterator[Hit]:
     Finds arguments of an included launch file that it does not declare, or that are missing.
     The file is of this package or of another one of the workspace. An argument is unknown if neither it nor anything it
     includes declares or uses it, and missing if it has no default and is not given. Of well-known launch files
-    (nav2_bringup, realsense2_camera) what is one letter from an argument is told.
+    (nav2_bringup, realsense2_camera) what is one letter from an argument is told. A wrong name that several includes
+    of a file give is one finding.
 
     ## Why is this bad?
     An unknown argument has no effect, without a warning: of a slip, the value meant never arrives. A missing one stops
@@ -67,9 +69,9 @@ def include_argument_mismatch(context: IncludeContext) -> Iterator[Hit]:
     info that is one letter from a declared one which is not given. An include whose arguments are not all known lacks
     none.
     """
-    for each in context.mismatches():
-        is_fault = each.is_missing or (each.is_sure and each.suggestion)
-        yield Hit(context.scope.file.path, each.span, message(each), None if is_fault else Severity.INFO)
+    for places in context.together():
+        first = places[0]
+        yield Hit(first.path, first.span, message(first.item), level_of(places), other_places(places))
 
 
 def message(mismatch: ArgumentMismatch) -> str:

@@ -1,0 +1,83 @@
+"""Removed arguments and words of commands in all launch files of a package, each told once (LCH005)."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterator
+from typing import Annotated
+
+from ...light_dataclasses import dataclass, replace
+from ...package.launch.launch_file import LaunchFile
+from ...unreadable import READABLE
+from ..fault import Fault, Level, TextRepair, softer_advice
+from .call_errors import LaunchCalls
+from .idle_actions import IN_BRANCH, NO_ENTRY, level_at
+from .one_cause import CausedPlace, told_at
+from .removed_arguments import LATER, removed_arguments, told_of
+from .removed_commands import removed_commands
+
+
+@dataclass(frozen=True, slots=True)
+class RemovedWord:
+    fault: Fault
+    """As it is told where it stands alone."""
+    names: tuple[str, ...] = ()
+    """The keywords that launch took in Foxy, where they can be renamed."""
+    when: tuple[tuple[Level, str], ...] = ()
+    """Why it is not at the rule's level; "" where nothing is said of that."""
+
+    @property
+    def cause(self) -> Hashable:
+        return LATER if self.names else self.fault.message
+
+    @property
+    def told(self) -> Fault:
+        fault = self.fault
+        for level, why in self.when:
+            least: Level = "info" if fault.level == "info" else level
+            fault = softer_advice(fault, least, why) if why else replace(fault, level=least)
+        return fault
+
+
+@dataclass(frozen=True)
+class RemovedWords:
+    calls: LaunchCalls
+    around: Annotated[tuple[LaunchFile, ...], READABLE] = ()
+    """All launch files of the package that can be read."""
+
+    def together(self) -> Iterator[tuple[Fault, list[CausedPlace[RemovedWord]]]]:
+        """Yield what is told in this file, and its places in the package; the worst is first."""
+        own = self.calls.file
+        here = list(self.words_of(own))
+        files = [each for each in self.around if each.path != own.path] if here else []
+        words = [(own.path, word) for word in here]
+        words += [(file.path, word) for file in files for word in self.words_of(file)]
+        places = (CausedPlace(word.cause, word.told.level, path, word.fault.span, word) for path, word in words)
+        for alike in told_at(own.path, places):
+            first, names = alike[0].item, tuple(dict.fromkeys(name for each in alike for name in each.item.names))
+            if set(names) != set(first.names):
+                message, title = told_of(names)
+                first = replace(first, fault=replace(first.fault, message=message, repair=TextRepair(title, ())))
+            yield first.told, alike
+
+    def words_of(self, file: LaunchFile) -> Iterator[RemovedWord]:
+        """Yield the removed arguments of a file, and then the words; none of one that is kept for Foxy."""
+        is_python, distribution = file.frontend == "python", self.calls.distribution
+        if is_python and distribution.is_kept_for_older(file.path):
+            return
+        for fault in removed_arguments(file):
+            when: list[tuple[Level, str]] = []
+            is_later = is_python and fault.message.startswith(LATER)
+            if is_later and distribution.is_for_older(file.path):
+                when.append(("info", "but not in Foxy"))
+            level, why = level_at(file, fault.span)
+            if why in (NO_ENTRY, IN_BRANCH):  # a condition of launch does not help: Python refuses to make the action
+                when.append(("warning", why))
+            elif level == "info":
+                when.append((level, ""))
+            edits = fault.repair.edits if is_later and fault.repair else ()
+            yield RemovedWord(fault, tuple(dict.fromkeys(file.source.slice(span) for span, _ in edits)), tuple(when))
+        for fault in removed_commands(file):
+            is_older = distribution.is_for_unsupported(file.path)
+            level, why = level_at(file, fault.span)
+            older: list[tuple[Level, str]] = [("info", "but not in Foxy and Galactic")] if is_older else []
+            yield RemovedWord(fault, (), (*older, *([(level, why)] if level else ())))
