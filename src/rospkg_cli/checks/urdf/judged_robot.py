@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Collection
+from typing import Annotated
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.install_table import InstallTable
 from ...package.urdf.robot_file import RobotFile
 from ...source import Span
+from ...unreadable import READABLE
 from ..fault import Fault, once_each, softer
 from ..older_distribution import OlderDistribution
 from .expanded_robots import ExpandedRobots
@@ -16,6 +19,7 @@ from .given_prefixes import gives_text
 from .launched_robots import LaunchedRobots
 from .lost_prefix import EMPTY, UNLESS, UNLESS_EMPTY
 from .macro_prefix import prefix_faults
+from .one_slip import is_slip, of_one_slip
 from .opened_robots import OpenedRobots
 from .validation import VAIN, robot_faults
 from .xacro_calls import XacroCalls, ancestors
@@ -36,6 +40,7 @@ class JudgedRobot:
     launched: LaunchedRobots
     distribution: OlderDistribution
     table: InstallTable | None = None
+    robots: Annotated[tuple[RobotFile, ...], READABLE] = ()
 
     def is_idle(self, path: str) -> bool:
         """Return whether nothing here opens a robot, nor one that includes it."""
@@ -58,7 +63,25 @@ class JudgedRobot:
         later = prefix_faults(self.robot.document.root) if self.robot.is_xacro else ()
         own = [*written, *(fault for fault in later if fault.span not in told)]
         weighed = [self.at_its_level(each, self.robot.path) for each in own if each.level or not self.is_replaced(each)]
-        return of_one_parameter(once_each(sorted([*made, *weighed], key=lambda fault: fault.span)))
+        return of_one_slip(of_one_parameter(once_each(sorted([*made, *weighed], key=lambda fault: fault.span))))
+
+    def found(self) -> list[tuple[Fault, list[tuple[str, Span]]]]:
+        """Return what is wrong, with the same slip in later robots of the folder; what an earlier one tells is not."""
+        faults = self.faults()
+        beside = self.slips_beside() if any(map(is_slip, faults)) else []
+        same = {id(fault): [(path, other) for path, other in beside if is_same(other, fault)] for fault in faults}
+        return [
+            (fault, [(path, other.span) for path, other in same[id(fault)]])
+            for fault in faults
+            if not any(path < self.robot.path for path, _ in same[id(fault)])
+        ]
+
+    def slips_beside(self) -> list[tuple[str, Fault]]:
+        """Return the slips of the other robots in the folder, each with the path of its file."""
+        folder = posixpath.dirname(self.robot.path)
+        near = (each for each in self.robots if posixpath.dirname(each.path) == folder and each.path != self.robot.path)
+        judged = (replace(self, robot=each) for each in near if each.is_xacro and "{" in each.source.text)
+        return [(each.robot.path, fault) for each in judged for fault in each.faults() if is_slip(fault)]
 
     def made(self, told: Collection[Span]) -> list[Fault]:
         """Return what xacro meets in the file, each place once: as grave as in the robot where it is the gravest."""
@@ -113,6 +136,10 @@ class JudgedRobot:
         """Return whether a fault is in a default that each launch file replaces: xacro never reads it."""
         defaults = (each for each in ancestors(self.robot.document.root, fault.span) if each.tag == "xacro:arg")
         return any(self.opened.is_always_given(self.robot.path, each.get("name") or "") for each in defaults)
+
+
+def is_same(one: Fault, other: Fault) -> bool:
+    return is_slip(one) and (one.message, one.level) == (other.message, other.level)
 
 
 def may_be_elsewhere(fault: Fault) -> bool:

@@ -3,6 +3,7 @@ default."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ...languages.xml.parser import Element
@@ -17,7 +18,8 @@ SURPLUS = regex(r"\$\{[^{}]*\}\}")
 """An expression with a brace behind it that closes nothing."""
 OWN = regex(r"\$\(\s*arg\s+([^\s)]+)\s*\)")
 EXPRESSION = regex(r"\$\{[^{}]*\}")
-IN_BRACES = regex(r"\{\$?(\w+)\}")
+IN_BRACES = regex(r"\{\$?([\s\d.*/+()-]*)([^\W\d]\w*)([\s\d.*/+()-]*)\}")
+"""A name in braces, or one that is reckoned with: `{pi}`, `{-2*pi}`."""
 MUST_BE_GIVEN = "unless it is given, xacro stops"
 NOT_READ = frozenset({"xacro:macro"})
 """Whose attributes are no values."""
@@ -68,11 +70,10 @@ def lost_signs(macro: Element) -> Iterator[Fault]:
     for element in macro.walk():
         for attribute in element.attributes.values() if element is not macro else ():
             text = EXPRESSION.sub(lambda found: " " * len(found[0]), attribute.value)
-            found = next((each for each in IN_BRACES.finditer(text) if each[1] in names), None)
+            found = next((each for each in IN_BRACES.finditer(text) if each[2] in names), None)
             if found is not None:
-                shown, right = attribute.value[: found.end()].split()[-1], f"${{{found[1]}}}"
-                message = f"`{shown}` is read as it stands, for no `$` is right before the brace: write `{right}`"
-                yield Fault(attribute.value_span, message, "warning")
+                shown = attribute.value[: found.start()].split(" ")[-1] + found[0]
+                yield Fault(attribute.value_span, without_sign(shown, found, is_argument=False), "warning")
 
 
 def unread_names(root: Element) -> Iterator[Fault]:
@@ -108,11 +109,17 @@ def macro_parameters(element: Element) -> Iterator[MacroParameter]:
 def unread_name(value: str, span: Span, names: set[str], arguments: set[str]) -> Iterator[Fault]:
     text = EXPRESSION.sub(lambda found: " " * len(found[0]), value) if "{" in value else ""
     found = IN_BRACES.search(text)
-    if found is None or found[1] not in names or any(mark in IN_BRACES.sub("", text) for mark in "{}\n"):
+    if found is None or found[2] not in names or any(mark in IN_BRACES.sub("", text) for mark in "{}\n"):
         return
-    right = f"$(arg {found[1]})" if found[1] in arguments else f"${{{found[1]}}}"
-    message = f"`{found[0]}` is read as it stands, for no `$` is right before the brace: write `{right}`"
-    yield Fault(span, message, "warning")
+    yield Fault(span, without_sign(found[0], found, is_argument=found[2] in arguments), "warning")
+
+
+def without_sign(shown: str, found: re.Match[str], *, is_argument: bool) -> str:
+    """Return the sentence about an expression in braces; an argument that is reckoned with is text in one."""
+    before, name, after = found.groups()
+    value = f"$(arg {name})" if is_argument else name
+    right = value if is_argument and not before + after else f"${{{before}{value}{after}}}"
+    return f"`{shown}` is read as it stands, for no `$` is right before the brace: write `{right}`"
 
 
 def own_default(argument: Element) -> Iterator[Fault]:

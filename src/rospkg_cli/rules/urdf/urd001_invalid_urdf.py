@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from ...checks.urdf.judged_robot import JudgedRobot
 from ...edits.fault_hits import hits
 from ...example import Example
-from ...finding import Hit, Severity
+from ...finding import Hit, Related, Severity
+from ...light_dataclasses import replace
 from ...rule import rule
 
 GOOD = """\
@@ -113,4 +114,7 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py
     """
-    yield from hits(judged.robot.path, judged.faults())
+    for fault, beside in judged.found():
+        for hit in hits(judged.robot.path, [fault]):
+            again = tuple(Related(path, span, "here too") for path, span in beside)
+            yield replace(hit, related=(*hit.related, *again))
