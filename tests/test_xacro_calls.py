@@ -23,6 +23,7 @@ def said(**bodies: str) -> list[tuple[str, str]]:
     files["launch/all.launch.py"] = "".join(
         f"{name.upper()} = '{path}'\n" for name, path in zip(bodies, files, strict=True)
     )
+    files["launch/control.sh"] = "ros2 run controller_manager ros2_control_node\n"
     found = lint_files({"package.xml": manifest(), **files}, ["URD001"]).findings
     return [(finding.severity.value, finding.message) for finding in found]
 

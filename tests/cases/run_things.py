@@ -186,6 +186,7 @@ CONTROLLED = """\
 """
 
 
+MANAGER = "ros2 run controller_manager ros2_control_node\n"
 CHOSEN = """\
 import os
 
@@ -230,7 +231,10 @@ CASES = {
             )
             for command in COMMANDS
         ),
-        *(below(page, {"urdf/arm.urdf": CONTROLLED}) for page in ("Humble\n", "Humble, Jazzy\n", "")),
+        *(
+            below(page, {"urdf/arm.urdf": CONTROLLED, "start.sh": MANAGER})
+            for page in ("Humble\n", "Humble, Jazzy\n", "")
+        ),
     ),
     "LCH002": LOADED,
     "LCH011": LOADED,

@@ -74,8 +74,10 @@ EXPANDED = """\
 SHOWN = """\
 <launch>
   <let name="model" value="$(find-pkg-share my_pkg)/urdf/arm.urdf"/>
+  <node pkg="controller_manager" exec="ros2_control_node"/>
 </launch>
 """
+MANAGER = "ros2 run controller_manager ros2_control_node\n"
 SPACE = ' xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
 
@@ -139,7 +141,7 @@ CASES = {
     ),
     "URD001": (
         *(
-            Example(bad={path: EXPANDED.replace("__SPACE__", space)}, good={})
+            Example(bad={path: EXPANDED.replace("__SPACE__", space), "start.sh": MANAGER}, good={})
             for path, space in (("urdf/arm.urdf", ""), ("urdf/arm.urdf", SPACE), ("urdf/arm.urdf.xacro", ""))
         ),
         *(

@@ -5,13 +5,14 @@ from __future__ import annotations
 from rospkg_cli.example import CMAKE, Example
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+MANAGER = "<node pkg='controller_manager' exec='ros2_control_node'/>"
 
 
 def robot(*lines: str, suffix: str = "urdf", opening: str = '<robot name="r">', **more: str) -> Example:
     """A robot of some lines, below `config/`."""
     text = "".join(f"  {line}\n" for line in lines)
     files = {f"config/{name}.xacro": text for name, text in more.items()}
-    files["launch/show.xml"] = f"<launch><let name='model' value='config/robot.{suffix}'/></launch>\n"
+    files["launch/show.xml"] = f"<launch><let name='model' value='config/robot.{suffix}'/>{MANAGER}</launch>\n"
     return Example(bad={f"config/robot.{suffix}": f"{opening}\n{text}</robot>\n", **files}, good={}, on="config")
 
 
@@ -209,7 +210,7 @@ FILES = {
 }
 
 
-OPENED = {"launch/show.xml": "<launch><let name='model' value='urdf/robot.urdf.xacro'/></launch>\n"}
+OPENED = {"launch/show.xml": f"<launch><let name='model' value='urdf/robot.urdf.xacro'/>{MANAGER}</launch>\n"}
 
 
 def resources(*lines: str, **files: str) -> Example:

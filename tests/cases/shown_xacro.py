@@ -5,6 +5,7 @@ from __future__ import annotations
 from rospkg_cli.example import CMAKE, Example, manifest
 
 HEAD = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"'
+MANAGER = "<node pkg='controller_manager' exec='ros2_control_node'/>"
 INSTALL = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\nament_package")
 WHEEL = f"""\
 {HEAD}>
@@ -27,7 +28,7 @@ INCLUDE = '<xacro:include filename="$(find my_pkg)/urdf/wheel.xacro"/>'
 BLOCKS = '<origin xyz="0 0 0"/><more/>'
 
 
-OPENED = {"launch/show.xml": "<launch><let name='model' value='urdf/robot.urdf.xacro'/></launch>\n"}
+OPENED = {"launch/show.xml": f"<launch><let name='model' value='urdf/robot.urdf.xacro'/>{MANAGER}</launch>\n"}
 
 
 def robot(*lines: str, wheel: str = WHEEL, name: str = ' name="robot"', **more: str) -> Example:

@@ -61,8 +61,11 @@ def modes(key: str, text: str = MODES) -> Example:
     return Example(bad={"config/robot.yaml": text.format(key)}, good={}, on="config")
 
 
+MANAGER = "ros2 run controller_manager ros2_control_node\n"
+
+
 def robot(text: str) -> Example:
-    return Example(bad={"package.xml": NEEDED, "urdf/arm.urdf.xacro": text}, good={})
+    return Example(bad={"package.xml": NEEDED, "urdf/arm.urdf.xacro": text, "start.sh": MANAGER}, good={})
 
 
 def xacro(line: str) -> Example:

@@ -14,6 +14,7 @@ from ...source import Span
 from ...unreadable import READABLE
 from ..fault import Fault, once_each, softer
 from ..older_distribution import OlderDistribution
+from .control_readers import ControlReaders
 from .expanded_robots import ExpandedRobots
 from .given_prefixes import gives_text
 from .launched_robots import LaunchedRobots
@@ -39,6 +40,7 @@ class JudgedRobot:
     opened: OpenedRobots
     launched: LaunchedRobots
     distribution: OlderDistribution
+    readers: ControlReaders
     table: InstallTable | None = None
     robots: Annotated[tuple[RobotFile, ...], READABLE] = ()
 
@@ -97,7 +99,11 @@ class JudgedRobot:
     def at_its_level(self, fault: Fault, robot: str) -> Fault:
         """Return a fault as an error only where a launch file opens a robot that meets it, as an info where nothing."""
         is_launched = self.launched.has(robot)
-        if fault.level == "info" or (fault.level is None and is_launched):
+        if fault.level == "info":
+            return fault
+        if unread := self.readers.unless_read(self.robot.document.root, fault):
+            return replace(fault, level="info", message=fault.message + unread)
+        if fault.level is None and is_launched:
             return fault
         if VAIN in fault.message and self.distribution.is_before_jazzy and not self.is_simulated:
             return softer(fault, "info", "and stops from Jazzy on alone, which no page names")

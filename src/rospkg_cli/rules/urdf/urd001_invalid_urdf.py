@@ -68,8 +68,8 @@ def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> 
     levels={
         Severity.WARNING: "a part of a link is lost, a condition is around it, it may be elsewhere, or no launch file "
         "is known to open a robot that meets it",
-        Severity.INFO: "nothing opens a robot that meets it, nothing calls its macro or reads its property, Gazebo "
-        "leaves out what is unknown, or a prefix or an argument may be given",
+        Severity.INFO: "nothing opens a robot that meets it, nothing calls its macro or reads its property or its "
+        "`<ros2_control>`, Gazebo leaves out what is unknown, or a prefix or an argument may be given",
     },
     examples=(
         example('<parent link="«bse»"/>', '<parent link="base"/>'),
@@ -107,7 +107,8 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     that it may be defines it again. A fault is an error only where a launch file of the workspace names a robot in
     which xacro meets it: the folders of includes count, and calls of macros. Of a robot that no launch file, code or
     command of a page names, it is an info, if its package has or opens others, does not install it, or others name the
-    package; so it is in a folder such as `old/`, and in a macro that nothing calls. Joints of
+    package; so it is in a folder such as `old/`, in a macro that nothing calls, and in a
+    `<ros2_control>` where no package here names, needs or starts a controller manager or a simulator. Joints of
     a `<ros2_control>` that the robot lacks are one where pages and scripts name Humble or older ones alone and no
     plugin for Gazebo moves them, and an argument that is its own default where no launch file is known to leave it out.
 
