@@ -12,7 +12,8 @@ from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_words import LAUNCH, is_launch, may_be_made, words_of
 from ...package.workspace import Workspace
-from .opened_robots import ROBOTS, OpenedRobots, has_folders
+from .opened_robots import OpenedRobots, has_folders
+from .opening_texts import ROBOTS
 
 
 @dataclass(frozen=True)

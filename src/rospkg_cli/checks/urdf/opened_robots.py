@@ -10,19 +10,14 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.file_role import role_of
-from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_words import may_be_made, words_of
 from ...package.workspace import Workspace
-from ..yaml_elsewhere import is_named_yaml
 from .included_paths import includes_path
+from .opening_texts import LAUNCH, ROBOTS, opening_texts
 from .xacro_calls import may_include
 
-ROBOTS = (".urdf", ".xacro", ".sdf", ".world")
 XACRO = (".urdf", ".xacro")
-OPENERS = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h", ".sh", ".md", ".rst", ".txt")
-LAUNCH = (".py", ".xml", ".launch", ".yaml", ".yml")
 ENDS = r"(?!\.(?:xacro|urdf)\b)"
 """Behind the name of a file stands no other suffix: then it is that of another file."""
 PAGES = (".md", ".rst", ".txt")
@@ -31,8 +26,6 @@ COMMAND = r"(?:\b(?:ros2|xacro\w*|check_urdf|urdf_to_\w+|rviz2?|gz|gazebo|ign|py
 """What stands in a line of a page that tells how to open a robot; others only tell that it is there."""
 LOOKS = "MoveItConfigsBuilder"
 """MoveIt looks for the robot by its name alone."""
-INCLUDE = regex(r"(?m)^[ \t]*#[ \t]*include\b.*")
-DOCSTRING = regex(r"\A(?:\s|#[^\n]*\n)*[ru]?(\"{3}|'{3})[\s\S]*?\1")
 
 
 @dataclass(frozen=True)
@@ -213,26 +206,10 @@ class OpenedRobots:
         gives += [argument in words for each in others for words in each.robot_words if wanted <= words]
         return bool(gives) and all(gives)
 
-    def read(self, path: str) -> str:
-        """Return a text without comments and headers, and without what a Python file tells of itself."""
-        is_launch_or_robot = path.endswith(LAUNCH + ROBOTS)
-        text = live_text(self.files, path) if is_launch_or_robot else self.files.readable_text(path)
-        return (DOCSTRING if path.endswith(".py") else INCLUDE).sub("", text, 1 if path.endswith(".py") else 0)
-
     @cached_property
     def texts(self) -> tuple[tuple[str, str], ...]:
         """The path and the text of each file that may open a robot."""
-        return tuple(
-            (path, self.read(path))
-            for path in self.files.paths
-            if path.endswith(ROBOTS + OPENERS) and path != "package.xml" and role_of(path) not in ("test", "aside")
-            if self.is_read(path)
-        )
-
-    def is_read(self, path: str) -> bool:
-        """Return whether a file is no YAML, or one that something may give to a node: another opens no robot."""
-        is_yaml = path.endswith((".yaml", ".yml")) and role_of(path) != "launch"
-        return not is_yaml or is_named_yaml(path, self.package, self.workspace)
+        return tuple(opening_texts(self.files, self.package, self.workspace))
 
 
 def may_end(path: str, text: str, name: str) -> bool:
