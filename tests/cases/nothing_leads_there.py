@@ -45,6 +45,14 @@ def robots(*folders: str, launch: str = SHOWN) -> Example:
     )
 
 
+def world(path: str) -> Example:
+    text = f'<sdf version="1.9"><world name="w"><include><uri>file://{path}</uri></include></world></sdf>\n'
+    launch = SHOWN.replace("urdf/arm/arm.urdf", "worlds/w.sdf")
+    installed = INSTALL.replace("urdf", "worlds")
+    files = {"CMakeLists.txt": CMAKE.replace("ament_package", installed), "meshes/arm.stl": "solid arm\n"}
+    return Example(bad={**files, "launch/w.launch.xml": launch, "worlds/w.sdf": text}, good={}, on="ament_cmake")
+
+
 def compiled(source: str) -> Example:
     return Example(
         bad={
@@ -75,6 +83,8 @@ CASES = {
         robots("arm/arm.urdf", "old/arm.urdf"),
         robots("old/arm.urdf"),
         robots("arm/arm.urdf", "arm/arm.sdf"),
+        world("/home/ada/ws/install/my_pkg/share/my_pkg/models/box/meshes/box.dae"),
+        world("/home/ada/box.dae"),
     ),
     "DEP113": (compiled("src/talker.cpp"), compiled("src/listener.cpp")),
     "CMK110": (linked("Device"), linked("device")),

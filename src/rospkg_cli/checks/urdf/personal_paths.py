@@ -15,6 +15,9 @@ HOME = regex(
 """The whole of a path; what a substitution fills in is left alone."""
 
 NAMING = frozenset({"filename", "uri", "url", "path"})
+WORLDS = (".sdf", ".world")
+MODEL = regex(r"/models/(?P<model>[^/]+(?:/.+)?)")
+RESOURCES = "which Gazebo looks for in the folders of GZ_SIM_RESOURCE_PATH (the classic one in GAZEBO_MODEL_PATH)"
 INSTALLED = regex(r"/install/(?:[^/]+/)?share/(?P<package>[^/]+)/(?P<path>.+)")
 
 
@@ -49,10 +52,14 @@ def of_one_machine(found: list[tuple[Span, str]], document: Document) -> tuple[s
     """Return what is said of such paths, and what to do: as xacro includes files, and as meshes are named."""
     more = f" and {len(found) - 1} more" if found[1:] else ""
     verb, them = ("are", "they are") if more else ("is", "it is")
+    told = f"`{found[0][1]}`{more} {verb} on one machine: elsewhere {them} missing"
+    if document.source.path.endswith(WORLDS):
+        model = MODEL.search(found[0][1])
+        return told, f"write `model://{model['model'] if model else '<model>/<path>'}`, {RESOURCES}"
     included, ways = included_spans(document), dict[bool, str]()
     for span, path in found:
         ways.setdefault(span in included, portable(path, is_include=span in included))
     advice = f"write `{next(iter(ways.values()))}`"
     if len(ways) > 1:
         advice = f"write `{ways[True]}` in the include, and `{ways[False]}` elsewhere"
-    return f"`{found[0][1]}`{more} {verb} on one machine: elsewhere {them} missing", advice
+    return told, advice
