@@ -255,6 +255,8 @@ CASES = {
         costmaps(),
         costmaps(NAV2.replace("bt_navigator", "local_costmap/local_costmap")),
         costmaps(NAV2.replace("controller_server", "smoother_server")),
+        costmaps(NAV2.replace("    width: 0.5\n", "    width: 5.0\n    robot_base_frame: base_link\n")),
+        costmaps(NAV2.replace("    width: 0.5\n", "    width: 5.0\n    plugins: [a]\n")),
     ),
     "PRM006": (costmaps(),),
 }

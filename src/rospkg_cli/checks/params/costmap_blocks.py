@@ -10,6 +10,14 @@ from .mistyped_blocks import last
 
 COSTMAPS = {"local_costmap": "controller_server", "global_costmap": "planner_server"}
 """The node, and the one that makes it. (nav2_controller, nav2_planner)"""
+DEFAULTS = {
+    "always_send_full_costmap": "false", "filters": "[]", "footprint": "[]", "footprint_padding": "0.01",
+    "global_frame": "map", "height": "5", "lethal_cost_threshold": "100", "map_topic": "map",
+    "publish_frequency": "1.0", "resolution": "0.1", "robot_base_frame": "base_link", "robot_radius": "0.1",
+    "rolling_window": "false", "track_unknown_space": "false", "transform_tolerance": "0.3", "trinary_costmap": "true",
+    "update_frequency": "5.0", "use_maximum": "false", "use_sim_time": "false", "width": "5",
+}  # fmt: skip
+"""What the node takes where nothing is given. (nav2_costmap_2d/src/costmap_2d_ros.cpp)"""
 FILLED_OR_WILD = "*$<{@"
 
 
@@ -34,6 +42,22 @@ def unread_costmaps(launched: LaunchParameters) -> Iterator[tuple[ParameterFile,
             server = named.get(COSTMAPS[last(block)])
             if server is not None and all(any(one is each for one in lost) for each in alike):
                 yield file, block, server
+
+
+def holds_defaults(block: NodeBlock) -> bool:
+    """Return whether a block gives nothing but what the costmap has anyway: nothing is lost where it is not read."""
+    given = [(each.name, getattr(each.value, "text", None)) for each in block.parameters]
+    return bool(given) and all(text is not None and is_default(name, text) for name, text in given)
+
+
+def is_default(name: str, text: str) -> bool:
+    default = DEFAULTS.get(name)
+    if default is None or text.lower() == default:
+        return default is not None
+    try:
+        return float(text) == float(default)
+    except ValueError:
+        return False
 
 
 def told_of(name: str, server: str) -> str:

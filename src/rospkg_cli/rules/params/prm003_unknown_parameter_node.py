@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.costmap_blocks import told_of, unread_costmaps
+from ...checks.params.costmap_blocks import holds_defaults, told_of, unread_costmaps
 from ...checks.params.launched_names import displaced_blocks
 from ...checks.params.spawn_faults import spawn_faults
 from ...checks.params.unread_blocks import NodeBlocks, shown_readers
@@ -97,7 +97,7 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     Blocks of nodes that any launch file here starts are left alone, and those of several whose name is like that of no
     node which lacks one: nodes that other packages start may read them. So are names that a launch file here holds, and
     those that differ by a number. Where the only launch files that give the file to a node are not installed, or
-    nothing adds the action that starts the node, it is an info.
+    nothing adds the action that starts the node, it is an info; so is a costmap's block that holds its defaults alone.
 
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.
@@ -124,7 +124,8 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
         level = Severity.INFO if scope.readers.is_unopened(file) else None
         yield Hit(file.path, wrong.block.key.span, message, level, fix=renaming(file, wrong.block, wrong.meant))
     for file, block, server in unread_costmaps(launched):
-        level = Severity.INFO if scope.readers.is_idle(file.path, server.key.span) else None
+        is_mild = holds_defaults(block) or scope.readers.is_idle(file.path, server.key.span)
+        level = Severity.INFO if is_mild else None
         yield Hit(file.path, block.key.span, told_of(block.key.text, server.key.text), level)
     for file, block, name in scope.unread():
         message = f"no node is called `{block.key.text}`: this package's is `{name}`, and never reads the block"
