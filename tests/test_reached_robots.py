@@ -83,9 +83,12 @@ def test_a_part_of_a_part_that_is_off_is_off() -> None:
     assert lint(between, between=INCLUDE).severity.value == "error"
 
 
-def test_a_part_that_no_robot_includes_is_as_bad_as_before() -> None:
-    found = lint('<link name="a"/>', other="<arg name='m' default='part.xacro'/>")
-    assert (found.severity.value, WHERE in found.message) == ("warning", False)
+def test_a_part_that_a_robot_only_names_is_opened_by_nothing() -> None:
+    argument = "<xacro:arg name='m' default='part.xacro'/>"
+    found = lint('<link name="a"/>', other=argument)
+    assert (found.severity.value, WHERE in found.message) == ("info", False)
+    found = lint(f'{argument}<xacro:include filename="$(arg m)"/>')
+    assert found.severity.value != "info"
 
 
 @pytest.mark.parametrize(
