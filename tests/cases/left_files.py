@@ -34,7 +34,16 @@ def source(text: str = HOME) -> str:
     return f'std::string where() {{return "{text}";}}\n'
 
 
+WRONG = "import rclpy\n\n\ndef main():\n    rclpy.init()\n    time.sleep(1)\n"
+
+
+def in_folder(entry: str, folder: str) -> Example:
+    files = {"setup.py": setup_py(scripts(f"talker = my_pkg.{entry}:main")), f"my_pkg/{folder}talker.py": WRONG}
+    return Example(bad={**files, "my_pkg/other.py": "def main():\n    pass\n"}, good={})
+
+
 CASES = {
+    "DEP117": (in_folder("talker", ""), in_folder("deep.talker", "deep/"), in_folder("other", "deep/")),
     "DEP118": (
         python(my_pkg__calibrate=OPENS),
         python(my_pkg__calibrate=OPENS, my_pkg__talker="from . import calibrate\n\ndef main():\n    pass\n"),

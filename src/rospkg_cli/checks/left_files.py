@@ -42,13 +42,20 @@ class LeftFiles:
         """Return whether nothing that is known compiles, installs, imports, starts or names a file."""
         if path.endswith(CPP):
             return self.is_uncompiled(path)
-        if not path.endswith((".py", *MARKUP)) or path == "setup.py" or is_collected(path):
+        if not path.endswith((".py", *MARKUP)) or path in ("setup.py", *self.entries) or is_collected(path):
             return False
         if path.endswith(".py") and self.reached is not None and self.reached.is_left(path):
             return not self.is_for_others
         is_forgotten = role_of(path) == "launch" and not self.installs_launch_files
         is_left = (self.is_uninstalled(path) and not is_forgotten) or self.is_no_program(path)
         return is_left and not self.is_named(path)
+
+    @cached_property
+    def entries(self) -> frozenset[str]:
+        """The files of the modules that entry points name: one that is not installed is meant to be started."""
+        rows = self.table.of("executable") if self.table is not None else ()
+        modules = (row.entry.partition(":")[0] for row in rows if row.entry)
+        return frozenset(f"{module.replace('.', '/')}.py" for module in modules)
 
     @cached_property
     def installs_launch_files(self) -> bool:
