@@ -60,7 +60,8 @@ def is_default(name: str, text: str) -> bool:
         return False
 
 
-def told_of(name: str, server: str) -> str:
-    """Return what is said of a block for the costmap that a server makes."""
+def told_of(block: NodeBlock, maker: NodeBlock) -> str:
+    """Return what is said of a block for the costmap that a server makes, which has the other block."""
+    name, server = block.key.text, maker.key.text
     message = f"no node is called `{name}`: the costmap that `{server}` makes is `{name}/{name}`"
     return f"{message}, and never reads the block; write `{name}:` twice, one below the other"

@@ -125,8 +125,7 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
         yield Hit(file.path, wrong.block.key.span, message, level, fix=renaming(file, wrong.block, wrong.meant))
     for file, block, server in unread_costmaps(launched):
         is_mild = holds_defaults(block) or scope.readers.is_idle(file.path, server.key.span)
-        level = Severity.INFO if is_mild else None
-        yield Hit(file.path, block.key.span, told_of(block.key.text, server.key.text), level)
+        yield Hit(file.path, block.key.span, told_of(block, server), Severity.INFO if is_mild else None)
     for file, block, name in scope.unread():
         message = f"no node is called `{block.key.text}`: this package's is `{name}`, and never reads the block"
         yield Hit(file.path, block.key.span, message, Severity.INFO, fix=renaming(file, block, name))
