@@ -102,7 +102,7 @@ class LeftFiles:
         while waiting:
             one = waiting.pop()
             word = naming(one)
-            if any(map(word.search, build_texts(self.files))):
+            if any(map(word.search, self.build_texts)):
                 return True
             for each in self.having(word, one):
                 if not self.may_be_left(each):
@@ -110,6 +110,10 @@ class LeftFiles:
                 waiting += [each] if each not in found else []
                 found.add(each)
         return False
+
+    @cached_property
+    def build_texts(self) -> tuple[str, ...]:
+        return tuple(build_texts(self.files))
 
     def having(self, word: re.Pattern[str], path: str) -> Iterator[str]:
         """Yield the other files that have the name of one; what setup.py installs it names without a use."""

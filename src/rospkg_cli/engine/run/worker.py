@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
-from functools import partial
+from functools import cache, partial
 from zlib import crc32
 
 from ...disk import DiskTree
@@ -136,7 +136,7 @@ class Worker:
         whole = PackageFiles(package.files.whole or self.tree)
         facts = workspace.at(folder)
         inputs = self.inputs(package, seen)
-        builder = FindingBuilder(package.files, whole, facts.name, partial(is_left, inputs))
+        builder = FindingBuilder(package.files, whole, facts.name, cache(partial(is_left, inputs)))
         fitting = (code for code in codes if not (facts.is_for_ros1 and code.startswith(OF_ROS_2)))
         rules = [rule_by_code(code) for code in fitting if has_inputs(code, package)]
         results = list(run_rules(inputs, rules, builder))
