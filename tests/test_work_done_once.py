@@ -13,9 +13,11 @@ from typing import Any
 import pytest
 
 import rospkg_cli
+from rospkg_cli.checks.urdf.opened_robots import OpenedRobots
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.run.session import Scope, Session
 from rospkg_cli.engine.selection import EVERYTHING
+from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.languages.cmake import file as cmake_file
 from rospkg_cli.languages.cpp import file as cpp_file
 from rospkg_cli.languages.python import syntax, unreached_places
@@ -24,6 +26,7 @@ from rospkg_cli.languages.python.nodes import nodes_of_kind
 from rospkg_cli.languages.xml import parser as xml_parser
 from rospkg_cli.languages.yaml import nodes as yaml_nodes
 from rospkg_cli.source import Source
+from rospkg_cli.testing import lint_files
 
 CORPUS = Path(__file__).parent / "corpus"
 PARSERS = (
@@ -50,6 +53,23 @@ def test_code_that_never_runs_is_looked_for_once_a_file(monkeypatch: pytest.Monk
     reached = [not unreached_places.is_unreached(file, file.span(each)) for each in nodes_of_kind(file.tree, ast.Call)]
     assert sorted(reached) == [False] + [True] * 50
     assert len(walks) == 1
+
+
+def test_who_names_a_robot_is_looked_for_once_a_robot(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: Counter[str] = Counter()
+    real = OpenedRobots.find_robots_naming
+
+    def counted(self: OpenedRobots, path: str) -> list[str]:
+        asked[path] += 1
+        return real(self, path)
+
+    monkeypatch.setattr(OpenedRobots, "find_robots_naming", counted)
+    include = '<xacro:include filename="r{}.xacro"/>'
+    robot = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">{}<link name="l{}"/></robot>\n'
+    chain = {f"urdf/r{n}.xacro": robot.format(include.format(n + 1) if n < 9 else "<a/>", n) for n in range(10)}
+    lint_files({"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE, **chain}, ["URD001", "URD002"])
+    assert asked
+    assert max(asked.values()) == 1
 
 
 @pytest.mark.parametrize("name", ["my_robot_examples", "my_robot_nav"])

@@ -40,7 +40,14 @@ class OpenedRobots:
         Robots name files in full; launch files and code often put the suffix behind a name, which then has letters:
         `1` stands everywhere. A robot that names a file opens it where something opens the robot.
         """
-        return any(self.is_opened_itself(each) for each in (path, *self.including(path)))
+        if path not in self._opened:
+            self._opened[path] = any(self.is_opened_itself(each) for each in (path, *self.including(path)))
+        return self._opened[path]
+
+    @cached_property
+    def _opened(self) -> dict[str, bool]:
+        """The answers so far: each robot is asked for by several rules, and with those that include it."""
+        return {}
 
     def is_opened_itself(self, path: str) -> bool:
         """Return whether something else than a robot of the package may open a file."""
@@ -61,6 +68,15 @@ class OpenedRobots:
 
     def robots_naming(self, path: str) -> list[str]:
         """Return the robots that name a file: by an include, or elsewhere in their texts."""
+        if path not in self._robots_naming:
+            self._robots_naming[path] = self.find_robots_naming(path)
+        return self._robots_naming[path]
+
+    @cached_property
+    def _robots_naming(self) -> dict[str, list[str]]:
+        return {}
+
+    def find_robots_naming(self, path: str) -> list[str]:
         name = path.rpartition("/")[2]
         texts = dict(self.texts)
         named = (each for each in self.naming(path) if each.endswith(XACRO))
@@ -78,8 +94,16 @@ class OpenedRobots:
 
     def is_other_copy(self, path: str) -> bool:
         """Return whether texts name a file of this name with the folder of another copy, and none with this one's."""
-        copies = [each for each in self.files.paths if each.rpartition("/")[2] == path.rpartition("/")[2]]
+        copies = self.copies.get(path.rpartition("/")[2], [])
         return len(copies) > 1 and not self.is_named_in_folder(path) and any(map(self.is_named_in_folder, copies))
+
+    @cached_property
+    def copies(self) -> dict[str, list[str]]:
+        """The paths of the package's files by their names."""
+        found: dict[str, list[str]] = {}
+        for path in self.files.paths:
+            found.setdefault(path.rpartition("/")[2], []).append(path)
+        return found
 
     def is_named_in_folder(self, path: str) -> bool:
         """Return whether a text, of this package or another, names a file together with the folder it lies in."""
@@ -136,13 +160,16 @@ class OpenedRobots:
         stem = re.compile(rf"[\"'{'' if is_copy else '/'}]{word}{ends}|{before}{full}")
         plain = re.compile(rf"{before}(?<![\w.-]){word}(?![\w-])|{before}{full}")
         typed = re.compile(rf"^(?=.*{COMMAND}).*{before}{full}", re.MULTILINE)
+        deeper, first = self.deeper(path), name.partition(".")[0]
         for other, text in self.texts:
+            if first not in text or other == path:
+                continue
             how = plain if other.endswith((".yaml", ".yml")) else typed if other.endswith(PAGES) else stem
             in_full = other.endswith(ROBOTS) or not LETTERS.search(word) or not may_end(other, text, name)
             how = re.compile(before + full) if in_full else how
             is_beside = not is_copy or "/" not in other or not other.endswith(PAGES)
-            is_beside = is_beside and not any(has_folders(each, text) for each in self.deeper(path))
-            if other != path and name.partition(".")[0] in text and is_beside and how.search(text):
+            is_beside = is_beside and not any(has_folders(each, text) for each in deeper)
+            if is_beside and how.search(text):
                 yield other
 
     def but_others(self, name: str) -> str:
