@@ -42,6 +42,19 @@ def levels(code: str, on: dict[str, str], files: dict[str, str]) -> list[str]:
         ("backup_camera/package.xml", False),
         ("msg/Backup.msg", False),
         ("my_backup/", False),
+        ("src/not_in_use/arm/", True),
+        ("src/NotUsed/arm/", True),
+        ("dont_use/a.py", True),
+        ("do-not-use/a.py", True),
+        ("unused_arm/a.py", True),
+        ("launch_unused/a.py", True),
+        ("not working/a.py", True),
+        ("broken/a.py", True),
+        ("my_pkg/arm_unused.py", True),
+        ("used/a.py", False),
+        ("trash/package.xml", False),
+        ("broken_line_detector/package.xml", False),
+        ("arm_in_use/package.xml", False),
     ],
 )
 def test_what_is_set_aside_by_its_name(path: str, is_aside: bool) -> None:
@@ -250,23 +263,41 @@ def test_rviz_starts_without_its_config(code: str, path: str, more: str, level: 
         assert levels(code, NATIVE, {**files, "launch/a.launch.xml": off}) == ["warning"]
 
 
-@pytest.mark.parametrize(("folder", "expected"), [("old", ["warning", "info"]), ("gold", ["error", "warning"])])
-def test_what_runs_out_of_a_folder_laid_aside_is_milder(folder: str, expected: list[str]) -> None:
-    """Nobody starts it; what stops the build stops it there too."""
+@pytest.mark.parametrize(
+    ("folder", "expected"),
+    [("old", ["info"] * 5), ("src/not_in_use", ["info"] * 5), ("gold", ["error"] * 3 + ["warning", "error"])],
+)
+def test_a_package_in_a_folder_laid_aside_is_milder(folder: str, expected: list[str]) -> None:
+    """Nobody starts it."""
     files = {
-        f"{folder}/my_pkg/launch/a.launch.xml": '<launch>\n  <node pkg="my_pkg" exec="a"/>\n</launch>\n',
-        f"{folder}/my_pkg/my_pkg/talker.py": "import cv2\n",
-        **{f"{folder}/my_pkg/{path}": text for path, text in PYTHON.items()},
+        f"{folder}/my_pkg/launch/a.launch.xml": '<launch>\n  <node pkg="my_pkg" exec="b"/>\n</launch>\n',
         "other/package.xml": manifest("", "cmake", "other"),
+        **{f"{folder}/my_pkg/{path}": text for path, text in PYTHON.items()},
+        f"{folder}/my_pkg/setup.py": setup_py(
+            scripts("a = my_pkg.gone:main", "ears = my_pkg.ears:main", "talker = my_pkg.talker:main")
+        ),
+        f"{folder}/my_pkg/my_pkg/talker.py": "import cv2\n\n\ndef main():\n    json.loads('{}')\n",
+        f"{folder}/my_pkg/my_pkg/ears.py": "import my_pkg.lost\n\n\ndef main():\n    pass\n",
     }
-    found = lint_files(files, ["LCH002", "DEP101", "SET101"]).findings
-    assert [each.severity.value for each in sorted(found, key=lambda each: each.code, reverse=True)] == expected
+    codes = ["SET101", "LCH002", "DEP117", "DEP101", "DEP109"]
+    found = {each.code: each.severity.value for each in lint_files(files, codes).findings}
+    assert [found[code] for code in codes] == expected
+
+
+@pytest.mark.parametrize("folder", ["old", "gold"])
+def test_what_stops_the_build_stops_it_in_a_folder_laid_aside_too(folder: str) -> None:
+    files = {f"{folder}/my_pkg/{path}": text for path, text in NATIVE.items()}
+    files[f"{folder}/my_pkg/CMakeLists.txt"] = CMAKE.replace(
+        "ament_package", "add_executable(a src/gone.cpp)\nament_package"
+    )
+    files["other/package.xml"] = manifest("", "cmake", "other")
+    assert levels("CMK110", {}, files) + levels("CMK102", {}, files) == ["error"]
 
 
 @pytest.mark.parametrize(
     ("code", "path", "text", "expected"),
     [
-        ("LCH002", "launch/{}/a.launch.xml", '<launch>\n  <node pkg="my_pkg" exec="a"/>\n</launch>\n', "warning"),
+        ("LCH002", "launch/{}/a.launch.xml", '<launch>\n  <node pkg="my_pkg" exec="a"/>\n</launch>\n', "info"),
         ("PRM001", "config/{}/a.yaml", "talker:\n  ros_parameters:\n    rate: 1\n", "info"),
     ],
 )

@@ -16,12 +16,18 @@ ASIDE = frozenset("doc docs cmake tools third_party thirdparty vendor vendored e
 LAUNCH = regex(r"(^|/)launch(es)?/|[._]launch\.(py|xml|ya?ml)$|\.launch$")
 ASIDE_ANYWHERE = frozenset({"third_party", "vendor", "templates", "template"})
 NOT_INSTALLED = frozenset({"setup.py", "conf.py"})
+UNUSED = r"un-?used|disused|not[ _-]?(?:in[ _-]?)?used?|(?:do[ _-]?not|don'?t)[ _-]?use"
+"""How people say that nothing uses what a folder or file holds; whatever stands beside the words."""
+GONE = rf"legacy|depr[ei]cated|obsolete|archived?|attic|discarded|outdated|abandoned|retired|{UNUSED}"
+PAST = r"old|backups?|bak|(?:tmp|temp)[_-]old|junk|broken|not[ _-]?working"
+KINDS = r"files|code|pkgs|packages|nodes|scripts|versions?|stuff|models?|launch|urdfs?|configs?"
 LEFT = regex(
-    r"[_.-]*(legacy|depr[ei]cated|old|backups?|bak|obsolete|archived?|attic|discarded|outdated|unused)([_-](files|code|pkgs|packages|nodes|scripts|versions?|stuff|models?|launch|urdfs?|configs?))?[_.-]*",
-    re.IGNORECASE,
+    rf"[_.-]*(?:(?:{GONE}|{PAST})(?:[ _-](?:{KINDS}))?|(?:{UNUSED})[ _-].*|.*[_.-](?:{UNUSED}))[_.-]*", re.IGNORECASE
 )
-"""Folders for what nobody uses any more."""
-LEFT_FILE = regex(r".*[_.-](legacy|depr[ei]cated|old|backup|bak|obsolete|orig|copy)", re.IGNORECASE | re.DOTALL)
+"""Folders for what nobody uses any more; none for words that a robot's task may have (`trash`, `garbage`)."""
+LEFT_FILE = regex(
+    rf".*[_.-](?:legacy|depr[ei]cated|old|backup|bak|obsolete|orig|copy|{UNUSED})", re.IGNORECASE | re.DOTALL
+)
 
 
 @lru_cache(maxsize=4096)

@@ -9,22 +9,15 @@ from typing import Any
 from ...files import PackageFiles
 from ...finding import AGAIN, Edit, Finding, Fix, Hit, Location, Move, Operation, Related, Severity
 from ...light_dataclasses import dataclass, replace
-from ...package.file_role import is_set_aside
 from ...package.workspace import Workspace
 from ...rule import Rule
 from ...source import Source, Span
 from ...unreadable import UnreadableError
+from .laid_aside import OF_RUNS, level_aside
 
-OF_RUNS = ("DEP", "LCH", "PRM", "URD", "IDL010", "IDL011")
-"""Families about launches and runs, and about machines that others install packages on, and rules about Python."""
 IN_USE = (*OF_RUNS, "PLG", "IDL012", "CMK201")
 """Families and rules about code, launch files and what these open: nobody meets their faults in a file that is left."""
 UNLED = "; nothing here leads to this file"
-AT_RUN_TIME = ("DEP109", "DEP110")
-"""Rules about imports: their errors do not stop a build."""
-OPENED = ("PRM", "URD", "IDL010", "IDL011")
-"""Those about files that launch files open, or others import, by their names."""
-BUILD_FILES = ("package.xml", "CMakeLists.txt", "setup.py", ".cmake")
 
 
 def nothing_is_left(_: str) -> bool:
@@ -102,18 +95,12 @@ class FindingBuilder:
         return hit
 
     def level(self, code: str, level: Severity, path: str) -> Severity:
-        """Return the level of a hit: one lower where nobody starts what is laid aside in a folder called `old/`.
+        """Return the level of a hit by where its file lies: milder where nobody starts what is laid aside."""
+        return level_aside(code, level, self.resolve(path), self.folder_of(path), lambda: self.is_left(path))
 
-        What stops the build stays: colcon builds such packages too. Robots and parameters that are laid aside within
-        a package are opened by nobody.
-        """
-        is_run = code.startswith(OF_RUNS) or (code == "RPK001" and not path.endswith(BUILD_FILES))
-        stops_build = level is Severity.ERROR and code.startswith("DEP") and code not in AT_RUN_TIME
-        is_aside = is_run and not stops_build and is_set_aside(self.resolve(path))
-        if not is_aside:
-            return level
-        is_whole = is_set_aside(f"{self.files.folder}/") or not code.startswith(OPENED)
-        return Severity.WARNING if is_whole and level is Severity.ERROR else Severity.INFO
+    def folder_of(self, path: str) -> str:
+        """Return the folder of the package that a hit's path belongs to, from the root of the run."""
+        return self.files.folder
 
     def fix(self, fix: Fix | None) -> Fix | None:
         if fix is None:
@@ -134,3 +121,6 @@ class RootFindingBuilder(FindingBuilder):
     def package_of(self, path: str) -> str:
         """Return the name of the package whose folder holds a path."""
         return self.workspace.package_at(path.lstrip("/"))
+
+    def folder_of(self, path: str) -> str:
+        return str(PurePosixPath(path.lstrip("/")).parent)
