@@ -17,6 +17,8 @@ from .laid_aside import OF_RUNS, level_aside
 
 IN_USE = (*OF_RUNS, "PLG", "IDL012", "CMK201")
 """Families and rules about code, launch files and what these open: nobody meets their faults in a file that is left."""
+AT_RUN = frozenset({"DEP117", "DEP120", "IDL010"})
+"""Rules about lines of Python that raise when they run."""
 UNLED = "; nothing here leads to this file"
 
 

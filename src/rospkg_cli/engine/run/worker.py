@@ -28,6 +28,7 @@ from ..reuse.recorded_workspace import Question, RecordedWorkspace
 from ..suppression.comments import Suppression, suppressions_in
 from .crashes import reader_crashes
 from .finding_builder import FindingBuilder
+from .milder_behind import milder_behind
 from .rule_inputs import InputBuilder
 from .run_rules import InputsOf, run_rules
 
@@ -139,7 +140,7 @@ class Worker:
         builder = FindingBuilder(package.files, whole, facts.name, cache(partial(is_left, inputs)))
         fitting = (code for code in codes if not (facts.is_for_ros1 and code.startswith(OF_ROS_2)))
         rules = [rule_by_code(code) for code in fitting if has_inputs(code, package)]
-        results = list(run_rules(inputs, rules, builder))
+        results = milder_behind(list(run_rules(inputs, rules, builder)), inputs)
         results += reader_crashes(package, builder.package, builder.crash_path)
         findings = tuple(r for r in results if isinstance(r, Finding))
         crashes = tuple(r for r in results if isinstance(r, RuleCrash))

@@ -72,3 +72,7 @@ def nodes_of_kind(root: ast.AST, kind: type[NodeT]) -> list[NodeT]:
         for node in nodes_below(root):
             by_kind.setdefault(node.__class__, []).append(node)
     return cast("list[NodeT]", by_kind.get(kind, []))
+
+
+def functions_of(root: ast.AST) -> list[FunctionNode]:
+    return [*nodes_of_kind(root, ast.FunctionDef), *nodes_of_kind(root, ast.AsyncFunctionDef)]

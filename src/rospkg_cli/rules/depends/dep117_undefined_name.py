@@ -56,7 +56,8 @@ WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
     levels={
         Severity.WARNING: "it is in a function or a branch that may not run, in a test, or in an annotation",
         Severity.INFO: "nothing in the package calls the function, imports the module, or installs the file, a switch "
-        "turns it off that nothing throws, it stands behind `rclpy.spin`, or an attribute is read under a condition",
+        "turns it off that nothing throws, it stands behind `rclpy.spin`, an attribute is read under a "
+        "condition, or the run ends before, at another fault",
     },
     examples=(
         Example(

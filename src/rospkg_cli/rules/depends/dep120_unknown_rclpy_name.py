@@ -42,7 +42,8 @@ def main():
     levels={
         Severity.WARNING: "it is in a function that may not run, or in a test",
         Severity.INFO: "it is under a condition (`__main__` of an entry point's module), behind "
-        "`rclpy.spin`, or nothing in the package calls the function, or imports the module",
+        "`rclpy.spin`, nothing in the package calls the function, or imports the module, or the run ends before, at "
+        "another fault",
     },
     examples=(
         Example(

@@ -59,7 +59,7 @@ REASONS = (
         "for Humble or older alone",
         Severity.INFO: "nothing starts or imports the module, calls the method, or leads to the function, it stands "
         "behind `rclpy.spin`, a switch turns it off, its object is never used, its class is defined again, or a "
-        "message is made with it and the pages name Jazzy or newer alone",
+        "message is made with it and the pages name Jazzy or newer alone, or the run ends before, at another fault",
     },
     examples=(
         Example(

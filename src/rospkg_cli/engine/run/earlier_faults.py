@@ -1,0 +1,104 @@
+"""Faults of Python code behind another one that ends the run before: nobody meets them until that is mended."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator, Sequence
+
+from ...files import PackageFiles
+from ...finding import AGAIN, Finding, Location, Severity
+from ...languages.python.file import PythonFile
+from ...languages.python.nodes import functions_of, nodes_of_kind
+from ...languages.python.stopped_places import StoppedPlaces
+from ...light_dataclasses import dataclass, replace
+from ...package.package_facts import PackageFacts
+from ...package.python_modules import PythonModules
+from ...package.run_events import RuleCrash
+from ...source import Span
+from .finding_builder import AT_RUN
+
+OF_IMPORTS = frozenset({"DEP109", "DEP110", "IDL011"})
+UNGENERATED = "IDL008"
+ALSO = ("here too", AGAIN)
+FIRST = "this raises first"
+BEHIND = "; the run ends before, at another line"
+
+
+@dataclass(frozen=True)
+class EarlierFaults:
+    files: PackageFiles
+    modules: PythonModules
+    facts: PackageFacts
+
+    def milder(self, every: Sequence[Finding | RuleCrash]) -> list[Finding | RuleCrash]:
+        """Return results with an info for each fault of a file that its program does not come to."""
+        loud = [each for each in every if isinstance(each, Finding) and each.severity is not Severity.INFO]
+        found: dict[int, Finding] = {}
+        for path in {each.location.path for each in loud if each.code in AT_RUN}:
+            file = self.modules.at(path.removeprefix(f"{self.files.folder}/" if self.files.folder else ""))
+            found |= self.in_file(path, file, loud) if file is not None else {}
+        return [found.get(id(each), each) for each in every]
+
+    def in_file(self, path: str, file: PythonFile, loud: Sequence[Finding]) -> dict[int, Finding]:
+        """Return the milder findings of a file by the identities of those that they replace."""
+        stops = {at.span: at for each in loud for at in self.stops(each, path, file)}
+        places = StoppedPlaces(file, tuple(sorted(stops)), lambda name: self.is_taken(file, name))
+        return self.behind(path, loud, places, [stops[span] for span in sorted(stops)])
+
+    def behind(
+        self, path: str, loud: Sequence[Finding], places: StoppedPlaces, stops: Sequence[Location]
+    ) -> dict[int, Finding]:
+        first = next((each for each in stops if not places.has(each.span.start)), None)
+        found: dict[int, Finding] = {}
+        for each in loud if first is not None else ():
+            own = each.code in AT_RUN and each.location.path == path
+            if own and first is not None and all(places.has(at.span.start) for at in all_places(each, path)):
+                related = (*each.related, (first, FIRST))
+                message = each.message + BEHIND
+                found[id(each)] = replace(each, severity=Severity.INFO, message=message, related=related)
+        return found
+
+    def stops(self, each: Finding, path: str, file: PythonFile) -> Iterator[Location]:
+        """Yield the places of a file at which a finding says that the run ends."""
+        if each.code == UNGENERATED and each.severity is Severity.ERROR:
+            yield from self.of_ungenerated(path, file)
+        elif each.code in AT_RUN:
+            is_certain = each.severity is Severity.ERROR
+            yield from (at for at in all_places(each, path) if is_certain or not may_pass(file, at.span))
+        elif each.code in OF_IMPORTS:
+            yield from all_places(each, path)
+
+    def of_ungenerated(self, path: str, file: PythonFile) -> Iterator[Location]:
+        """Yield the imports of interfaces that nothing generates."""
+        for each in file.imports:
+            kind = each.module.removeprefix(f"{self.facts.name}.")
+            if kind in ("msg", "srv", "action") and kind != each.module and not each.is_optional:
+                start, end = (file.source.position(at) for at in (each.span.start, each.span.end))
+                yield Location(path, each.span, *start, *end)
+
+    def is_taken(self, file: PythonFile, name: str) -> bool:
+        """Return whether another file that names a module reads a name of it."""
+        stem = re.escape(file.path.rpartition("/")[2].removesuffix(".py"))
+        module, word = re.compile(rf"(?<!\w){stem}(?!\w)"), re.compile(rf"(?<!\w){re.escape(name)}(?!\w)")
+        others = (each for each in self.files.paths if each.endswith(".py") and each != file.path)
+        texts = (self.files.readable_text(each) for each in others)
+        return any(word.search(text) and module.search(text) for text in texts)
+
+
+def all_places(each: Finding, path: str) -> list[Location]:
+    """Return where a finding is met in one file."""
+    also = [at for at, what in each.related if what in ALSO]
+    return [at for at in (each.location, *also) if at.path == path]
+
+
+def may_pass(file: PythonFile, span: Span) -> bool:
+    """Return whether some Pythons or distributions pass over a place: a keyword of a message, or an annotation."""
+    keywords = any(file.span(each).holds(span) for each in nodes_of_kind(file.tree, ast.keyword))
+    return keywords or any(file.span(each).holds(span) for each in told_types(file))
+
+
+def told_types(file: PythonFile) -> Iterator[ast.expr]:
+    yield from (each.annotation for each in nodes_of_kind(file.tree, ast.arg) if each.annotation is not None)
+    yield from (each.annotation for each in nodes_of_kind(file.tree, ast.AnnAssign))
+    yield from (each.returns for each in functions_of(file.tree) if each.returns is not None)

@@ -1,0 +1,154 @@
+"""Places of a Python file that nothing comes to any more, as another place always raises before."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
+
+from ...light_dataclasses import dataclass
+from ...source import Span
+from .file import PythonFile
+from .nodes import FunctionNode, nodes_of, nodes_of_kind
+from .raising_regions import bodies, body_of, region_behind, unit_at
+
+Definition = FunctionNode | ast.ClassDef
+
+
+@dataclass(frozen=True, slots=True)
+class Mention:
+    name: str
+    place: int
+    unit: int
+    """The identity of the function that mentions it; 0 for the module."""
+    is_own_call: bool
+    """Whether it is called of `self`."""
+
+
+@dataclass(frozen=True)
+class StoppedPlaces:
+    file: PythonFile
+    stops: tuple[Span, ...]
+    """What raises whenever it is come to."""
+    is_taken: Callable[[str], bool]
+    """Whether other files read a name, so that they may come to what it names."""
+
+    def has(self, place: int) -> bool:
+        """Return whether a place is led to within the file, and each time something raises on the way."""
+        here = self.unit(place)
+        if here not in self.led_to_at_all:
+            return False
+        return here not in self.led_to or self.is_skipped(place)
+
+    @cached_property
+    def bodies(self) -> list[tuple[Span, FunctionNode]]:
+        return bodies(self.file)
+
+    def unit(self, place: int) -> int:
+        """Return the identity of the function around a place; 0 for the module."""
+        found = unit_at(self.bodies, place)
+        return id(found) if found is not None else 0
+
+    @cached_property
+    def regions(self) -> tuple[Span, ...]:
+        found = (region_behind(self.file, unit_at(self.bodies, each.start), each) for each in self.stops)
+        return tuple(each for each in found if each is not None)
+
+    def is_skipped(self, place: int) -> bool:
+        return any(each.start <= place < each.end for each in self.regions)
+
+    @cached_property
+    def led_to_at_all(self) -> frozenset[int]:
+        return self.reach(with_stops=False)
+
+    @cached_property
+    def led_to(self) -> frozenset[int]:
+        return self.reach(with_stops=True)
+
+    def reach(self, *, with_stops: bool) -> frozenset[int]:
+        """Return the identities of the functions that are led to; that of the module is 0."""
+        unborn = self.unborn if with_stops else {}
+        mentions = [each for each in self.mentions if not (with_stops and self.is_skipped(each.place))]
+        is_started = not (with_stops and self.ends_module)
+        found, waiting = {0}, [each for each in self.definitions if is_started and self.is_root(each)]
+        known: set[int] = set()
+        while True:
+            for each in mentions:
+                if each.unit in found:
+                    waiting += [one for one in self.named.get(each.name, ()) if may_lead(each, one, unborn)]
+            fresh = [each for each in waiting if id(each) not in known]
+            if not fresh:
+                return frozenset(found)
+            known.update(map(id, fresh))
+            found.update(id(each) for each in fresh if isinstance(each, FunctionNode))
+            waiting = [one for each in fresh if isinstance(each, ast.ClassDef) for one in self.brought(each, unborn)]
+
+    def brought(self, owner: ast.ClassDef, unborn: dict[int, frozenset[int]]) -> Iterator[FunctionNode]:
+        """Yield the methods that come with an object of a class, whoever calls them."""
+        for each in owner.body:
+            if isinstance(each, FunctionNode):
+                is_born = id(each) not in unborn or each.name == "__init__"
+                if is_born and (each.name.startswith("__") or self.is_for_others(each)):
+                    yield each
+
+    @cached_property
+    def ends_module(self) -> bool:
+        """Whether the import of the file itself fails."""
+        return any(each.end == len(self.file.source.text) for each in self.regions)
+
+    @cached_property
+    def definitions(self) -> tuple[Definition, ...]:
+        return tuple(each for each in nodes_of(self.file.tree) if isinstance(each, Definition))
+
+    @cached_property
+    def named(self) -> dict[str, list[Definition]]:
+        found: dict[str, list[Definition]] = {}
+        for each in self.definitions:
+            found.setdefault(each.name, []).append(each)
+        return found
+
+    @cached_property
+    def methods(self) -> frozenset[int]:
+        owners = nodes_of_kind(self.file.tree, ast.ClassDef)
+        return frozenset(id(each) for owner in owners for each in owner.body)
+
+    def is_root(self, each: Definition) -> bool:
+        return id(each) not in self.methods and self.is_for_others(each)
+
+    def is_for_others(self, each: Definition) -> bool:
+        """Return whether others lead to a definition: its file does not, but for what stands in it itself."""
+        inner = self.file.span(each)
+        is_led_to = any(one.name == each.name and not inner.holds(Span(one.place, one.place)) for one in self.mentions)
+        return not is_led_to or self.is_taken(each.name)
+
+    @cached_property
+    def unborn(self) -> dict[int, frozenset[int]]:
+        """Each method of a class whose `__init__` always raises, with all methods of it."""
+        found: dict[int, frozenset[int]] = {}
+        for owner in nodes_of_kind(self.file.tree, ast.ClassDef):
+            own = [each for each in owner.body if isinstance(each, FunctionNode)]
+            start = next((each for each in own if each.name == "__init__"), None)
+            if start is not None and any(each.end == body_of(self.file, start).end for each in self.regions):
+                ids = frozenset(map(id, own))
+                found |= {id(each): ids for each in own if not each.decorator_list and each is not start}
+        return found
+
+    @cached_property
+    def mentions(self) -> Sequence[Mention]:
+        calls = {id(each.func) for each in nodes_of_kind(self.file.tree, ast.Call)}
+        return [
+            self.mention(each, calls) for each in nodes_of(self.file.tree) if isinstance(each, ast.Name | ast.Attribute)
+        ]
+
+    def mention(self, node: ast.Name | ast.Attribute, calls: set[int]) -> Mention:
+        span = self.file.span(node)
+        place = span.start if isinstance(node, ast.Name) else span.end - len(node.attr)
+        is_own = isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "self"
+        name = node.id if isinstance(node, ast.Name) else node.attr
+        return Mention(name, place, self.unit(place), is_own and id(node) in calls)
+
+
+def may_lead(mention: Mention, to: Definition, unborn: dict[int, frozenset[int]]) -> bool:
+    """Return whether a mention leads to a definition: to a method of an object that is never finished, its own call."""
+    own = unborn.get(id(to))
+    return own is None or (mention.is_own_call and mention.unit in own)

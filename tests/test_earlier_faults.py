@@ -1,0 +1,116 @@
+"""Of several faults that end a run the first one keeps its level; nobody meets those behind it yet."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import BACKDROPS, existing_files, manifest, scripts, setup_py
+from rospkg_cli.testing import lint_files
+
+PYTHON = {
+    **existing_files(BACKDROPS["ament_python"]),
+    "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n  <exec_depend>std_msgs</exec_depend>\n"),
+    "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+}
+NODE = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+{top}
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        {start}
+        self.create_timer(1.0, self.tick)
+        self.create_subscription(String, 'words', self.hear, 1)
+
+    def tick(self):
+        msg = String()
+        msg.dta = 'a'
+        late()
+
+    def hear(self, msg):
+        {hear}
+
+
+def main():
+    rclpy.init()
+    {main}
+    rclpy.spin(Talker())
+"""
+CODES = ["DEP109", "DEP110", "DEP117", "DEP120", "IDL008", "IDL010", "IDL011"]
+
+
+def found(files: dict[str, str], **parts: str) -> dict[str, str]:
+    """Return the level by the text of the place that is reported."""
+    given = {"top": "", "start": "pass", "hear": "heard()", "main": "pass", **parts}
+    text = NODE.format(**given)
+    findings = lint_files({**PYTHON, "my_pkg/talker.py": text, **files}, CODES).findings
+    own = [each for each in findings if each.location.path == "my_pkg/talker.py"]
+    return {text[each.location.span.start : each.location.span.end]: each.severity.value for each in own}
+
+
+def test_what_follows_in_the_same_function() -> None:
+    assert found({}) == {"dta": "error", "late": "info", "heard": "warning"}
+
+
+@pytest.mark.parametrize("import_", ["from my_pkg.«gone» import a", "from my_pkg.«srv» import Go"])
+def test_an_import_that_fails_ends_the_file(import_: str) -> None:
+    levels = found({}, top=import_.replace("«", "").replace("»", ""), main="glob()")
+    assert levels.pop("gone", "") or levels.pop("my_pkg.srv") == "error"
+    assert levels == {"glob": "info", "dta": "info", "late": "info", "heard": "info"}
+
+
+def test_interfaces_that_nothing_generates_end_the_file_that_imports_them() -> None:
+    assert set(found({"srv/Go.srv": "---\n"}, top="from my_pkg.srv import Go").values()) == {"info"}
+
+
+@pytest.mark.parametrize("import_", ["try:\n    import my_pkg.gone\nexcept ImportError:\n    pass", "import json"])
+def test_an_import_that_may_fail(import_: str) -> None:
+    assert found({}, top=import_)["dta"] == "error"
+
+
+@pytest.mark.parametrize("place", ["start", "main"])
+def test_what_is_led_to_only_behind_the_first_fault(place: str) -> None:
+    assert found({}, **{place: "glob()"}) == {"glob": "error", "dta": "info", "late": "info", "heard": "info"}
+
+
+@pytest.mark.parametrize(
+    "start",
+    ["self.tick(); glob()", "if self.get_name():\n            glob()", "for a in self.waitables:\n            glob()"],
+)
+def test_what_is_led_to_before_or_beside_a_fault(start: str) -> None:
+    assert found({}, start=start)["dta"] == "error"
+
+
+@pytest.mark.parametrize(
+    ("hear", "level"),
+    [
+        ("one(); two()", "info"),
+        ("if msg:\n            one()\n            two()", "info"),
+        ("if msg:\n            one()\n        two()", "warning"),
+        ("a = one if msg else None; two()", "warning"),
+        ("try:\n            one()\n        except NameError:\n            pass\n        two()", "warning"),
+    ],
+)
+def test_the_rest_of_a_branch(hear: str, level: str) -> None:
+    assert found({}, hear=hear)["two"] == level
+
+
+def test_a_name_that_is_used_elsewhere_too() -> None:
+    assert found({}, hear="late()")["late"] == "warning"
+
+
+def test_what_another_file_leads_to() -> None:
+    other = "from my_pkg.talker import Talker\n\n\ndef main():\n    Talker()\n"
+    setup = {"setup.py": setup_py(scripts("talker = my_pkg.talker:main", "other = my_pkg.other:main"))}
+    assert found({**setup, "my_pkg/other.py": other}, main="glob()")["dta"] == "error"
+
+
+def test_it_says_where_the_run_ends() -> None:
+    text = NODE.format(top="", start="glob()", hear="pass", main="pass")
+    findings = lint_files({**PYTHON, "my_pkg/talker.py": text}, ["DEP117", "IDL010"]).findings
+    (behind,) = (each for each in findings if each.code == "IDL010")
+    assert behind.message.endswith("; the run ends before, at another line")
+    assert [(at.line, what) for at, what in behind.related] == [(9, "this raises first")]
