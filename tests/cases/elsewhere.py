@@ -120,6 +120,11 @@ CASES = {
         on_python({**BATTERY, "my_pkg/a.py": "# import my_pkg.msg\nfrom my_pkg_more.msg import Battery\n"}),
         on_python({**BATTERY, "a.txt": "import my_pkg.msg\n"}),
         Example(bad={**OWN, **USER}, good={}, on=""),
+        *(on_python({"my_pkg/msg/Battery.msg": "float32 a\n", **more})
+          for more in (
+              {}, {"my_pkg/a.py": "from my_pkg.msg import Battery\n"},
+              {"my_pkg/a.py": "from my_pkg.msg import Battery\n", "my_pkg/msg/__init__.py": ""},
+          )),
     ),
     "LCH003": (
         *(on_cmake(f"{lines}\ninstall(DIRECTORY launch DESTINATION share/my_pkg)", {"launch/a.launch.py": LAUNCH})

@@ -82,17 +82,21 @@ CASES = {
     "IDL008": (
         Example(bad={f"msg/{name}.msg": "int32 a\n" for name in "ABCD"}, good={}),
         Example(bad={"msg/A.msg": "int32 a\n", "msg/B.msg": "int32 a\n", "data/msg/C.msg": "int32 a\n"}, good={}),
-        Example(
-            bad={
-                "a/package.xml": manifest(name="a"),
-                "a/setup.py": "",
-                "a/msg/A.msg": "int32 a\n",
-                "b/package.xml": manifest(build_type="ament_cmake", name="b"),
-                "b/CMakeLists.txt": INTERFACES_CMAKE.replace("my_pkg", "b"),
-                "b/msg/A.msg": "int32 a\n",
-            },
-            good={},
-            on="",
+        *(
+            Example(
+                bad={
+                    "a/package.xml": manifest(name="a"),
+                    "a/setup.py": "",
+                    "a/msg/A.msg": "int32 a\n",
+                    "b/package.xml": manifest(build_type="ament_cmake", name="b"),
+                    "b/CMakeLists.txt": INTERFACES_CMAKE.replace("my_pkg", "b"),
+                    "b/msg/A.msg": "int32 a\n",
+                    **more,
+                },
+                good={},
+                on="",
+            )
+            for more in ({}, {"a/a/talk.py": "from b.msg import A\n"}, {"a/a/talk.py": "from a.msg import A\n"})
         ),
     ),
     "IDL013": (

@@ -44,16 +44,18 @@ def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
     my_pkg.msg import Battery` raises ModuleNotFoundError, and `ros2 interface list` does not know it.
 
     ## When it is quiet
-    Where another package of the workspace has interfaces of these names: the files are what was left when they moved.
-    Files in other folders than `msg/`, `srv/` and `action/` are data. What no Python file of the package imports is an
+    Where another package of the workspace has interfaces of these names, and no code takes them from this one: the
+    files are what was left when they moved. Files in other folders than `msg/`, `srv/` and `action/` are data; in such
+    folders of the Python package they count where code imports them. What no Python file of the package imports is an
     info, a warning where another package depends on this one. Without a setup.py the build type is wrong, which
     XML303 and XML304 tell.
     """
     if package.facts.build_type != "ament_python" or not package.files.exists("setup.py"):
         return
     name = package.facts.name
-    found = filter(is_interface, package.files.paths)
-    paths = [path for path in found if path.rpartition(".")[0] not in package.moved]
+    found = [path for path in package.files.paths if is_interface(path)]
+    found += [path for path in package.files.paths if is_interface_of_module(path, package)]
+    paths = [path for path in found if not is_left_over(path, package)]
     if not paths:
         return
     first = PurePosixPath(paths[0])
@@ -69,16 +71,33 @@ def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
     yield Hit(paths[0], Span(0, 0), message, level, related)
 
 
-def is_imported(package: FactsAndFiles) -> bool:
+def is_imported(package: FactsAndFiles, kind: str = "(?:msg|srv|action)", what: str = "") -> bool:
     """Return whether a Python file of the package imports interfaces of it."""
     name = re.escape(package.facts.name)
-    wanted = re.compile(
-        rf"^[ \t]*(?:from|import)[ \t]+{name}(?:\.|[ \t]+import[ \t(]+)(?:msg|srv|action)\b", re.MULTILINE
-    )
+    wanted = re.compile(rf"^[ \t]*(?:from|import)[ \t]+{name}(?:\.|[ \t]+import[ \t(]+){kind}\b{what}", re.MULTILINE)
     paths = (path for path in package.files.paths if path.endswith(".py"))
     return any(wanted.search(package.files.readable_text(path)) for path in paths)
+
+
+def is_left_over(path: str, package: FactsAndFiles) -> bool:
+    """Return whether another package has the interface of a file, and no code takes it from this one."""
+    *_, kind, file = path.split("/")
+    name = file.rpartition(".")[0]
+    is_moved = f"{kind}/{name}" in package.moved
+    return is_moved and not is_imported(package, kind, rf"[ \t]+import\b[^\n]*\b{re.escape(name)}\b")
 
 
 def is_interface(path: str) -> bool:
     where = PurePosixPath(path)
     return where.suffix[1:] in KINDS and path == f"{where.suffix[1:]}/{where.name}"
+
+
+def is_interface_of_module(path: str, package: FactsAndFiles) -> bool:
+    """Return whether a file lies in a folder of the package's Python modules that is none, and that code imports."""
+    start = f"{package.facts.name}/"
+    below = path.removeprefix(start)
+    if below == path or not is_interface(below):
+        return False
+    is_module = any(each.endswith(".py") for each in package.files.below(path.rpartition("/")[0]))
+    is_module = is_module or package.files.exists(f"{path.rpartition('/')[0]}.py")
+    return not is_module and is_imported(package)
