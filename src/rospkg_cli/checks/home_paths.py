@@ -20,6 +20,7 @@ from ..package.params.parameter_file import ParameterFile
 from ..package.workspace import Workspace
 from ..source import Span
 from ..unreadable import READABLE
+from .file_dialogs import begins_dialog
 from .home_accounts import is_of_container, is_of_many
 from .home_path_texts import (
     ASKS,
@@ -63,7 +64,8 @@ class HomePath:
     is_seldom_read: bool
     """Whether RViz, a script in a folder of its own, a file that nothing compiles, installs or starts, or YAML that
     nothing names, has it, which few start; or the parameter files of the package replace it; or it is one of several
-    places for modules, a launch file has it that nothing uses, or a comment or page tells to write another."""
+    places for modules, a launch file has it that nothing uses, a comment or page tells to write another, or a dialog
+    for files begins there."""
     is_unreached: bool = False
     """Whether it is in a function of Python that nothing leads to."""
     is_unread: bool = False
@@ -120,6 +122,7 @@ class HomePaths:
             is_seldom_read = is_seldom_read or self.is_unused(path, place) or is_guarded_macro(bare, match.start())
             is_seldom_read = is_seldom_read or self.is_replaced(path, place, bare, named)
             is_seldom_read = is_seldom_read or self.is_setting(path, text, bare, place.start)
+            is_seldom_read = is_seldom_read or begins_dialog(bare, place.start)
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
             is_unread = self.unread is not None and self.unread.has(path, place)
             yield HomePath(path, place, named, *home, *flags, is_unread)

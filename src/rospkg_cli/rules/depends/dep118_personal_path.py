@@ -46,8 +46,8 @@ FILES = {
     levels={
         Severity.INFO: "the file is not of the workspace, many have an account of that name, code asks first, "
         "nothing installs, compiles, starts or names the file, YAML or launch files replace it, nothing leads to the "
-        "function or reads the variable, a comment or page tells to write another, or it is one of "
-        "several places for modules"
+        "function or reads the variable, a comment or page tells to write another, it is one of "
+        "several places for modules, or a dialog for files begins there"
     },
     examples=(
         Example(
@@ -89,7 +89,8 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     imports beside others, or only such modules, a script or launch file that nothing installs or names, a script that
     setup.py puts among the programs without the bit to be executed and that nothing names, a function that no program
     leads to, what a launch file has only for an action that it never adds, what is put into a variable of a function or
-    a member, which nothing reads, and what a comment at it, or a line of a page that names the file, tells to change.
+    a member, which nothing reads, and what a comment at it, or a line of a page that names the file, tells to change, and
+    the folder in which a dialog for files begins.
     Robots and worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
