@@ -9,6 +9,32 @@ FILES = {
     "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
 }
 HEAD = "import rclpy\nfrom rclpy.node import Node\n\n\ndef main():\n    rclpy.init()\n    node = Node('talker')\n"
+OWN = """\
+import rclpy
+from rclpy.node import Node
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+        «first».tick()
+
+    def close(self):
+        «last».close()
+
+
+def stop(node):
+    node.close()
+
+
+def main():
+    rclpy.init()
+    node = Talker()
+    {}
+"""
 
 
 def program(*lines: str) -> Example:
@@ -25,6 +51,16 @@ CASES = {
         program("while rclpy.ok():", "    rclpy.spin_once(node)", "«talker».destroy_node()"),
         program("while True:", "    if input():", "        break", "«talker».destroy_node()"),
         program("rclpy.spin_once(node)", "«talker».destroy_node()"),
+        *(
+            Example(bad={**FILES, "my_pkg/talker.py": OWN.format("\n    ".join(lines))}, good={})
+            for lines in (
+                ("rclpy.spin(node)", "node.close()"),
+                ("rclpy.spin(node)", "stop(node)"),
+                ("try:", "    rclpy.spin(node)", "finally:", "    node.close()"),
+                ("node.close()", "rclpy.spin(node)", "node.close()"),
+                ("node.create_timer(1.0, node.close)", "rclpy.spin(node)", "stop(node)"),
+            )
+        ),
     ),
     "DEP120": (
         program("rclpy.spin(node)", "rclpy.«shutdwn»()"),

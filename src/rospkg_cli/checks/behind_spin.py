@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import nodes_of, nodes_of_kind
+from ..languages.python.stopped_places import StoppedPlaces
 from ..source import Span
 
 SPIN = "spin"
@@ -22,6 +23,16 @@ def is_behind_spin(file: PythonFile, span: Span) -> bool:
         if any(is_left_by_interrupt(each) for each in block[:at]):
             return True
     return False
+
+
+def called_behind_spin(file: PythonFile, is_taken: Callable[[str], bool]) -> StoppedPlaces | None:
+    """Return the places that are led to behind such a call alone, in functions too; None where there is none.
+
+    Other files may lead to what they take.
+    """
+    spins = (each for block in blocks(file.tree) for each in block[:-1] if is_left_by_interrupt(each))
+    spans = tuple(map(file.span, spins))
+    return StoppedPlaces(file, spans, is_taken, is_lasting=True) if spans else None
 
 
 def blocks(tree: ast.Module) -> Iterator[Sequence[ast.stmt]]:

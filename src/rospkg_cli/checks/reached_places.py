@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import ast
+from functools import cached_property
 from typing import Literal
 
 from ..languages.python.branches import is_under_condition
 from ..languages.python.certain_nodes import certain_nodes, is_guard
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import nodes_of_kind
+from ..languages.python.stopped_places import StoppedPlaces
 from ..languages.python.unreached_functions import unreached_functions
 from ..light_dataclasses import dataclass
 from ..package.install_table import InstallTable
 from ..source import Span
-from .behind_spin import is_behind_spin
+from .behind_spin import called_behind_spin, is_behind_spin
 from .installed_modules import InstalledModules
 from .interfaces.seldom_run import is_in_handler
 from .interfaces.uncalled_methods import UncalledMethods
@@ -51,10 +53,28 @@ class ReachedPlaces:
         """Return when a place is come to; what a package without programs offers may be called by others."""
         if self.is_idle(file, span):
             return "never"
-        if is_behind_spin(file, span):
+        if self.is_late(file, span):
             return "late"
         is_seldom = is_in_handler(file, span) or self.definitions.is_turned_off(file, span)
         return "branch" if is_seldom or self.is_by_path(file, span) else "maybe"
+
+    def is_late(self, file: PythonFile, span: Span) -> bool:
+        """Return whether a place is led to behind a `spin` alone that Ctrl-C leaves by an exception."""
+        if is_behind_spin(file, span):
+            return True
+        if file.path not in self.behind_spins:
+            self.behind_spins[file.path] = called_behind_spin(file, lambda name: self.is_taken(file, name))
+        places = self.behind_spins[file.path]
+        return places is not None and places.has(span.start)
+
+    @cached_property
+    def behind_spins(self) -> dict[str, StoppedPlaces | None]:
+        return {}
+
+    def is_taken(self, file: PythonFile, name: str) -> bool:
+        """Return whether another file imports a name, or reads it of something."""
+        others = (each for _, other in self.run.files if other is not file for each in other.imports)
+        return any(name in each.names for each in others) or self.is_read_elsewhere(file, name)
 
     def why_seldom(self, path: str, span: Span) -> str:
         """Return what is said of a place that seldom or never runs, beside what is said of its whole module."""

@@ -14,7 +14,6 @@ from ...ros.interface_fields import ros1_fields
 from ...ros.interfaces import CONSTANT_NAME, KINDS
 from ...source import Span
 from ...suggest import near_names, nearest
-from ..behind_spin import is_behind_spin
 from ..fault import Level
 from ..older_distribution import OlderDistribution
 from ..reached_definitions import ReachedDefinitions
@@ -93,7 +92,7 @@ class FieldUses:
     def is_late(self, use: UnknownField) -> bool:
         """Return whether a use stands behind a `spin` that Ctrl-C leaves."""
         file = self.run.modules.at(use.path)
-        return file is not None and is_behind_spin(file, use.span)
+        return file is not None and self.places is not None and self.places.is_late(file, use.span)
 
     def is_by_path(self, use: UnknownField) -> bool:
         """Return whether only who starts a module by its path comes to a use, which an entry point starts as well."""

@@ -29,9 +29,11 @@ class Mention:
 class StoppedPlaces:
     file: PythonFile
     stops: tuple[Span, ...]
-    """What raises whenever it is come to."""
+    """What raises whenever it is come to, or does not return."""
     is_taken: Callable[[str], bool]
     """Whether other files read a name, so that they may come to what it names."""
+    is_lasting: bool = False
+    """Whether the stops are calls that don't return, during which callbacks run."""
 
     def has(self, place: int) -> bool:
         """Return whether a place is led to within the file, and each time something raises on the way."""
@@ -67,7 +69,7 @@ class StoppedPlaces:
 
     def reach(self, *, with_stops: bool) -> frozenset[int]:
         """Return the identities of the functions that are led to; that of the module is 0."""
-        unborn = self.unborn if with_stops else {}
+        unborn = self.unborn if with_stops and not self.is_lasting else {}
         mentions = [each for each in self.mentions if not (with_stops and self.is_skipped(each.place))]
         is_started = not (with_stops and self.ends_module)
         found, waiting = {0}, [each for each in self.definitions if is_started and self.is_root(each)]
@@ -94,7 +96,8 @@ class StoppedPlaces:
     @cached_property
     def ends_module(self) -> bool:
         """Whether the import of the file itself fails."""
-        return any(each.end == len(self.file.source.text) for each in self.regions)
+        end = len(self.file.source.text)
+        return not self.is_lasting and any(each.end == end for each in self.regions)
 
     @cached_property
     def definitions(self) -> tuple[Definition, ...]:

@@ -89,8 +89,8 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     imports beside others, or only such modules, a script or launch file that nothing installs or names, a script that
     setup.py puts among the programs without the bit to be executed and that nothing names, a function that no program
     leads to, what a launch file has only for an action that it never adds, what is put into a variable of a function or
-    a member, which nothing reads, and what a comment at it, or a line of a page that names the file, tells to change, and
-    the folder in which a dialog for files begins.
+    a member, which nothing reads, the folder in which a dialog for files begins, and what a comment at it, or a line of
+    a page that names the file, tells to change.
     Robots and worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
