@@ -92,10 +92,32 @@ def test_what_is_led_to_before_or_beside_a_fault(start: str) -> None:
         ("if msg:\n            one()\n        two()", "warning"),
         ("a = one if msg else None; two()", "warning"),
         ("try:\n            one()\n        except NameError:\n            pass\n        two()", "warning"),
+        ("with suppress(NameError):\n            one()\n        two()", "warning"),
+        ("with self.lock:\n            one()\n        two()", "info"),
     ],
 )
 def test_the_rest_of_a_branch(hear: str, level: str) -> None:
-    assert found({}, hear=hear)["two"] == level
+    assert found({}, top="from contextlib import suppress", hear=hear)["two"] == level
+
+
+@pytest.mark.parametrize(
+    ("main", "level"),
+    [
+        ("Talker()\n    behind()", "info"),
+        ("helper()\n    behind()", "info"),
+        ("try:\n        Talker()\n    except NameError:\n        pass\n    behind()", "error"),
+        ("lambda: Talker()\n    behind()", "error"),
+        ("items()\n    behind()", "error"),
+    ],
+)
+def test_who_calls_what_fails_fails_too(main: str, level: str) -> None:
+    helpers = "\n\ndef helper():\n    return Talker()\n\n\ndef items():\n    yield Talker()\n"
+    assert found({}, top=helpers, start="glob()", main=main)["behind"] == level
+
+
+def test_a_thread_runs_beside_what_fails() -> None:
+    start = "Thread(target=self.tick).start()"
+    assert found({}, top="from threading import Thread", start=f"{start}; glob()")["dta"] == "error"
 
 
 def test_a_name_that_is_used_elsewhere_too() -> None:

@@ -5,12 +5,15 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterable, Iterator, Sequence
 
+from ...lazy_regex import regex
 from ...source import Span
 from .file import PythonFile
 from .nodes import FunctionNode, functions_of, nodes_below, nodes_of
 
 BRANCHES = (ast.If, ast.For, ast.AsyncFor, ast.While, ast.Try, ast.ExceptHandler, ast.match_case)
 APART = (ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+SWALLOWS = regex(r"\b(?:suppress|raises)\b")
+"""Context managers that exceptions do not leave."""
 BLOCKS = ("body", "orelse", "finalbody")
 
 
@@ -50,7 +53,8 @@ def region_behind(file: PythonFile, unit: FunctionNode | None, stop: Span) -> Sp
 
 def blocks(nodes: Iterable[ast.AST]) -> Iterator[Sequence[ast.stmt]]:
     for each in nodes:
-        if isinstance(each, BRANCHES):
+        is_swallowing = isinstance(each, ast.With) and any(SWALLOWS.search(ast.unparse(one)) for one in each.items)
+        if isinstance(each, BRANCHES) or is_swallowing:
             yield from (block for name in BLOCKS if (block := getattr(each, name, None)))
 
 
@@ -62,3 +66,9 @@ def seldom(node: ast.AST) -> Sequence[ast.expr]:
         case ast.BoolOp():
             return node.values[1:]
     return [node] if isinstance(node, APART) else []
+
+
+def raises_when_called(function: FunctionNode) -> bool:
+    """Return whether a call of a function runs its body at once."""
+    is_plain = isinstance(function, ast.FunctionDef) and not function.decorator_list
+    return is_plain and not any(isinstance(each, ast.Yield | ast.YieldFrom) for each in nodes_below(function))

@@ -10,7 +10,7 @@ from ...light_dataclasses import dataclass
 from ...source import Span
 from .file import PythonFile
 from .nodes import FunctionNode, nodes_of, nodes_of_kind
-from .raising_regions import bodies, body_of, region_behind, unit_at
+from .raising_regions import bodies, body_of, raises_when_called, region_behind, unit_at
 
 Definition = FunctionNode | ast.ClassDef
 
@@ -22,7 +22,7 @@ class Mention:
     unit: int
     """The identity of the function that mentions it; 0 for the module."""
     is_own_call: bool
-    """Whether it is called of `self`."""
+    """Whether it is called of `self`, or handed to a thread."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +53,29 @@ class StoppedPlaces:
 
     @cached_property
     def regions(self) -> tuple[Span, ...]:
-        found = (region_behind(self.file, unit_at(self.bodies, each.start), each) for each in self.stops)
-        return tuple(each for each in found if each is not None)
+        """What is skipped behind each stop, and behind each call of what always comes to one."""
+        found: dict[Span, Span] = {}
+        waiting = list(self.stops)
+        while waiting:
+            for stop in waiting:
+                region = region_behind(self.file, unit_at(self.bodies, stop.start), stop)
+                found |= {stop: region} if region is not None else {}
+            calls = [] if self.is_lasting else self.failing_calls({each.end for each in found.values()})
+            waiting = [each for each in calls if each not in found and each not in waiting]
+        return tuple(found.values())
+
+    def failing_calls(self, ends: set[int]) -> Iterator[Span]:
+        """Yield the calls of functions whose rest is always skipped, and of classes whose `__init__` is such a one."""
+        failing = {id(node) for span, node in self.bodies if span.end in ends and raises_when_called(node)}
+        failing |= {id(owner) for owner in self.classes if any(id(each) in failing for each in starts_of(owner))}
+        for call in nodes_of_kind(self.file.tree, ast.Call):
+            meant = self.named.get(called_name(call), [])
+            if meant and all(id(each) in failing for each in meant):
+                yield self.file.span(call)
+
+    @property
+    def classes(self) -> list[ast.ClassDef]:
+        return nodes_of_kind(self.file.tree, ast.ClassDef)
 
     def is_skipped(self, place: int) -> bool:
         return any(each.start <= place < each.end for each in self.regions)
@@ -112,8 +133,7 @@ class StoppedPlaces:
 
     @cached_property
     def methods(self) -> frozenset[int]:
-        owners = nodes_of_kind(self.file.tree, ast.ClassDef)
-        return frozenset(id(each) for owner in owners for each in owner.body)
+        return frozenset(id(each) for owner in self.classes for each in owner.body)
 
     def is_root(self, each: Definition) -> bool:
         return id(each) not in self.methods and self.is_for_others(each)
@@ -128,9 +148,9 @@ class StoppedPlaces:
     def unborn(self) -> dict[int, frozenset[int]]:
         """Each method of a class whose `__init__` always raises, with all methods of it."""
         found: dict[int, frozenset[int]] = {}
-        for owner in nodes_of_kind(self.file.tree, ast.ClassDef):
+        for owner in self.classes:
             own = [each for each in owner.body if isinstance(each, FunctionNode)]
-            start = next((each for each in own if each.name == "__init__"), None)
+            start = next(starts_of(owner), None)
             if start is not None and any(each.end == body_of(self.file, start).end for each in self.regions):
                 ids = frozenset(map(id, own))
                 found |= {id(each): ids for each in own if not each.decorator_list and each is not start}
@@ -139,6 +159,7 @@ class StoppedPlaces:
     @cached_property
     def mentions(self) -> Sequence[Mention]:
         calls = {id(each.func) for each in nodes_of_kind(self.file.tree, ast.Call)}
+        calls |= {id(each.value) for each in nodes_of_kind(self.file.tree, ast.keyword) if each.arg == "target"}
         return [
             self.mention(each, calls) for each in nodes_of(self.file.tree) if isinstance(each, ast.Name | ast.Attribute)
         ]
@@ -149,6 +170,18 @@ class StoppedPlaces:
         is_own = isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "self"
         name = node.id if isinstance(node, ast.Name) else node.attr
         return Mention(name, place, self.unit(place), is_own and id(node) in calls)
+
+
+def called_name(call: ast.Call) -> str:
+    """Return the name of a function or class, or of an own method, that is called; "" for any other."""
+    match call.func:
+        case ast.Name(id=name) | ast.Attribute(value=ast.Name(id="self"), attr=name):
+            return name
+    return ""
+
+
+def starts_of(owner: ast.ClassDef) -> Iterator[FunctionNode]:
+    return (each for each in owner.body if isinstance(each, FunctionNode) and each.name == "__init__")
 
 
 def may_lead(mention: Mention, to: Definition, unborn: dict[int, frozenset[int]]) -> bool:
