@@ -19,6 +19,9 @@ IN_USE = (*OF_RUNS, "PLG", "IDL012", "CMK201")
 """Families and rules about code, launch files and what these open: nobody meets their faults in a file that is left."""
 AT_RUN = frozenset({"DEP117", "DEP120", "IDL010"})
 """Rules about lines of Python that raise when they run."""
+OF_STARTS = AT_RUN | {"DEP109", "DEP110", "IDL011"}
+"""Those and the rules about imports: what they find ends the programs that come to it."""
+UNSTARTED = "; nothing here starts this program, as it does others of the package"
 UNLED = "; nothing here leads to this file"
 
 
@@ -35,6 +38,8 @@ class FindingBuilder:
     package: str
     is_left: Callable[[str], bool]
     """Whether nothing of the package leads to a file, by its path in the package."""
+    is_unstarted: Callable[[str], bool]
+    """Whether a file is of programs that nothing starts, beside others that are started."""
 
     @property
     def crash_path(self) -> str:
@@ -68,12 +73,12 @@ class FindingBuilder:
         hit = self.at_met_place(rule, hit)
         place, source = self.place(hit.path, hit.span), self.source(hit.path)
         level = self.level(rule.code, hit.level or rule.severity, hit.path)
-        is_unled = level is not Severity.INFO and rule.code.startswith(IN_USE) and self.is_left(hit.path)
+        level, why = self.met(rule.code, level, hit.path)
         return Finding(
             code=rule.code,
             name=rule.name,
-            severity=Severity.INFO if is_unled else level,
-            message=hit.message + UNLED if is_unled else hit.message,
+            severity=level,
+            message=f"{hit.message}{why}",
             location=place,
             package=self.package_of(hit.path),
             excerpt=source.slice(source.line_span(place.line)),
@@ -83,6 +88,14 @@ class FindingBuilder:
                 self.place(o.path, o.span) for o in (hit.fix.operations if hit.fix else ()) if isinstance(o, Edit)
             ),
         )
+
+    def met(self, code: str, level: Severity, path: str) -> tuple[Severity, str]:
+        """Return the level of a hit by who comes to its file, and what is said of that."""
+        if level is not Severity.INFO and code.startswith(IN_USE) and self.is_left(path):
+            return Severity.INFO, UNLED
+        if level is Severity.ERROR and code in OF_STARTS and self.is_unstarted(path):
+            return Severity.WARNING, UNSTARTED
+        return level, ""
 
     def at_met_place(self, rule: Rule[Any], hit: Hit) -> Hit:
         """Return a hit of several launch files at the first of its places that is not left or laid aside."""

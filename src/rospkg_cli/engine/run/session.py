@@ -244,7 +244,7 @@ class Session:
 
     def finding_builder(self, workspace: Workspace) -> FindingBuilder:
         files = PackageFiles(self.tree)
-        return RootFindingBuilder(files, files, "", nothing_is_left, workspace)
+        return RootFindingBuilder(files, files, "", nothing_is_left, nothing_is_left, workspace)
 
     def no_packages(self, paths: Sequence[str], hidden: str = "", place: str = ".") -> Results:
         """Return the results of a run that found no package; `place` leads from its root to the first of the paths."""

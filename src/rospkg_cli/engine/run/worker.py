@@ -137,7 +137,8 @@ class Worker:
         whole = PackageFiles(package.files.whole or self.tree)
         facts = workspace.at(folder)
         inputs = self.inputs(package, seen)
-        builder = FindingBuilder(package.files, whole, facts.name, cache(partial(is_left, inputs)))
+        asked = (cache(partial(each, inputs)) for each in (is_left, is_unstarted))
+        builder = FindingBuilder(package.files, whole, facts.name, *asked)
         fitting = (code for code in codes if not (facts.is_for_ros1 and code.startswith(OF_ROS_2)))
         rules = [rule_by_code(code) for code in fitting if has_inputs(code, package)]
         results = milder_behind(list(run_rules(inputs, rules, builder)), inputs)
@@ -159,6 +160,13 @@ def is_left(inputs: InputsOf, path: str) -> bool:
     from ...checks.left_files import LeftFiles
 
     return any(each.has(path) for each in inputs(LeftFiles))
+
+
+def is_unstarted(inputs: InputsOf, path: str) -> bool:
+    """Return whether a file is of programs that nothing starts, beside others; imported where a finding needs it."""
+    from ...checks.unstarted_programs import UnstartedPrograms
+
+    return any(each.has(path) for each in inputs(UnstartedPrograms))
 
 
 def observed_in(folder: str, package: Package, noted: frozenset[Question] = frozenset()) -> dict[str, Observed]:

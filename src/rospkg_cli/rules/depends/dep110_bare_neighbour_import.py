@@ -19,7 +19,8 @@ MAIN = "\n\ndef main():\n    print(GREETING)\n"
     over=OwnImports,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a function or a branch, which may not be run",
+        Severity.WARNING: "it is in a function or a branch, which may not be run, or in a program that nothing starts, "
+        "beside others that are started",
         Severity.INFO: "nothing leads to the function, or it stands behind `rclpy.spin`",
     },
     examples=(

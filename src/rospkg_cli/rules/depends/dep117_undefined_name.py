@@ -54,7 +54,8 @@ WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
     over=UndefinedUses,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a function or a branch that may not run, in a test, or in an annotation",
+        Severity.WARNING: "it is in a function or a branch that may not run, in a test, in an annotation, or in a "
+        "program that nothing starts, beside others that are started",
         Severity.INFO: "nothing in the package calls the function, imports the module, or installs the file, a switch "
         "turns it off that nothing throws, it stands behind `rclpy.spin`, an attribute is read under a "
         "condition, or the run ends before, at another fault",

@@ -40,7 +40,8 @@ def main():
     over=UnknownRclpyNames,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a function that may not run, or in a test",
+        Severity.WARNING: "it is in a function that may not run, in a test, or in a program that nothing starts, "
+        "beside others that are started",
         Severity.INFO: "it is under a condition (`__main__` of an entry point's module), behind "
         "`rclpy.spin`, nothing in the package calls the function, or imports the module, or the run ends before, at "
         "another fault",

@@ -1,0 +1,80 @@
+"""Rule input: files of programs that nothing starts or names, beside other programs of the package that are started."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cached_property
+
+from ..files import PackageFiles
+from ..light_dataclasses import dataclass
+from ..package.file_role import role_of
+from ..package.install_table import InstallTable
+from ..package.launch.live_text import live_text
+from ..package.package_facts import PackageFacts
+from ..package.workspace import Workspace
+from .pages_and_scripts import pages_and_scripts
+from .reached_modules import ReachedModules
+
+STARTING = (".xml", ".launch", ".yaml", ".yml", ".json", ".service", ".desktop", ".conf")
+"""Files that start programs, beside launch files in Python, pages and scripts."""
+BUILDS = ("package.xml", "setup.py", "setup.cfg")
+
+
+@dataclass(frozen=True)
+class UnstartedPrograms:
+    files: PackageFiles
+    facts: PackageFacts
+    workspace: Workspace
+    table: InstallTable
+    reached: ReachedModules
+
+    def has(self, path: str) -> bool:
+        """Return whether no program is started that a Python file is of, and another one is."""
+        if not self.table.knows("executable"):
+            return False
+        own = [name for name, paths in self.of_programs.items() if path in paths]
+        return bool(own) and not any(map(self.is_started, own)) and any(map(self.is_started, self.facts.executables))
+
+    @cached_property
+    def of_programs(self) -> dict[str, frozenset[str]]:
+        """By the name of a program in Python, the files that it is made of."""
+        found: dict[str, frozenset[str]] = {}
+        for row in self.table.of("executable"):
+            name = row.destination.rpartition("/")[2]
+            modules = [row.entry.partition(":")[0]] if row.entry else self.imported_by(row.source)
+            paths = {self.reached.installed.sources.get(each, "") for each in self.reached.imported_from(modules)}
+            found[name] = found.get(name, frozenset()) | paths | {row.source}
+        return found
+
+    def imported_by(self, path: str) -> list[str]:
+        file = self.reached.run.modules.at(path) if path.endswith(".py") else None
+        imports = file.imports if file is not None else ()
+        return [name for each in imports for name in self.reached.imported_by(each, path)]
+
+    def is_started(self, name: str) -> bool:
+        """Return whether a launch file of the workspace starts a program, or a text here or above names it."""
+        if name not in self.known:
+            in_launch = bool(self.workspace.having("started_nodes", self.facts.name, name))
+            word = re.compile(rf"(?<![\w-]){re.escape(name.removesuffix('.py'))}(?![\w-])")
+            self.known[name] = in_launch or any(map(word.search, self.texts)) or self.is_run_by_code(name)
+        return self.known[name]
+
+    @cached_property
+    def known(self) -> dict[str, bool]:
+        return {}
+
+    @cached_property
+    def texts(self) -> tuple[str, ...]:
+        return (*pages_and_scripts(self.files), *(live_text(self.files, path) for path in self.starting()))
+
+    def starting(self) -> Iterator[str]:
+        for path in self.files.paths:
+            if path not in BUILDS and (path.endswith(STARTING) or role_of(path) == "launch"):
+                yield path
+
+    def is_run_by_code(self, name: str) -> bool:
+        """Return whether code has a program behind the name of its package, as `ros2 run` is given it."""
+        words = re.compile(rf"(?<!\w){re.escape(self.facts.name)}['\",\s]+{re.escape(name)}(?![\w-])")
+        code = (path for path in self.files.paths if path.endswith(".py") and path not in BUILDS)
+        return any(words.search(self.files.readable_text(path)) for path in code)
