@@ -120,6 +120,14 @@ def test_a_thread_runs_beside_what_fails() -> None:
     assert found({}, top="from threading import Thread", start=f"{start}; glob()")["dta"] == "error"
 
 
+@pytest.mark.parametrize(("base", "level"), [("Node", "error"), ("Talker", "info")])
+def test_an_heir_that_starts_by_itself(base: str, level: str) -> None:
+    start = f"{base}.__init__(self, 'heir')"
+    heir = f"class Heir(Talker):\n    def __init__(self):\n        {start}; self.create_timer(1.0, self.tick)\n"
+    main = f"self = Heir()\n\n\n{heir}\n\ndef more():\n    rclpy.init()"
+    assert found({}, start="glob()", main=main)["dta"] == level
+
+
 def test_a_name_that_is_used_elsewhere_too() -> None:
     assert found({}, hear="late()")["late"] == "warning"
 

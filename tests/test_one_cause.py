@@ -226,7 +226,7 @@ def test_fields_of_another_message(clean) -> None:
     none = "`b/msg/Status` has no field"
     assert found("r", "battery", "r") == []
     assert found("rx", "ry", "rx") == [(f"{none}s `rx` and `ry`", 2)]
-    assert found("rx", "batery", "ry") == [(f"{none}s `rx` and `ry`", 1), (f"{none} `batery`", 0)]
+    assert found("rx", "batery", "ry") == [(f"{none}s `rx` and `ry`", 1), (f"{none} `batery`", 1)]
 
 
 def test_blocks_without_their_key() -> None:

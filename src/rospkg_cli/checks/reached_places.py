@@ -73,8 +73,17 @@ class ReachedPlaces:
 
     def is_taken(self, file: PythonFile, name: str) -> bool:
         """Return whether another file imports a name, or reads it of something."""
-        others = (each for _, other in self.run.files if other is not file for each in other.imports)
-        return any(name in each.names for each in others) or self.is_read_elsewhere(file, name)
+        return not self.taken.get(name, frozenset()) <= {file.path}
+
+    @cached_property
+    def taken(self) -> dict[str, set[str]]:
+        """By each name that files import or read of something, the paths of these files."""
+        found: dict[str, set[str]] = {}
+        for _, file in self.run.files:
+            names = {name for each in file.imports for name in each.names}
+            for name in names.union(each.attr for each in nodes_of_kind(file.tree, ast.Attribute)):
+                found.setdefault(name, set()).add(file.path)
+        return found
 
     def why_seldom(self, path: str, span: Span) -> str:
         """Return what is said of a place that seldom or never runs, beside what is said of its whole module."""

@@ -43,7 +43,8 @@ class EarlierFaults:
     def in_file(self, path: str, file: PythonFile, loud: Sequence[Finding]) -> dict[int, Finding]:
         """Return the milder findings of a file by the identities of those that they replace."""
         stops = {at.span: at for each in loud for at in self.stops(each, path, file)}
-        places = StoppedPlaces(file, tuple(sorted(stops)), lambda name: self.is_taken(file, name))
+        others = self.naming(file)
+        places = StoppedPlaces(file, tuple(sorted(stops)), lambda name: is_in(name, others))
         return self.behind(path, loud, places, [stops[span] for span in sorted(stops)])
 
     def behind(
@@ -77,13 +78,17 @@ class EarlierFaults:
                 start, end = (file.source.position(at) for at in (each.span.start, each.span.end))
                 yield Location(path, each.span, *start, *end)
 
-    def is_taken(self, file: PythonFile, name: str) -> bool:
-        """Return whether another file that names a module reads a name of it."""
-        stem = re.escape(file.path.rpartition("/")[2].removesuffix(".py"))
-        module, word = re.compile(rf"(?<!\w){stem}(?!\w)"), re.compile(rf"(?<!\w){re.escape(name)}(?!\w)")
+    def naming(self, file: PythonFile) -> list[str]:
+        """Return what other files say that name a module, and may read what is in it."""
+        module = re.compile(rf"(?<!\w){re.escape(file.path.rpartition('/')[2].removesuffix('.py'))}(?!\w)")
         others = (each for each in self.files.paths if each.endswith(".py") and each != file.path)
-        texts = (self.files.readable_text(each) for each in others)
-        return any(word.search(text) and module.search(text) for text in texts)
+        return [text for each in others if module.search(text := self.files.readable_text(each))]
+
+
+def is_in(name: str, texts: Sequence[str]) -> bool:
+    """Return whether a text has a name as a word."""
+    having = [each for each in texts if name in each]
+    return bool(having) and any(map(re.compile(rf"(?<!\w){re.escape(name)}(?!\w)").search, having))
 
 
 def all_places(each: Finding, path: str) -> list[Location]:

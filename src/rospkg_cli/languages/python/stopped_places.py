@@ -151,10 +151,20 @@ class StoppedPlaces:
         for owner in self.classes:
             own = [each for each in owner.body if isinstance(each, FunctionNode)]
             start = next(starts_of(owner), None)
-            if start is not None and any(each.end == body_of(self.file, start).end for each in self.regions):
+            if (
+                start is not None
+                and not self.is_started_by_heir(owner)
+                and any(each.end == body_of(self.file, start).end for each in self.regions)
+            ):
                 ids = frozenset(map(id, own))
                 found |= {id(each): ids for each in own if not each.decorator_list and each is not start}
         return found
+
+    def is_started_by_heir(self, owner: ast.ClassDef) -> bool:
+        """Return whether a class below starts its objects without the `__init__` of another one."""
+        heirs = (each for each in self.classes if owner.name in map(ast.unparse, each.bases))
+        texts = (ast.unparse(start) for each in heirs for start in starts_of(each))
+        return any("super(" not in text and f"{owner.name}.__init__" not in text for text in texts)
 
     @cached_property
     def mentions(self) -> Sequence[Mention]:

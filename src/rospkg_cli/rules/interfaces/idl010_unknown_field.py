@@ -56,8 +56,7 @@ REASONS = (
     levels={
         Severity.WARNING: "it is in a branch of its function, nothing comes to the place as a rule, who calls it "
         "catches that, only a test runs it, it is in a program that nothing starts, beside others that are started, or "
-        "a message is made with it and the pages do not say that the package is "
-        "for Humble or older alone",
+        "a message is made with it and the pages do not say that the package is for Humble or older alone",
         Severity.INFO: "nothing starts or imports the module, calls the method, or leads to the function, it stands "
         "behind `rclpy.spin`, a switch turns it off, its object is never used, its class is defined again, or a "
         "message is made with it and the pages name Jazzy or newer alone, or the run ends before, at another fault",
