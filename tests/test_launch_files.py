@@ -343,7 +343,7 @@ def test_attributes_that_are_called_as_in_python(line: str, said: list[str]) -> 
     assert [fault.message.partition(":")[0] for fault in entity_faults(file)] == said
 
 
-@pytest.mark.parametrize(("line", "found"), [("", "warning"), ('<let name="a" value="b"/>', "error")])
+@pytest.mark.parametrize(("line", "found"), [("", "info"), ('<let name="a" value="b"/>', "error")])
 def test_roslaunch_knows_the_folder_of_a_file(line: str, found: str) -> None:
     text = f'<launch>\n  <include file="$(dirname)/b.launch"/>\n  <node pkg="a" type="b" name="c"/>{line}\n</launch>\n'
     install = CMAKE.replace(

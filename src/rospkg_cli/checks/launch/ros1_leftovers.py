@@ -33,22 +33,11 @@ class Ros1Leftovers:
         return tuple(found) if found[0].path == self.scope.file.path else ()
 
     def is_met(self, file: LaunchFile) -> bool:
-        """Return whether somebody starts a file in ROS 2: something names it, or the package has none for ROS 2."""
-        return not self.has_others or file.path in self.met
+        """Return whether somebody starts a file in ROS 2: something that is not for ROS 1 names it."""
+        return file.path in self.met
 
     @cached_property
     def met(self) -> frozenset[str]:
-        """The files for ROS 1 that something names which is not for ROS 1, or one of these does."""
+        """The files for ROS 1 that something names which is not; one of these stops before it includes another."""
         old = {each.path: each for each in (self.scope.file, *self.around) if each.is_ros1}
-        met, more = set[str](), set(old)
-        while more:
-            idle = frozenset(old) - met
-            more = {path for path in idle if self.started.has(old[path], idle)}
-            met |= more
-        return frozenset(met)
-
-    @cached_property
-    def has_others(self) -> bool:
-        """Whether the package has a launch file for ROS 2 that starts something."""
-        others = (each for each in self.around if not each.is_ros1 and each.has_entry_point)
-        return any(each.root.children if each.root else each.frontend == "python" for each in others)
+        return frozenset(path for path, file in old.items() if self.started.has(file, frozenset(old)))

@@ -1,4 +1,4 @@
-"""Rule input: whether anything but launch files for ROS 1 starts or includes a launch file, by its name."""
+"""Rule input: whether anything for ROS 2 starts or includes a launch file, by its package and its name."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from ...package.workspace import Workspace
 from ..pages_and_scripts import pages_and_scripts
 
 CODE = (".py", ".xml", ".launch", ".yaml", ".yml", ".cpp", ".cc", ".hpp", ".h")
-OF_ROS1 = "roslaunch"
-"""What starts a launch file in ROS 1."""
+COMMAND = "ros2 launch"
+"""What starts a launch file in ROS 2."""
 
 
 @dataclass(frozen=True)
@@ -27,20 +27,33 @@ class StartedLaunchFiles:
     workspace: Workspace
 
     def has(self, file: LaunchFile, leftovers: frozenset[str]) -> bool:
-        """Return whether a page, a script, code or a launch file that is not one of some names a launch file."""
+        """Return whether a command of a page or a script, code, or a launch file for ROS 2 names a launch file.
+
+        Files of some paths do not count: those for ROS 1. A launch file here need not name its own package.
+        """
         name = posixpath.basename(file.path)
         named = re.compile(rf"(?<![\w.-]){re.escape(name)}(?!\.?\w)")
-        texts = (text for path, text in self.code if path != file.path and path not in leftovers)
-        if any(named.search(text) for text in texts) or any(named.search(line) for line in self.lines):
+        own = re.compile(rf"(?<![\w-]){re.escape(self.package.name)}(?![\w-])")
+        texts = ((path, text) for path, text in self.code if path != file.path and path not in leftovers)
+        if any(named.search(text) and (role_of(path) == "launch" or own.search(text)) for path, text in texts):
             return True
-        others = (each for each in self.workspace.packages if each.name != self.package.name)
-        return any(name in each.includes for facts in others for each in facts.launch_summaries)
+        typed = re.compile(rf"{COMMAND} +(?:[\w.~/-]*/)?{re.escape(name)}(?!\.?\w)")
+        if any(typed.search(line) or (named.search(line) and own.search(line)) for line in self.commands):
+            return True
+        return self.is_included_elsewhere(name)
+
+    def is_included_elsewhere(self, name: str) -> bool:
+        """Return whether another package includes a launch file of a name that this package alone has."""
+        others = [each for each in self.workspace.packages if each.name != self.package.name]
+        if not any(name in each.includes for facts in others for each in facts.launch_summaries):
+            return False
+        return not any(posixpath.basename(path) == name for facts in others for path in facts.share_files)
 
     @cached_property
-    def lines(self) -> tuple[str, ...]:
-        """The lines of pages and scripts, but for those that are for ROS 1."""
+    def commands(self) -> tuple[str, ...]:
+        """The lines of pages and scripts that start something in ROS 2."""
         lines = (line for text in pages_and_scripts(self.files) for line in text.splitlines())
-        return tuple(line for line in lines if ".launch" in line and OF_ROS1 not in line)
+        return tuple(line for line in lines if COMMAND in line)
 
     @cached_property
     def code(self) -> tuple[tuple[str, str], ...]:

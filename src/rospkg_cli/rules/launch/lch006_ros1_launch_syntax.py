@@ -40,8 +40,8 @@ FILES = {
     over=Ros1Leftovers,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the whole file is one for ROS 1",
-        Severity.INFO: "it is, and nothing starts or includes it, beside launch files for ROS 2",
+        Severity.WARNING: "the whole file is one for ROS 1, and something for ROS 2 starts or includes it",
+        Severity.INFO: "it is, and nothing for ROS 2 does",
     },
     examples=(
         Example(
@@ -56,7 +56,7 @@ FILES = {
             good={"launch/house.launch.xml": PARAM.replace("«param»", "set_parameter")},
         ),
         Example(
-            bad={"launch/house.launch.xml": WHOLE},
+            bad={"launch/house.launch.xml": WHOLE, "README.md": "    ros2 launch my_pkg house.launch.xml\n"},
             good={"launch/house.launch.xml": "<launch>\n</launch>\n"},
         ),
     ),
@@ -74,8 +74,9 @@ def ros1_launch_syntax(leftovers: Ros1Leftovers) -> Iterator[Hit]:
 
     ## When it is quiet
     A file that is for ROS 1 altogether is left alone where this package does not install it, is built with catkin, or
-    names catkin in its manifest. So are all launch files of a package that catkin alone builds. It is an info beside
-    launch files for ROS 2 where no page, script, code or launch file but those for ROS 1 names it.
+    names catkin in its manifest. So are all launch files of a package that catkin alone builds. It is an info where
+    nothing for ROS 2 names the file together with its package: no `ros2 launch my_pkg old.launch` of a page or a
+    script, no code, no launch file.
     """
     scope = leftovers.scope
     if scope.package.is_for_ros1:
@@ -87,7 +88,7 @@ def ros1_launch_syntax(leftovers: Ros1Leftovers) -> Iterator[Hit]:
         it = "them" if others else "it"
         signs, advice = "(`type=`, `$(find …)`, `$(arg …)`)", f"port {it}, or do not install {it}"
         is_met = leftovers.is_met(file)
-        idle = "" if is_met else f", but nothing here starts {it}"
+        idle = "" if is_met else f", but nothing for ROS 2 starts {it}"
         message = f"{start} written for ROS 1 {signs} and {ends}{idle}; {advice}"
         places = tuple(Related(each.path, first_sign(each), "and this one") for each in others)
         yield Hit(file.path, first_sign(file), message, Severity.WARNING if is_met else Severity.INFO, places)
