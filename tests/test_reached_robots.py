@@ -129,8 +129,8 @@ def test_another_package_may_read_the_argument() -> None:
     assert levels('<a b="$(arg mesh)"/>') == ["warning"]
 
 
-@pytest.mark.parametrize(("name", "level"), [("left", "warning"), ("1", "info")])
-def test_a_number_in_other_files_does_not_open_a_robot(name: str, level: str) -> None:
+@pytest.mark.parametrize("name", ["left", "1"])
+def test_a_word_in_other_files_does_not_open_a_robot(name: str) -> None:
     files = {
         "package.xml": manifest("", "ament_cmake"),
         "CMakeLists.txt": INSTALL,
@@ -139,4 +139,4 @@ def test_a_number_in_other_files_does_not_open_a_robot(name: str, level: str) ->
         f"urdf/{name}.xacro": f"{TOP}{MESH}</robot>\n",
     }
     (finding,) = lint_files(files, ["URD002"]).findings
-    assert finding.severity.value == level
+    assert finding.severity.value == "info"

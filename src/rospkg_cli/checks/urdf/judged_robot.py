@@ -8,7 +8,6 @@ from typing import Annotated
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
-from ...package.install_table import InstallTable
 from ...package.urdf.robot_file import RobotFile
 from ...source import Span
 from ...unreadable import READABLE
@@ -20,6 +19,7 @@ from .given_prefixes import gives_text
 from .launched_robots import LaunchedRobots
 from .lost_prefix import EMPTY, UNLESS, UNLESS_EMPTY
 from .macro_prefix import prefix_faults
+from .met_robots import MetRobots
 from .one_slip import is_slip, of_one_slip
 from .opened_robots import OpenedRobots
 from .validation import VAIN, robot_faults
@@ -39,22 +39,10 @@ class JudgedRobot:
     expanded: ExpandedRobots
     opened: OpenedRobots
     launched: LaunchedRobots
+    met: MetRobots
     distribution: OlderDistribution
     readers: ControlReaders
-    table: InstallTable | None = None
     robots: Annotated[tuple[RobotFile, ...], READABLE] = ()
-
-    def is_idle(self, path: str) -> bool:
-        """Return whether nothing here opens a robot, nor one that includes it."""
-        tops = self.opened.including(path) or [path]
-        return not self.opened.has(path) and all(map(self.is_idle_alone, tops))
-
-    def is_idle_alone(self, path: str) -> bool:
-        """Return whether nothing opens a robot: the package has or opens others, or does not even install this one."""
-        table = self.table
-        lost = table is not None and table.knows("share") and all(row.source != path for row in table.rows)
-        is_one_of_several = lost or self.opened.has_others(path)
-        return not self.opened.has(path) if is_one_of_several else self.opened.is_passed_over(path)
 
     def faults(self) -> list[Fault]:
         """Return what is wrong with the file as it is written, then with what xacro makes of it, each place once."""
@@ -97,7 +85,10 @@ class JudgedRobot:
         return list(found.values())
 
     def at_its_level(self, fault: Fault, robot: str) -> Fault:
-        """Return a fault as an error only where a launch file opens a robot that meets it, as an info where nothing."""
+        """Return a fault as an error only where a launch file opens a robot that meets it.
+
+        It is a warning where code or a command of a page does, and an info where nothing is shown to.
+        """
         is_launched = self.launched.has(robot)
         if fault.level == "info":
             return fault
@@ -109,7 +100,7 @@ class JudgedRobot:
             return softer(fault, "info", "and stops from Jazzy on alone, which no page names")
         if MUST_BE_GIVEN in fault.message and self.may_be_given(fault):
             return replace(fault, level="info")
-        if not is_launched and (may_be_elsewhere(fault) or self.is_idle(robot)):
+        if not self.met.has(robot) or (not is_launched and may_be_elsewhere(fault)):
             which = "this robot" if robot == self.robot.path else "a robot that reaches this"
             return softer(fault, "info", f"as soon as something opens {which}")
         return self.without_prefix(fault) if UNLESS in fault.message else replace(fault, level="warning")

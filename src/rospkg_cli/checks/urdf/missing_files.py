@@ -21,6 +21,7 @@ from ..install_faults import InstallFaults
 from .emptied_folders import emptied_folders
 from .fetched_meshes import ARCHIVES, FetchedMeshes
 from .launched_robots import LaunchedRobots
+from .met_robots import MetRobots
 from .missing_resource import MissingResource, State
 from .model_files import missing_of_models
 from .opened_robots import OpenedRobots
@@ -44,6 +45,7 @@ class RobotInWorkspace:
     calls: XacroCalls
     opened: OpenedRobots
     launched: LaunchedRobots
+    met: MetRobots
     shown: ShownRobots
     reached: ReachedFiles
     replaced: ReplacedPaths
@@ -62,6 +64,11 @@ class RobotInWorkspace:
     def is_idle(self) -> bool:
         """Whether nothing opens the robot, as far as the texts of the workspace say."""
         return not (self.launched.has(self.robot.path) or self.opened.has(self.robot.path))
+
+    @property
+    def is_met(self) -> bool:
+        """Whether something of the workspace is shown to open the robot, so that somebody meets what it lacks."""
+        return self.met.has(self.robot.path)
 
     @property
     def may_be_read_as_it_is(self) -> bool:

@@ -16,7 +16,7 @@ def missing_fault(scope: RobotInWorkspace, missing: MissingResource) -> Fault:
     fault = Fault(missing.span, f"{wrong(missing, scope.package.name)}: {harm}")
     each = [scope.weighed(replace(fault, span=span)) for span in missing.spans]
     best = min(each, key=lambda one: LEVELS.index(one.level))
-    if best.level != "info" and scope.is_idle:
+    if best.level != "info" and not scope.is_met:
         return softer(best, "info", "as soon as something opens this robot")
     if best.level != "info" and missing.state == "absent" and scope.is_fetched(missing):
         return softer(best, "info", "until it is fetched, as a page or a script here tells to")

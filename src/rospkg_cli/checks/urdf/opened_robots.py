@@ -209,11 +209,6 @@ class OpenedRobots:
             if any(p.rpartition("/")[2] == name for p in (*each.share_files, *each.uninstalled))
         ]
 
-    def has_others(self, path: str) -> bool:
-        """Return whether the package has another robot than one: then this one need not be what it is for."""
-        ends = (".urdf", ".urdf.xacro")
-        return any(other.endswith(ends) and other != path and "<robot" in text for other, text in self.texts)
-
     def is_passed_over(self, path: str) -> bool:
         """Return whether the package or another opens robots of it, and not this one."""
         own = any(".urdf" in text or ".xacro" in text for other, text in self.texts if other.endswith(LAUNCH))

@@ -48,10 +48,10 @@ FILES = {
     over=RobotInWorkspace,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a mesh is missing, a condition is around it, it is for Gazebo alone, or no launch file is "
-        "known to open the robot",
-        Severity.INFO: "nothing opens the robot, calls the macro or reads the property or default that it is in, each "
-        "launch file replaces the default or a part of the path, or a page tells to fetch the file",
+        Severity.WARNING: "a mesh is missing, a condition is around it, it is for Gazebo alone, or code or a command "
+        "of a page, and no launch file, opens the robot",
+        Severity.INFO: "nothing is shown to open the robot, calls the macro or reads the property or default that it "
+        "is in, each launch file replaces the default or a part of the path, or a page tells to fetch the file",
     },
     examples=(
         Example(
@@ -97,10 +97,10 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     and where install rules are not all known (a CMake macro of another package may install files). Where another rule
     reports that the folder is not installed, it says so alone. In a condition of xacro, in a file that is only included
     under one which the defaults of the arguments switch off, and in a `<gazebo>` or `<plugin>`, which Gazebo alone
-    reads, it is a warning; so it is in a robot that no launch file of the workspace is known to open, and of an include
-    of a `.urdf` that only another package may open, perhaps without xacro. It is an info in a robot that no file of the
-    workspace opens (none of the package names it, in code or in a command of a page, and no other that names the
-    package) or that lies in a folder such as `old/`, and in a macro that nothing here calls. The default of an argument
+    reads, it is a warning; so it is in a robot that only code names, or a command of a page, and of an include of a
+    `.urdf` that only another package may open, perhaps without xacro. It is an info in a robot that no launch file,
+    code or command of a page of the workspace is shown to open, or that lies in a folder such as `old/`, and in a macro
+    that nothing here calls. The default of an argument
     is an info where nothing reads the argument, or where each launch file that opens the robot gives another value. A
     path without a scheme is one where no launch file opens the robot, or none that does starts RViz or move_group by
     default, where Gazebo finds it: `$(find …)`. So is a path of which each launch file that opens the robot replaces a
@@ -135,6 +135,7 @@ def of_several(
 ) -> Hit:
     (first, _), *others = found
     best = scope.weighed(Fault(first, message, "warning"))
-    best = softer(best, "info", "as soon as something opens this robot") if scope.is_idle else best
+    if "info" not in (level, best.level) and not scope.is_met:
+        best = softer(best, "info", "as soon as something opens this robot")
     again = tuple(Related(scope.robot.path, span, f"`{other}` too") for span, other in others)
     return Hit(scope.robot.path, first, f"{best.message}; {advice}", Severity(level or best.level or "warning"), again)

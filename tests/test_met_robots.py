@@ -1,0 +1,72 @@
+"""URD001 and URD002: a fault of a robot is more than an info only where something is shown to open the robot."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.testing import lint_files
+
+INSTALLS = "install(DIRECTORY launch urdf DESTINATION share/${PROJECT_NAME})\nament_package"
+LOST = '<link name="l"><visual><geometry><mesh filename="{}"/></geometry></visual></link>'
+MESH = LOST.format("package://my_pkg/urdf/a.stl")
+HOME = LOST.format("file:///home/ada/ws/src/my_pkg/meshes/a.stl")
+JOINT = '<link name="a"/><link name="b"/>'
+FILES = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE.replace("ament_package", INSTALLS)}
+NAMED = "from launch import LaunchDescription\n\nMODEL = {}\n\n\ndef generate_launch_description():\n    {}\n"
+ADDED = "return LaunchDescription([Node(package='a', executable='b', parameters=[{{'robot_description': {}}}])])"
+OPENED = {"launch/a.launch.py": NAMED.format("share + '/urdf/robot.urdf'", ADDED.format("open(MODEL).read()"))}
+CODE = "import xacro\n\n\ndef main():\n    publish('robot_description', xacro.process_file(share + '/urdf/{}'))\n"
+
+
+def levels(more: dict[str, str], robot: str = MESH) -> list[str]:
+    files = {**FILES, "urdf/robot.urdf": f'<robot name="r">{robot}</robot>\n', **more}
+    return [each.severity.value for each in lint_files(files, ["URD001", "URD002"]).findings]
+
+
+MAYBE = [
+    {},
+    {"README.md": "`urdf/robot.urdf` is what SolidWorks exported.\n"},
+    {"launch/a.launch.py": NAMED.format("share + '/urdf/' + NAME + '.urdf'", ADDED.format("open(MODEL).read()"))},
+    {"launch/a.launch.py": NAMED.format("'robot.urdf.xacro'", ADDED.format("open(MODEL).read()"))},
+    {"launch/a.launch.py": NAMED.format("None", "lost = Node(package='robot.urdf')\n    return LaunchDescription([])")},
+    {"launch/a.launch.py": NAMED.format("None", "return LaunchDescription([])  # robot.urdf")},
+    {"scripts/show.py": CODE.format("robot.urdf.xacro")},
+]
+
+
+@pytest.mark.parametrize("more", MAYBE)
+@pytest.mark.parametrize("robot", [MESH, HOME, JOINT])
+def test_what_nothing_is_shown_to_open_is_an_info(more: dict[str, str], robot: str) -> None:
+    assert set(levels(more, robot)) == {"info"}
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        OPENED,
+        {"README.md": "    ros2 launch urdf_tutorial display.launch.py model:=urdf/robot.urdf\n"},
+        {"scripts/show.py": CODE.format("robot.urdf")},
+        {"urdf/whole.urdf.xacro": '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="w">'
+         '<xacro:include filename="robot.urdf"/></robot>\n', "start.sh": "xacro urdf/whole.urdf.xacro\n"},
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("robot", [MESH, HOME])
+def test_what_something_is_shown_to_open_is_a_warning(more: dict[str, str], robot: str) -> None:
+    assert levels(more, robot) == ["warning"]
+
+
+def test_only_what_a_launch_file_opens_is_an_error() -> None:
+    assert set(levels(OPENED, JOINT)) == {"error"}
+    assert set(levels({"scripts/show.py": CODE.format("robot.urdf")}, JOINT)) == {"warning"}
+
+
+def test_a_page_above_counts_where_it_names_the_package() -> None:
+    def found(line: str) -> list[str]:
+        files = {f"src/my_pkg/{path}": text for path, text in FILES.items()}
+        files["src/my_pkg/urdf/robot.urdf"] = f'<robot name="r">{MESH}</robot>\n'
+        told = lint_files({**files, "README.md": f"    {line}\n"}, ["URD002"]).findings
+        return [each.severity.value for each in told]
+
+    assert found("ros2 launch urdf_tutorial display.launch.py model:=src/my_pkg/urdf/robot.urdf") == ["warning"]
+    assert found("ros2 launch urdf_tutorial display.launch.py model:=src/other/urdf/robot.urdf") == ["info"]
