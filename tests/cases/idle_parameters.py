@@ -210,9 +210,9 @@ CASES = {
     "LCH005": (
         *(below(each, {"launch/a.launch.py": OLD}) for each in (*PAGES, GALACTIC[0])),
         below(PAGES[0], {"launch/a.launch.xml": OLD_XML}),
-        below("", {"launch/a.launch.py": NEVER_ADDED}),
+        below("Jazzy.\n", {"launch/a.launch.py": NEVER_ADDED}),
         *(below(each, {"launch/a.launch.py": LOADS}) for each in ("Any.\n", PAGES[0], *GALACTIC)),
-        below("", {"launch/a.launch.py": LOADS.replace("'arm'])", "'arm'], condition=IfCondition('0'))")}),
+        below("Jazzy.\n", {"launch/a.launch.py": LOADS.replace("'arm'])", "'arm'], condition=IfCondition('0'))")}),
         below("", {"launch/a.launch.py": OLD.replace("    return", "    if os.environ.get('OLD'):\n        return")}),
         below(PAGES[0], {"launch/a.launch.py": OLD.replace("node_executable", "type")}),
         Example(

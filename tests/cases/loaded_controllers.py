@@ -28,7 +28,8 @@ ARM = SPAWNER.format("arguments=['arm', '--controller-manager', '/controller_man
 
 
 def launched(old: str, other: str) -> Example:
-    return Example(bad={"package.xml": NEEDED, "launch/a.launch.py": LAUNCH.format(old, other)}, good={})
+    files = {"package.xml": NEEDED, "launch/a.launch.py": LAUNCH.format(old, other), "README.md": "For Jazzy.\n"}
+    return Example(bad=files, good={})
 
 
 CASES = {

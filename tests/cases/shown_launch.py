@@ -174,6 +174,7 @@ REMOVED = python(
         )
     ),
 )
+LATER = Example(bad={**REMOVED.bad, "README.md": "For Jazzy.\n"}, good={})
 REMOVED_XML = xml(
     '<node pkg="p" type="e"/>',
     '<node pkg="p" type="e" exec="f"/>',
@@ -368,7 +369,7 @@ CASES = {
     "LCH002": (MODULES,),
     "LCH003": (ALSO, ELSEWHERE),
     "LCH004": (ALSO, ELSEWHERE, SHARED),
-    "LCH005": (REMOVED, REMOVED_XML, ASKS),
+    "LCH005": (REMOVED, REMOVED_XML, ASKS, LATER),
     "LCH006": (OLD, *ROS1_PACKAGES),
     "LCH007": (
         ENTITIES, REFUSED, QUOTED, EXPRESSIONS, IN_PYTHON,

@@ -8,7 +8,7 @@ from ..files import PackageFiles
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
-from ..ros.distros import DISTROS
+from ..ros.distros import DISTROS, Targets
 from .distribution_words import words_elsewhere, words_of_package
 from .setup.linked_build import build_texts
 
@@ -30,6 +30,7 @@ IN_PATHS = regex(rf"(?<![a-z])({'|'.join(SLIPS)}|{EVERY})(?![a-z])")
 @dataclass(frozen=True)
 class OlderDistribution:
     files: PackageFiles
+    targets: Targets = Targets()
 
     @cached_property
     def named(self) -> frozenset[str]:
@@ -54,6 +55,14 @@ class OlderDistribution:
     def is_meant_unsupported(self) -> bool:
         """Whether one before Humble is meant, and none after it."""
         return bool(self.meant) and self.meant.issubset(UNSUPPORTED)
+
+    @property
+    def is_newer_shown(self) -> bool:
+        """Whether the run checks for a distribution, or those that are meant are Humble or later ones alone.
+
+        Only then somebody surely meets that a name of Foxy or Galactic is gone.
+        """
+        return bool(self.targets.names) or (bool(self.meant) and self.meant.isdisjoint(UNSUPPORTED))
 
     @property
     def is_named_alone(self) -> bool:

@@ -46,14 +46,11 @@ class LaunchCalls:
     distribution: OlderDistribution
 
     def faults(self) -> Iterator[Fault]:
-        """Yield what launch or Python refuses; a warning where the distribution that is named lets it pass."""
+        """Yield what launch or Python refuses; an info where the only distribution that is meant lets it pass."""
         for fault in call_faults(self.file):
-            if (
-                fault.level is None
-                and fault.message.startswith(LATER)
-                and self.distribution.is_for_older(self.file.path)
-            ):
-                yield softer(fault, "warning", "but not in Foxy")
+            is_later = fault.level is None and fault.message.startswith(LATER)
+            if is_later and self.distribution.is_for_older(self.file.path):
+                yield softer(fault, "info", "but not in Foxy")
             else:
                 yield fault
 

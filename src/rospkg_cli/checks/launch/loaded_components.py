@@ -82,6 +82,8 @@ class LoadedComponents:
             return "info", "but in the distributions that the pages name"
         if is_of_fork(each.package, self.package, self.workspace):
             return "info", "but in a fork, it may be there"
+        if not (level == "info" or self.distribution.is_newer_shown):
+            return "info", "but in older distributions, and nothing here names later ones alone"
         return level or "warning", why
 
     @cached_property

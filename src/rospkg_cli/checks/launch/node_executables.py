@@ -116,11 +116,12 @@ class NodeExecutables:
                 yield replace(self, scope=replace(self.scope, file=file))
 
     def level_of(self, use: WellKnownUse) -> Level | None:
-        """Return the level of a name that is not there; where the repository is for an older distribution it is.
+        """Return the level of a name that is not there; one of an older distribution is met in a newer one alone.
 
-        So it may be in a fork.
+        In a fork it may be kept.
         """
-        is_older = self.distribution.is_for_unsupported(self.scope.file.path) or self.uses_plugins_of(use.package)
+        is_older = self.distribution.is_for_unsupported(self.scope.file.path) or not self.distribution.is_newer_shown
+        is_older = is_older or self.uses_plugins_of(use.package)
         is_kept = is_older or is_of_fork(use.package, self.scope.package, self.scope.workspace)
         if use.wrong.is_removed and is_kept:
             return "info"

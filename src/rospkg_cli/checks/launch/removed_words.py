@@ -67,9 +67,9 @@ class RemovedWords:
         for fault in removed_arguments(file):
             when: list[tuple[Level, str]] = []
             is_later = is_python and fault.message.startswith(LATER)
-            if is_later and distribution.is_for_older(file.path):
-                when.append(("info", "but not in Foxy"))
             level, why = level_at(file, fault.span)
+            if is_later and self.is_for_older(file, is_info=level == "info"):
+                when.append(("info", "but not in Foxy"))
             if why in (NO_ENTRY, IN_BRANCH):  # a condition of launch does not help: Python refuses to make the action
                 when.append(("warning", why))
             elif level == "info":
@@ -77,7 +77,13 @@ class RemovedWords:
             edits = fault.repair.edits if is_later and fault.repair else ()
             yield RemovedWord(fault, tuple(dict.fromkeys(file.source.slice(span) for span, _ in edits)), tuple(when))
         for fault in removed_commands(file):
-            is_older = distribution.is_for_unsupported(file.path)
             level, why = level_at(file, fault.span)
+            is_older = distribution.is_for_unsupported(file.path)
+            is_older = is_older or self.is_for_older(file, is_info="info" in (level, fault.level))
             older: list[tuple[Level, str]] = [("info", "but not in Foxy and Galactic")] if is_older else []
             yield RemovedWord(fault, (), (*older, *([(level, why)] if level else ())))
+
+    def is_for_older(self, file: LaunchFile, *, is_info: bool) -> bool:
+        """Return whether a file is for Foxy; or may be, where that is not all the same as it is an info anyway."""
+        distribution = self.calls.distribution
+        return distribution.is_for_older(file.path) or not (is_info or distribution.is_newer_shown)

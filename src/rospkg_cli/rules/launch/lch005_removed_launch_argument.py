@@ -44,11 +44,11 @@ FILES = {
     levels={
         Severity.WARNING: "its condition is false by default, or it stands in a branch that is not always taken",
         Severity.INFO: "the action is never added to the launch description, something else here loads the controller, "
-        "or the repository is for Foxy",
+        "or nothing shows that the repository is for later distributions than those that had it",
     },
     examples=(
         Example(
-            bad={**FILES, "launch/talker.launch.py": PYTHON},
+            bad={**FILES, "launch/talker.launch.py": PYTHON, "README.md": "For ROS 2 Jazzy.\n"},
             good={"launch/talker.launch.py": PYTHON.replace("«node_executable»", "executable")},
             fix=Safety.SAFE,
         ),
@@ -73,12 +73,13 @@ def removed_launch_argument(words: RemovedWords) -> Iterator[Hit]:
     keyword-only argument: 'executable'`.
 
     ## When it is quiet
-    Files that check which distribution they run on are left alone, and so are launch files for ROS 1. Where pages and
-    scripts of the repository (or, if these name none, its other pages, launch files, docstrings and names of files)
-    name Foxy and no later distribution, or a folder is called after it, it is an info; so is
-    a word of `ros2 control` where they name Foxy or Galactic alone, or where a spawner or another command of the launch
-    file brings the same controller into the state. A Python file whose name or folder says that it is for Foxy or an
-    older one (`launch/foxy/`, `eloquent_start.py`), beside launch files for others, is left alone.
+    Files that check which distribution they run on are left alone, and so are launch files for ROS 1. It is an error
+    only where the run checks for a distribution (`--target`), or where pages, scripts and workflows of the repository
+    (or, if these name none, its other pages, launch files, docstrings and names of files) name Humble or later ones
+    alone; so are words of `ros2 control`. Else it is an info, as it is in a folder that is called after Foxy, and where
+    a spawner or another command of the launch file brings the same controller into the state. A Python file whose name
+    or folder says that it is for Foxy or an older one (`launch/foxy/`, `eloquent_start.py`), beside launch files for
+    others, is left alone.
     """
     for fault, places in words.together():
         first, again = places[0], other_places(places)
