@@ -70,3 +70,18 @@ def test_a_page_above_counts_where_it_names_the_package() -> None:
 
     assert found("ros2 launch urdf_tutorial display.launch.py model:=src/my_pkg/urdf/robot.urdf") == ["warning"]
     assert found("ros2 launch urdf_tutorial display.launch.py model:=src/other/urdf/robot.urdf") == ["info"]
+
+
+@pytest.mark.parametrize("package", ["my_pkg", "other"])
+@pytest.mark.parametrize(("name", "level"), [("hall.world", "warning"), ("halls.world", "info")])
+def test_worlds_are_opened_by_launch_files_too(package: str, name: str, level: str) -> None:
+    world = (
+        f'<sdf version="1.6"><world name="w"><model name="m">{HOME.replace("filename=", "uri=")}</model></world></sdf>'
+    )
+    world = world.replace('<mesh uri="', "<mesh><uri>").replace('"/>', "</uri></mesh>")
+    files = {f"my_pkg/{path}": text for path, text in FILES.items()}
+    files["other/package.xml"] = manifest("", "ament_cmake", "other")
+    files["my_pkg/worlds/hall.world"] = world
+    launch = NAMED.format(f"share('my_pkg') + '/worlds/{name}'", ADDED.format("MODEL"))
+    (found,) = lint_files({**files, f"{package}/launch/a.launch.py": launch}, ["URD002"]).findings
+    assert found.severity.value == level

@@ -8,8 +8,7 @@ from functools import cached_property
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
-from ..pages_and_scripts import TEXTS
-from ..setup.linked_build import build_texts
+from ..pages_and_scripts import own_pages, pages_above
 from .launched_robots import LaunchedRobots
 from .opened_robots import COMMAND, ENDS, OpenedRobots
 
@@ -49,10 +48,13 @@ class MetRobots:
     @cached_property
     def commands(self) -> tuple[str, ...]:
         """The lines of pages and scripts that open something of the package: its own, and those above that name it."""
-        own = [self.opened.files.readable_text(path) for path in self.opened.files.paths if path.endswith(TEXTS)]
-        lines = [line for text in own for line in text.splitlines()]
-        texts = (text for text in build_texts(self.opened.files) if text not in own)
-        lines += (line for text in texts for line in text.splitlines() if self.opened.package.name in line)
+        lines = [line for text in own_pages(self.opened.files) for line in text.splitlines()]
+        lines += [
+            line
+            for text in pages_above(self.opened.files)
+            for line in text.splitlines()
+            if self.opened.package.name in line
+        ]
         return tuple(line for line in lines if TYPED.search(line))
 
     @cached_property

@@ -23,7 +23,7 @@ NAMING = (
     ".world",
     ".md",
 )
-MARKS = (b"urdf", b"xacro", b".sdf", b"find ")
+MARKS = (b"urdf", b"xacro", b".sdf", b".world", b"find ")
 """One of them stands in each text that names a robot."""
 ANY = "*"
 """Stands for a name that is put together when the text is run."""
@@ -34,7 +34,7 @@ REPLACES = "~"
 REPLACED = regex(r"(?:\.replace|\bsub)\(\s*[rf]{0,2}[\"'][^\"'\n]*(?:://|meshes)")
 WORD = regex(r"(?:[\"'/:,=\[-] ?|find(?:-pkg-share)? )([A-Za-z][\w-]*)")
 INCLUDE = regex(r"<xacro:include\s[^>]*?filename\s*=\s*[\"']\$\(find\s+([\w-]+)\s*\)/([^\"']*)")
-FILE = regex(r"(?:^|[^\w.-])([\w.-]*)(\.(?:urdf|xacro|sdf))\b")
+FILE = regex(r"(?:^|[^\w.-])([\w.-]*)(\.(?:urdf|xacro|sdf|world))\b")
 
 
 def robot_words(reading: ReaderInput) -> tuple[frozenset[str], ...]:
