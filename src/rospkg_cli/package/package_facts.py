@@ -59,6 +59,8 @@ class PluginUse:
     is_listed: bool = True
     """False where lists of plugins stand beside it, and none names its block, or where other controllers of the file
     are spawned, and this one is not: nothing loads it."""
+    kind: str = ""
+    """What RViz loads it as, by the list of its config that it is in: `Panel`, `Display`, `Tool`, `ViewController`."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,6 +12,7 @@ from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts, Plugin, PluginUse
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
+from ...ros.rviz_plugins import kind_of
 from ...ros.well_known import WrongName, plugins_of_class, wrong_plugin
 from ...suggest import near_names
 from ..yaml_elsewhere import is_named_yaml
@@ -101,7 +102,8 @@ class PluginReferences:
                 continue
             wrong = wrong_plugin(use.name)
             if wrong is not None:
-                yield WrongPlugin(user, use, wrong)
+                is_other = bool(use.kind and wrong.better) and kind_of(wrong.better) != use.kind
+                yield WrongPlugin(user, use, replace(wrong, better="") if is_other else wrong)
             elif not self.is_known(user, first, use.name):
                 yield from self.slips(user, use)
 
@@ -137,9 +139,10 @@ class PluginReferences:
         owner = self.workspace.named(name)
         if owner is not None:
             if self.is_certain(owner) and not is_something_else(owner, use.name):
-                yield UnknownPlugin(user, use, owner, self.suggestion(owner, use.name))
+                yield UnknownPlugin(user, use, owner, self.suggestion(owner, use))
         elif self.is_nowhere(name):
-            alike = [each for each in self.with_word(tail(use.name)) if tail(each[1].name) == tail(use.name)]
+            named = self.with_word(tail(use.name))
+            alike = [each for each in named if tail(each[1].name) == tail(use.name) and may_be_loaded(each[1], use)]
             if len(alike) == 1:
                 yield UnknownPlugin(user, use, *alike[0])
 
@@ -156,24 +159,26 @@ class PluginReferences:
         cpp = any("_py::" not in plugin.base for plugin in owner.plugins)
         return cpp and owner.is_ament and owner.knows("plugins") and owner.name not in BUILT_IN
 
-    def suggestion(self, owner: PackageFacts, name: str) -> Plugin | None:
+    def suggestion(self, owner: PackageFacts, use: PluginUse) -> Plugin | None:
         """Return the plugin of a package with the same class, or with nearly that name; None where there are more."""
-        alike = [each for each in owner.plugins if plain(each.name) == plain(name)]
+        plugins = [each for each in owner.plugins if may_be_loaded(each, use)]
+        alike = [each for each in plugins if plain(each.name) == plain(use.name)]
         if not alike:
-            nearby = near_names(tail(name), [tail(each.name) for each in owner.plugins])
-            alike = [each for each in owner.plugins if tail(each.name) in nearby]
+            nearby = near_names(tail(use.name), [tail(each.name) for each in plugins])
+            alike = [each for each in plugins if tail(each.name) in nearby]
         return alike[0] if len(alike) == 1 else None
 
 
 def uses(packages: Iterable[PackageFacts], workspace: Workspace) -> Iterator[tuple[PackageFacts, PluginUse]]:
     """Yield the uses of plugins, each with its package; tests may name one that is not there on purpose.
 
-    In a file that nothing opens no list is read.
+    In a file that nothing opens no list is read; a panel that RViz lacks is a blank one, and nothing else is lost.
     """
     for user in packages:
         for use in user.plugin_uses if user.build_type != "catkin" else ():
             if role_of(use.path) != "test":
-                yield user, use if is_opened(use.path, user, workspace) else replace(use, is_listed=False)
+                is_met = use.kind != "Panel" and is_opened(use.path, user, workspace)
+                yield user, use if is_met else replace(use, is_listed=False)
 
 
 def is_opened(path: str, user: PackageFacts, workspace: Workspace) -> bool:
@@ -181,6 +186,11 @@ def is_opened(path: str, user: PackageFacts, workspace: Workspace) -> bool:
     if not path.endswith((".yaml", ".yml")) or path.rpartition("/")[2] in BY_MOVEIT:
         return True
     return is_named_yaml(path, user, workspace) or not any(facts.launch_files for facts in workspace.packages)
+
+
+def may_be_loaded(plugin: Plugin, use: PluginUse) -> bool:
+    """Return whether a plugin is of the kind that RViz loads at a place; all are where that is of none."""
+    return not use.kind or tail(plugin.base) == use.kind
 
 
 def plain(name: str) -> str:

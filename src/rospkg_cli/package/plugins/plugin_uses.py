@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from ...files import PackageFiles, ReaderInput
 from ...lazy_regex import regex
+from ...ros.rviz_plugins import LISTS
 from ...source import Span
 from ...unreadable import UnreadableError
 from ..file_role import role_of
@@ -24,6 +25,7 @@ YAML = regex(rf"""^[ ]*(?:-[ ]+)?{KEY}[ ]*:[ ]+(["']?){NAME}\2[ ]*(?:\#.*)?$""",
 RVIZ = regex(r"""^[ ]*(?:-[ ]+)?Class:[ ]+(["']?)(?P<name>[A-Za-z_]\w*(?:/|::)\w[\w ]*?)\1[ ]*$""", re.MULTILINE)
 """The names of RViz displays and tools may have blanks."""
 XML = regex(rf"""<plugin>\s*{NAME}\s*</plugin>|<param\s+name="\w*plugin">\s*{NAME.replace("name", "value")}\s*</""")
+LIST = regex(rf"(?m)^(?P<indent>[ ]*)(?P<list>{'|'.join(LISTS)}):")
 TEMPLATES = frozenset({"j2", "jinja", "jinja2", "in", "em", "tmpl"})
 """Endings of templates: what is literal in one stays in what is made of it."""
 PATTERNS = {"yaml": YAML, "yml": YAML, "rviz": RVIZ, "urdf": XML, "xacro": XML}
@@ -50,7 +52,16 @@ def uses_in(files: PackageFiles, path: str, spawned: SpawnedNames) -> Iterator[P
         group = "name" if match["name"] else "value"
         at = match.start(group)
         is_listed = pattern is not YAML or not (is_unlisted(text, at) or spawned.is_unspawned(path, text, at))
-        yield PluginUse(match[group], path, Span(*match.span(group)), is_listed)
+        kind = kind_at(text, match.start()) if pattern is RVIZ else ""
+        yield PluginUse(match[group], path, Span(*match.span(group)), is_listed, kind)
+
+
+def kind_at(text: str, start: int) -> str:
+    """Return the kind of the list that a line of an RViz config is in; "" for none."""
+    line = text[start:].partition("\n")[0]
+    indent = len(line) - len(line.lstrip(" "))
+    around = [each["list"] for each in LIST.finditer(text, 0, start) if len(each["indent"]) <= indent]
+    return LISTS[around[-1]] if around else ""
 
 
 def without_comments(text: str) -> str:
