@@ -51,7 +51,7 @@ def test_a_robot_that_is_passed_over(launch: str, others: tuple[str, ...], level
     [
         ("LOADED = 'walk.yaml'\n", "", (), "warning"),
         ("LOADED = 'walking.yaml'\n", "", (), "info"),
-        ("LOADED = MoveItConfigsBuilder('a')\n", "", (), "warning"),
+        ("LOADED = MoveItConfigsBuilder('a')\n", "", (), "info"),
         ("LOADED = f'{NAME}.yaml'\n", "", (), "warning"),
         ("", GAZEBO.format("walk.yaml"), (), "warning"),
         ("", GAZEBO.format("run.yaml"), (), "info"),
@@ -118,3 +118,23 @@ def test_a_controller_that_is_not_spawned_beside_others_that_are(launch: str, fo
     files["package.xml"] = manifest("  <exec_depend>controller_manager</exec_depend>\n", "ament_cmake")
     assert levels(files) == found
     assert levels(files, "A = 'claw'\n", body="  <depend>my_pkg</depend>\n") == ["warning", "warning"]
+
+
+@pytest.mark.parametrize(
+    ("name", "start", "level"),
+    [
+        ("ros2_controllers", "LOADED = MoveItConfigsBuilder('a')\n", "warning"),
+        ("sensors_kinect", "LOADED = MoveItConfigsBuilder('a')\n", "info"),
+        ("sensors_kinect", "LOADED = 'sensors_kinect.yaml'\n", "warning"),
+    ],
+)
+@pytest.mark.parametrize("is_loaded", [False, True])
+def test_what_only_launch_files_for_ros1_name(name: str, start: str, level: str, *, is_loaded: bool) -> None:
+    old = f'<launch>\n  <node pkg="a" type="b" name="c"/>\n  <arg name="d" value="{name}.yaml"/>\n</launch>\n'
+    files = {
+        f"config/{name}.yaml": PLUGIN.format("joint_state_broadcaster/JointStateBroadcaster"),
+        "package.xml": manifest("  <exec_depend>controller_manager</exec_depend>\n", "ament_cmake"),
+        "launch/a.launch.py": (start if is_loaded else "") + LAUNCH,
+        "launch/old.launch.xml": old,
+    }
+    assert levels(files) == [level if is_loaded else "info"]

@@ -18,7 +18,10 @@ from ..yaml_elsewhere import is_named_elsewhere
 
 EXAMPLE = regex(r"(?:^|[_/.-])examples?(?:[_/.-]|$)")
 LOOKS = "MoveItConfigsBuilder"
-"""MoveIt looks for the files of its configs by their names alone."""
+USUAL = regex(
+    r"kinematics|joint_limits|moveit_cpp|pilz_cartesian_limits|sensors_3d|\w*_planning(?:_pipelines)?|\w*controllers"
+)
+"""MoveIt looks for the files of its configs by their names alone: these, and none that is called otherwise."""
 SPAWNS = regex(r"spawner|_controllers?\b|(?:controllers|demo)_launch|IncludeLaunchDescription|<include\b|\binclude:")
 """What loads controllers in a launch file, or may: a spawner, `ros2 control`, MoveIt's own launches, other files."""
 
@@ -35,7 +38,9 @@ class OpenedParameters:
         stem = path.rpartition("/")[2].rpartition(".")[0]
         word = re.compile(rf"\b{re.escape(stem)}\b")
         found = re.compile(rf"(?:\$\(find|package:/|\$\{{)[^<>\"'\n]*{word.pattern}")
-        if any(LOOKS in text or word.search(text) for text in self.launches) or any(map(found.search, self.texts)):
+        is_usual = USUAL.fullmatch(stem) is not None
+        opens = any((is_usual and LOOKS in text) or word.search(text) for text in self.launches)
+        if opens or any(map(found.search, self.texts)):
             return True
         return not EXAMPLE.search(path) and (ANY in self.package.named_yaml or self.is_named_elsewhere(stem))
 
@@ -67,4 +72,6 @@ class OpenedParameters:
 
 
 def live(file: LaunchFile) -> str:
+    if file.is_ros1:  # which ROS 2 does not start
+        return ""
     return uncommented(file.path, without_unread(file.python) if file.python is not None else file.source.text)
