@@ -302,7 +302,8 @@ def test_what_stops_the_build_stops_it_in_a_folder_laid_aside_too(folder: str) -
     ],
 )
 def test_a_file_laid_aside_within_a_package(code: str, path: str, text: str, expected: str) -> None:
-    kept = levels(code, PYTHON, {path.format("real"): text})
+    start = {"launch/start.launch.py": "PATH = share + '/config/real/a.yaml'\n"}
+    kept = levels(code, PYTHON, {path.format("real"): text, **start})
     assert len(kept) == 1
     assert kept != ["info"]
     assert levels(code, PYTHON, {path.format("old"): text}) == [expected]

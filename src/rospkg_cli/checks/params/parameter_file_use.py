@@ -45,9 +45,20 @@ class ParameterFileUse:
 
     @property
     def level(self) -> Level | None:
-        """The level of what rcl refuses: an error where a launch file hands the file to a node, an info where nothing
-        here names it."""
-        return None if self.is_handed else "info" if self.is_unnamed else "warning"
+        """The level of what rcl refuses: an error where a launch file hands the file to a node.
+
+        It is a warning where a launch file, code or a command of a page names it, and an info where nothing does: even
+        a package without launch files may have it to be copied.
+        """
+        return None if self.is_handed else "warning" if self.is_named and not self.is_unnamed else "info"
+
+    @cached_property
+    def is_named(self) -> bool:
+        """Whether something here names the file that may give it to a node, or MoveIt does."""
+        name = self.file.path.rpartition("/")[2]
+        if self.is_for_moveit(name) or any(map(self.naming, self.files.paths)):
+            return True
+        return is_named_elsewhere(name.rpartition(".")[0], self.package, self.workspace)
 
     @cached_property
     def is_handed(self) -> bool:

@@ -39,8 +39,8 @@ HANDED = {
     over=ParameterFileUse,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "no launch file is known to give the file to a node",
-        Severity.INFO: "nodes are launched, and nothing names the file, or code parses it itself",
+        Severity.WARNING: "launch files, code or a page name the file, and none is shown to give it to a node",
+        Severity.INFO: "nothing names the file, or code parses it itself",
     },
     examples=(
         Example(
@@ -72,7 +72,7 @@ def missing_ros_parameters(use: ParameterFileUse) -> Iterator[Hit]:
     launch file are read; those of tests, and templates, are not. Where a launch file parses the file itself
     (`yaml.safe_load`) and gives no node its path, a block without the key may be for something else. It is an error
     only where a launch file of the workspace gives a node the file by its path, and an info where nothing of the
-    workspace names the file, though nodes are launched.
+    workspace names the file.
 
     ## Fix safety
     The fix of the spelling is safe. A missing `ros__parameters:` is added above all that the block holds, which is

@@ -43,9 +43,9 @@ def example(bad: str, good: str) -> Example:
     over=RefusedValues,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a list is empty, at which only C++ nodes stop, or no launch file is known to give the file "
-        "to a node",
-        Severity.INFO: "nodes are launched, and nothing names the file, or a list is empty in a block that none reads",
+        Severity.WARNING: "a list is empty, at which only C++ nodes stop, or launch files, code or a page name the "
+        "file, and none is shown to give it to a node",
+        Severity.INFO: "nothing names the file, or a list is empty in a block that none reads",
     },
     examples=(
         example("    limits: [1, «2.5»]\n", "    limits: [1.0, 2.5]\n"),
@@ -76,7 +76,7 @@ def unsupported_yaml(scope: RefusedValues) -> Iterator[Hit]:
     warning: a Python node takes it; nothing is said of it where launch files give the file to such nodes alone (of a
     Python package, or an executable `*.py`); in a block that no node reads it is an info. All of a file is a warning
     that no launch file of the workspace gives a node by its path. Of a file that no launch file, program or README of
-    the workspace names, it is an info, where nodes are launched, or the file is not installed, or called an example.
+    the workspace names, it is an info.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
