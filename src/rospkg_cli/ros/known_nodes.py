@@ -56,3 +56,29 @@ def known_parameter(word: str) -> KnownParameter:
     name, _, kind = word.partition(":")
     brackets = kind[1:]
     return KnownParameter(name.removeprefix(TAIL), name.startswith(TAIL), TYPES[kind[0]] + brackets if kind else "")
+
+
+DEFAULTS: dict[str, dict[str, str]] = {
+    "nav2_costmap_2d": {
+        "combination_method": "1", "cost_scaling_factor": "1.0", "enabled": "true", "inflate_around_unknown": "false",
+        "inflate_unknown": "false", "inflation_radius": "0.55", "map_subscribe_transient_local": "true",
+        "mark_threshold": "0", "max_obstacle_height": "2.0", "origin_z": "0.0", "publish_voxel_map": "false",
+        "subscribe_to_updates": "false", "unknown_threshold": "15", "z_resolution": "0.2", "z_voxels": "10",
+    },
+}  # fmt: skip
+"""What the parameters of plugins are where nothing is given, by package and the last part of their name."""
+
+
+def default_of(package: str, name: str) -> str:
+    """Return the default of a parameter of a plugin of a well-known package; "" where none is known."""
+    return DEFAULTS.get(package, {}).get(name.rpartition(".")[2], "") if "." in name else ""
+
+
+def is_same_value(text: str, default: str) -> bool:
+    """Return whether a value is written as a default, or is the same number."""
+    if not default or text.strip("\"'").lower() == default.lower():
+        return bool(default)
+    try:
+        return float(text) == float(default)
+    except ValueError:
+        return False

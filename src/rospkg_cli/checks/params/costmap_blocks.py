@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...package.params.parameter_file import NodeBlock, ParameterFile
+from ...ros.known_nodes import is_same_value
 from .launch_parameters import LaunchParameters
 from .mistyped_blocks import last
 
@@ -47,17 +48,7 @@ def unread_costmaps(launched: LaunchParameters) -> Iterator[tuple[ParameterFile,
 def holds_defaults(block: NodeBlock) -> bool:
     """Return whether a block gives nothing but what the costmap has anyway: nothing is lost where it is not read."""
     given = [(each.name, getattr(each.value, "text", None)) for each in block.parameters]
-    return bool(given) and all(text is not None and is_default(name, text) for name, text in given)
-
-
-def is_default(name: str, text: str) -> bool:
-    default = DEFAULTS.get(name)
-    if default is None or text.lower() == default:
-        return default is not None
-    try:
-        return float(text) == float(default)
-    except ValueError:
-        return False
+    return bool(given) and all(text is not None and is_same_value(text, DEFAULTS.get(name, "")) for name, text in given)
 
 
 def told_of(block: NodeBlock, maker: NodeBlock) -> str:

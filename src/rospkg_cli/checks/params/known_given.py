@@ -45,6 +45,11 @@ class GivenValue:
     written: Parameter | None = None
     """In a parameter file."""
 
+    @property
+    def plain(self) -> str:
+        """What is given where it is one value: the text of a launch file, or that of a parameter file."""
+        return self.text or (getattr(self.written.value, "text", "") if self.written is not None else "")
+
 
 @dataclass(frozen=True)
 class KnownGroup:

@@ -9,7 +9,7 @@ from ...light_dataclasses import dataclass, replace
 from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
-from ...ros.known_nodes import KnownParameter
+from ...ros.known_nodes import KnownParameter, default_of, is_same_value
 from ...source import Span
 from ...suggest import near_names, same_words
 from .code_of_programs import is_of_another
@@ -51,6 +51,8 @@ class LaunchedName:
     """Where other names are that the same release took away."""
     start: Start | None = None
     """Where a launch file starts the node; None for a parameter file."""
+    is_default: bool = False
+    """Whether the value is what the parameter is anyway: that it is dropped changes nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,7 +184,10 @@ def unknown_of(group: KnownGroup) -> Iterator[LaunchedName]:
         near = list(meant(each, group)) if is_owner or is_removed or "/" in each.name else []
         if len(near) == 1:
             names = each.name, near[0], is_removed, group.file, group.is_certain
-            yield LaunchedName(group.path, each.key, group.packages[0], *names, start=group.start)
+            is_default = any(is_same_value(each.plain, default_of(package, near[0])) for package in group.packages)
+            yield LaunchedName(
+                group.path, each.key, group.packages[0], *names, start=group.start, is_default=is_default
+            )
 
 
 def may_fit(known: KnownParameter, name: str) -> bool:

@@ -55,6 +55,11 @@ RCL_TYPES = {
     "INTEGER_ARRAY": "int[]", "DOUBLE_ARRAY": "double[]", "STRING_ARRAY": "string[]",
 }  # fmt: skip
 
+VALUE = regex(
+    r"""(?:(?:rclcpp::)?ParameterValue\s*[({]\s*)?"""
+    r"""(?:"(?P<text>[^"\\]*)"|(?P<word>true|false|-?\d+(?:\.\d*)?(?:[eE]-?\d+)?))[fF]?\s*[)}]?"""
+)
+
 TypeOf = Callable[[str], str]
 """The type of a variable by its name, "" where it is unknown."""
 
@@ -78,7 +83,14 @@ def declared_in(file: CppFile, type_of: TypeOf) -> Iterator[DeclaredParameter]:
             kind = typed(call.template) or (inferred(rest[0].text, type_of) if rest else "")
             required = bool(call.template) and not rest and not call.is_conditional
             required = required and call.span.start in certain
-            yield DeclaredParameter(name[0], name[1] or call.name == OF_LAYER, kind, required, file.path)
+            is_tail, default = name[1] or call.name == OF_LAYER, plain_value(rest[0].text) if rest else ""
+            yield DeclaredParameter(name[0], is_tail, kind, required, file.path, default)
+
+
+def plain_value(text: str) -> str:
+    """Return a literal value, also within `rclcpp::ParameterValue(…)`; "" for any other."""
+    found = VALUE.fullmatch(text.strip())
+    return (found["text"] if found["text"] is not None else found["word"]) if found else ""
 
 
 def several(call: CppCall, path: str) -> Iterator[DeclaredParameter]:

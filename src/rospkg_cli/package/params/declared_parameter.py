@@ -20,6 +20,8 @@ class DeclaredParameter:
     """Declared without a default value: the node stops where none is set."""
     path: str
     """The file that declares it."""
+    default: str = ""
+    """The default value, where it is written as a number, a truth value or a text; "" where it is not."""
 
     def fits(self, name: str) -> bool:
         """Return whether a parameter of this name is this one."""

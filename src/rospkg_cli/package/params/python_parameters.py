@@ -106,7 +106,8 @@ def declaration(
 ) -> Iterator[DeclaredParameter]:
     if isinstance(name, ast.Constant) and isinstance(name.value, str) and name.value:
         kind = type_of(value, constant) if value is not None else ""
-        yield DeclaredParameter(prefix + name.value, False, kind, False, file.source.path)
+        default = str(value.value) if isinstance(value, ast.Constant) and value.value is not None else ""
+        yield DeclaredParameter(prefix + name.value, False, kind, False, file.source.path, default)
 
 
 def type_of(value: ast.expr, constant: TypeOf = unknown) -> str:

@@ -54,8 +54,9 @@ talker:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code gets a parameter that is not declared, and nothing may catch what it throws",
-        Severity.INFO: "older releases had it, nothing names the file, adds the action or reads block or variable, "
-        "nothing leads to the code, only the block's name tells the node, or the repository is for Crystal",
+        Severity.INFO: "older releases had it, the value is the default, nothing names the file, adds the action or "
+        "reads block or variable, nothing leads to the code, only the block's name tells the node, or the repository "
+        "is for Crystal",
     },
     examples=(
         Example(
@@ -101,7 +102,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     packages may choose the options of a node, or a function or library that it calls may declare them. One that is got
     into a variable, has an alternative, is like no other, or whose exception may be caught, or under a condition, is a
     warning; into one that nothing reads, an info. So is what stands in code that nothing compiles, starts, imports or
-    calls, and a value in a block that no node reads which is started with the file.
+    calls, a value in a block that no node reads which is started with the file, and one that is the default of the
+    parameter that is meant, as the code or a table of well-known packages has it: that it is dropped changes nothing.
 
     ## Fix safety
     The similar name may not be the right one. A value of another type is not renamed, a single one for a list is put
@@ -111,7 +113,7 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         for parameter, meant in group.unknown():
             last, by = meant.rpartition(".")[2], group.owners[0].name
             message = f"`{by}` declares no parameter `{parameter.name}`: the value is dropped; did you mean `{last}`?"
-            is_idle = scope.readers.is_idle(group.file.path, parameter.key.span)
+            is_idle = scope.readers.is_idle(group.file.path, parameter.key.span) or group.is_default(parameter, meant)
             fix = only_plain_names(renamed(group, parameter, meant), last)
             yield Hit(group.file.path, parameter.key.span, message, Severity.INFO if is_idle else None, fix=fix)
     for file, parameter, meant, other in scope.unlike_variants():
@@ -121,7 +123,13 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     names = (*scope.launched.unknown(), *unknown_to_known(scope.known))
     for named in hardest(((each.path, each.span, each.meant), each) for each in names):
         more, (softer, why) = " any more" if named.is_removed else "", level_of(named.start)
-        is_mild = more or softer == "info" or not named.is_certain or scope.readers.is_idle(named.path, named.span)
+        is_mild = (
+            more
+            or softer == "info"
+            or not named.is_certain
+            or named.is_default
+            or scope.readers.is_idle(named.path, named.span)
+        )
         message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped{why}"
         others, level = also(named.path, named.others), Severity.INFO if is_mild else None
         hint = f"did you mean `{named.meant}`?" if named.meant else "declare it, or take it out"

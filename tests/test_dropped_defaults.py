@@ -1,0 +1,78 @@
+"""PRM007: a value that is dropped and is the default of the parameter that is meant changes nothing for anybody."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import CMAKE, manifest, scripts, setup_py
+from rospkg_cli.testing import lint_files
+
+LAUNCH = """\
+<launch>
+  <node pkg="{}" exec="{}">
+    <param from="$(find-pkg-share my_pkg)/config/a.yaml"/>
+  </node>
+</launch>
+"""
+CODE = """\
+import rclpy
+from rclpy.node import Node
+
+
+def main():
+    rclpy.init()
+    node = Node('talker')
+    rate = node.declare_parameter('rate', {rate}).value
+    frame = node.declare_parameter('frame_id', 'map').value
+    depth = node.declare_parameter('queue_depth', 5).value
+    print(rate, frame, depth)
+    rclpy.spin(node)
+"""
+BRINGUP = """\
+<launch>
+  <include file="$(find-pkg-share nav2_bringup)/launch/navigation_launch.py">
+    <arg name="params_file" value="$(find-pkg-share my_pkg)/config/a.yaml"/>
+  </include>
+</launch>
+"""
+INSTALLED = (
+    "['package.xml']), ('share/my_pkg/config', ['config/a.yaml']), ('share/my_pkg/launch', ['launch/a.launch.xml']"
+)
+YAML = "talker:\n  ros__parameters:\n    rate: 2.0\n    queue_depth: 3\n    {}: {}\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "level"),
+    [("frame_di", "map", "info"), ("frame_di", "odom", "warning"), ("frame_di", '"map"', "info")],
+)
+def test_a_default_of_the_code(name: str, value: str, level: str) -> None:
+    files = {
+        "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"),
+        "setup.py": setup_py(scripts("talker = my_pkg.talker:main")).replace("['package.xml']", INSTALLED),
+        "resource/my_pkg": "",
+        "my_pkg/__init__.py": "",
+        "my_pkg/talker.py": CODE.format(rate=1.0),
+        "config/a.yaml": YAML.format(name, value),
+        "launch/a.launch.xml": LAUNCH.format("my_pkg", "talker"),
+    }
+    (found,) = lint_files(files, ["PRM007"]).findings
+    assert found.severity.value == level
+
+
+@pytest.mark.parametrize(("value", "level"), [("true", "info"), ("True", "info"), ("false", "warning")])
+def test_a_default_of_a_plugin_that_everybody_uses(value: str, level: str) -> None:
+    layers = (
+        "local_costmap:\n  local_costmap:\n    ros__parameters:\n      plugins: [static_layer]\n      static_layer:\n"
+        f"        plugin: nav2_costmap_2d::StaticLayer\n        nabled: {value}\n"
+        "        map_subscribe_transient_local: true\n        transform_tolerance: 0.2\n"
+    )
+    files = {
+        "package.xml": manifest("  <exec_depend>nav2_bringup</exec_depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package", "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package"
+        ),
+        "config/a.yaml": layers,
+        "launch/a.launch.xml": BRINGUP,
+    }
+    (found,) = lint_files(files, ["PRM007"]).findings
+    assert found.severity.value == level
