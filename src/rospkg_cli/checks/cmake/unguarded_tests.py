@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...lazy_regex import regex
@@ -10,6 +10,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.cmake_project import CMake
 from ...ros.manifest import DEPENDENCY_TAGS
+from ..told_kinds import ToldKinds
 from .distro_guards import guarded_commands
 
 TEST_PACKAGES = frozenset("""
@@ -38,6 +39,24 @@ ASKED_FOR = regex(r"TARGET|TEST|test")
 class UnguardedTest:
     call: EvaluatedCommand
     what: str
+
+
+@dataclass(frozen=True)
+class UnguardedTests:
+    package: CMakePackage
+    told: ToldKinds
+
+    def all(self) -> Iterator[UnguardedTest]:
+        return unguarded(self.package)
+
+    def are_met(self, found: Iterable[UnguardedTest]) -> bool:
+        """Return whether somebody builds without tests, or a package that is looked for is not declared at all.
+
+        `rosdep install` installs test dependencies, too, and colcon builds tests unless it is told not to.
+        """
+        looked_for = [each.what for each in found if each.call.name == "find_package"]
+        is_declared = all(self.package.manifest.depends_on(name, DEPENDENCY_TAGS) for name in looked_for)
+        return self.told.are_tests_left_out or not is_declared
 
 
 def unguarded(package: CMakePackage) -> Iterator[UnguardedTest]:

@@ -4,14 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.unguarded_tests import UnguardedTest, unguarded
+from ...checks.cmake.unguarded_tests import UnguardedTest, UnguardedTests
 from ...edits.cmake_commands import guard
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 
 BODY = "  <test_depend>ament_lint_auto</test_depend>\n  <test_depend>ament_lint_common</test_depend>\n"
+CHANGES = """\
+Changelog for package my_pkg
+============================
+
+1.0.0 (2026-01-02)
+------------------
+* Drive.
+"""
 LINES = "find_package(ament_lint_auto REQUIRED)\nament_lint_auto_find_test_dependencies()\n"
 MARKED = LINES.replace("find_package(ament_lint_auto REQUIRED)", "«find_package(ament_lint_auto REQUIRED)»")
 GUARDED = (
@@ -22,11 +29,13 @@ GUARDED = (
 @rule(
     "CMK107",
     "unguarded-test",
-    over=CMakePackage,
+    over=UnguardedTests,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "where what is looked for is declared, and nothing shows that anybody builds without tests"},
     examples=(
         Example(
             bad={
+                "CHANGELOG.rst": CHANGES,
                 "CMakeLists.txt": CMAKE.replace("ament_package", MARKED + "ament_package"),
                 "package.xml": manifest(BODY, "ament_cmake"),
             },
@@ -36,7 +45,7 @@ GUARDED = (
         ),
     ),
 )
-def unguarded_test(package: CMakePackage) -> Iterator[Hit]:
+def unguarded_test(tests: UnguardedTests) -> Iterator[Hit]:
     """
     ## What it does
     Finds test frameworks, linters and tests outside of `if(BUILD_TESTING)` in CMakeLists.txt.
@@ -49,14 +58,17 @@ def unguarded_test(package: CMakePackage) -> Iterator[Hit]:
     ## When it is quiet
     Where the package is more than a `<test_depend>`, and so there without tests too. Inside a condition that can't be
     evaluated, for tests in functions of the package, and in a package that is only for tests.
+    `rosdep install` installs test dependencies, and colcon builds tests unless it is told not to. It is a warning where
+    the repository is visibly released (bloom's files, a job for it, or a CHANGELOG.rst of this name among packages that
+    all have one), where a page, a script or a workflow installs only some tags or sets `BUILD_TESTING=OFF`, and where a
+    package that is looked for is not declared; an info elsewhere.
 
     ## Fix safety
     Neighbouring commands that are only for tests are put into one `if(BUILD_TESTING)`; what they set is then no longer
     there for the rest of the file when tests are off.
     """
-    if not package.is_ament:
-        return
-    found = list(unguarded(package))
+    package = tests.package
+    found = list(tests.all()) if package.is_ament else []
     if not found:
         return
     first, *others = found
@@ -64,7 +76,8 @@ def unguarded_test(package: CMakePackage) -> Iterator[Hit]:
     edits = tuple(dict.fromkeys(edit for each in found for edit in guards.get(id(each.call.command), ())))
     fix = Fix("put it into `if(BUILD_TESTING)`", edits, Safety.UNSAFE) if edits else None
     related = tuple(Related(each.call.path, each.call.command.span, "and this") for each in others)
-    yield Hit(first.call.path, first.call.command.span, message(first), related=related, fix=fix)
+    level = None if tests.are_met(found) else Severity.INFO
+    yield Hit(first.call.path, first.call.command.span, message(first), level, related, fix)
 
 
 def message(each: UnguardedTest) -> str:

@@ -58,9 +58,9 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
 
     ## When it is quiet
     `rosdep install` installs the dependencies of all tags, and colcon builds them all first: who builds from source
-    meets nothing. It is a warning where the package is released with most packages of its repository, or has a
-    CHANGELOG.rst, or where a file that builds the repository runs `rosdep install --dependency-types …` or bloom; an
-    info elsewhere.
+    meets nothing. It is a warning where the repository is visibly released (bloom's files, a job for it, or a
+    CHANGELOG.rst whose title names the package among packages that all have one), or where a page, a script or a
+    workflow of it runs `rosdep install --dependency-types …`; an info elsewhere.
     What another dependency brings at that time or may bring, or `ros2 launch` itself to a launch file, is an info, and
     so is what only a launch file needs that is called an example or a demo, and what only files include that an option
     of CMake must ask for. What others bring is one finding. A `<build_export_depend>` is right for headers that are
