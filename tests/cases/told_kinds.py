@@ -1,4 +1,4 @@
-"""Dependencies of another kind than their use, and tests that are always looked for: who meets that, and who does not."""
+"""Dependencies of another kind than their use, and tests that are always looked for: who meets that, who does not."""
 
 from __future__ import annotations
 
