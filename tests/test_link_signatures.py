@@ -8,7 +8,7 @@ from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.finding import Severity
 from rospkg_cli.testing import lint_files
 
-FOUND = "find_package(rclcpp REQUIRED)\nfind_package(odd_thing REQUIRED)\n"
+FOUND = "find_package(rclcpp REQUIRED)\nfind_package(odd_thing REQUIRED)\nfind_package(OpenMP)\nfind_package(Other)\n"
 NEEDS = "  <depend>rclcpp</depend>\n  <depend>odd_thing</depend>\n"
 NODE = "add_executable(node src/node.cpp)\n"
 PLAIN, WORD = "target_link_libraries(node m)\n", "target_link_libraries(node PRIVATE pthread)\n"

@@ -13,6 +13,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.workspace import Workspace
 from ...ros.link_targets import link_targets
 from .ament_target_dependencies import KEYWORDS, LINK_KEYWORDS, LINK_PLAINLY, REMOVED
+from .dead_branches import DeadBranches
 from .unmade_targets import UnmadeTargets
 
 AUTOMATIC = ("ament_auto_add_gtest", "ament_auto_add_library", "ament_auto_add_executable")
@@ -39,6 +40,8 @@ class MixedLink:
     link: SignedLink
     is_certain: bool
     """Whether both are run for everyone, and link the same way in every distribution."""
+    unsought: str
+    """A package that must be found for one of them, and that nothing looks for; else ""."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +59,8 @@ class LinkSignatures:
             if other is not None and link.target not in told:
                 told.add(link.target)
                 perhaps = any(each.call.maybe or each.call.name in AUTOMATIC for each in (other, link))
-                yield MixedLink(other, link, not perhaps)
+                unsought = (self.dead.package_of(each.call) for each in (other, link))
+                yield MixedLink(other, link, not perhaps, next(filter(None, unsought), ""))
             before.append(link)
 
     def clash(self, one: SignedLink, other: SignedLink) -> bool:
@@ -93,6 +97,10 @@ class LinkSignatures:
         if call.name == REMOVED and not any(map(self.has_targets, named)):
             return None
         return items[0].text in KEYWORDS if not OLDER & set(call.texts) else None
+
+    @cached_property
+    def dead(self) -> DeadBranches:
+        return DeadBranches(self.package.cmake)
 
     @cached_property
     def links_automatically(self) -> bool:

@@ -43,6 +43,8 @@ CERTAIN = regex(r"rclcpp\w*|tf2\w*|Boost|OpenCV")
 SUFFIXES = {"INCLUDE_DIR": "INCLUDE_DIRS", "INCLUDES": "INCLUDE_DIRS", "LIBRARY": "LIBRARIES", "LIBS": "LIBRARIES",
             "TARGET": "TARGETS"}  # fmt: skip
 """What people write, and what ament_package() sets."""
+OF_PLAIN_CMAKE = frozenset("apriltag console_bridge fmt octomap orocos_kdl urdfdom_headers".split())
+"""Packages of the table without ament: their configs set what they like, as `OCTOMAP_LIBRARIES`."""
 OF_TARGETS = ("ament_target_dependencies", "target_link_libraries", "target_include_directories", "add_executable")
 """Commands whose first argument is a target."""
 NAMING = ("target_include_directories", "target_link_libraries", "target_link_directories", "set")
@@ -269,4 +271,5 @@ def lacks_one(words: list[str], whole: list[str]) -> bool:
 def is_of_ros(name: str) -> bool:
     """Return whether ament_package() writes what a package sets: its variables begin with its own name."""
     is_in_table = name in rows("cmake_targets.txt") and ROS_NAME.fullmatch(name) is not None
-    return MESSAGES.fullmatch(name) is not None or (is_in_table and not name.endswith("_vendor"))
+    is_other = name.endswith("_vendor") or name in OF_PLAIN_CMAKE
+    return MESSAGES.fullmatch(name) is not None or (is_in_table and not is_other)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.built_for_ros1 import is_built_for_ros1
+from ...checks.cmake.dead_branches import DeadBranches
 from ...checks.cmake.early_references import EarlyReferences
 from ...checks.cmake.message_targets import MessageTargets
 from ...checks.cmake.mistyped_libraries import MistypedLibraries
@@ -53,7 +54,8 @@ def cmake(lines: str) -> str:
     levels={
         Severity.WARNING: "under a condition, or where other files may make it: it is a slip of a long name; or some "
         "distributions have it",
-        Severity.INFO: "CMake chooses between ament and catkin, and all sources are of ROS 1",
+        Severity.INFO: "CMake chooses between ament and catkin, and all sources are of ROS 1; or it waits for a "
+        "package that nothing looks for",
     },
     examples=(
         Example(
@@ -111,21 +113,23 @@ def unknown_target(messages: MessageTargets) -> Iterator[Hit]:
     before Lyrical is asked for or named alone by the pages, scripts and workflows of the repository. Under a condition
     that can't be evaluated. In the first and the last case, names of eight letters and more that are one or two off one
     that the package makes are reported. Where CMake chooses between ament and catkin and all sources are of ROS 1, a
-    target that nothing creates is an info.
+    target that nothing creates is an info, and so is one in a branch for a package (`if(OpenMP_FOUND)`) that nothing
+    looks for.
     """
     package = messages.links.package
     for of_messages in messages.all():
         yield Hit(of_messages.word.path, of_messages.word.span, of_messages.sentence, Severity(of_messages.level))
     for each in messages.links.all():
         yield Hit(each.link.word.path, each.link.word.span, mistyped(each))
-    references = TargetReferences(package.cmake)
+    references, dead = TargetReferences(package.cmake), DeadBranches(package.cmake)
     for reference, *others in by_name(references.broken()):
         known = references.targets if reference.kind == "target" else references.exports
         near = did_you_mean(reference.word.text, known)
         message = f"{said(package.cmake, reference)}{near}: CMake stops with {stops(reference)}"
         related = [Related(each.word.path, each.word.span, "and here") for each in others]
         level = None if any(map(references.is_certain, (reference, *others))) else Severity.WARNING
-        level = Severity.INFO if is_built_for_ros1(package.cmake) else level
+        is_dead = any(map(dead.package_of, (each.call for each in (reference, *others))))
+        level = Severity.INFO if is_dead or is_built_for_ros1(package.cmake) else level
         yield Hit(reference.word.path, reference.word.span, message, level, tuple(related))
     for early in EarlyReferences(package.cmake).all():
         yield Hit(early.reference.word.path, early.reference.word.span, made_below(package.cmake, early))

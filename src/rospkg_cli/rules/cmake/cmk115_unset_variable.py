@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.dead_branches import DeadBranches
 from ...checks.cmake.unread_lists import UnreadLists
 from ...checks.cmake.unread_twins import UnreadTwins
 from ...checks.cmake.unset_variables import UnsetVariable, UnsetVariables
@@ -32,7 +33,7 @@ def cmake(lines: str) -> str:
     levels={
         Severity.ERROR: "it says what is installed, or where",
         Severity.INFO: "it would name targets to install, and no other variable is near; or the intended one stands "
-        "beside it, or targets get the package by its name",
+        "beside it, or targets get the package by its name; or a branch reads it that is not taken",
     },
     examples=(
         Example(
@@ -68,12 +69,15 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     those of CMake are told, as warnings; where a file is included that can't be read, those near to PROJECT_NAME in
     `install()`, and those beside a variable that nothing reads. A variable of a package in other letters is an info
     where the right one stands in the same command, as nothing is lost, and where targets get the package by its name or
-    by the right one.
+    by the right one; so is what is read where a package is found (`if(OpenMP_FOUND)`) that nothing looks for. What
+    packages set that are not built with ament (`octomap`) is known of none.
     """
+    dead = DeadBranches(variables.cmake)
     for each in (*variables.all(), *UnreadTwins(variables).all()):
         is_sure = each.call.name == "install" and not each.call.maybe and not variables.cmake.reads_unknown_files
-        is_lost = bool(each.beside) or variables.brings(each) or (not each.near and each.call.name == "install")
-        level = Severity.INFO if is_lost else Severity.ERROR if is_sure else None
+        is_mild = (not each.near and each.call.name == "install") or bool(dead.package_of(each.call))
+        is_mild = is_mild or bool(each.beside) or variables.brings(each)
+        level = Severity.INFO if is_mild else Severity.ERROR if is_sure else None
         yield Hit(each.call.path, each.span, message(each), level)
     for lost in UnreadLists(variables.cmake).all():
         text = f"nothing reads `{lost.name}` (did you mean `{lost.near}`?): what is appended is lost; correct the name"
