@@ -34,6 +34,9 @@ FOR_ROS2 = re.compile(r"ros2(?:[-_/](?:devel|main|release))?")
 """How the branch for ROS 2 is called in repositories whose first branch is for ROS 1."""
 LEAVES = ("urdfdom_headers",)
 """Packages whose package.xml is in their release repository alone, and names no other package."""
+RELEASED = {"pcl_conversions": ("libpcl-all-dev",), "pcl_ros": ("libpcl-all-dev",)}
+"""What a release of a distribution passes on that has no branch of its own, where the common branch has moved on:
+perception_pcl 2.4 of Humble."""
 TABLE = "runtime_dependencies.txt"
 ORIGIN = Origin(
     "package.xml of the repositories of these packages, the branches of Humble to Rolling",
@@ -106,7 +109,8 @@ def row(name: str, graphs: Sequence[Mapping[str, Needs]]) -> str:
     here = [graph for graph in graphs if name in graph]
     every = set[str]().union(*(certain | perhaps for certain, perhaps in (graph[name] for graph in here)))
     certain = every.intersection(*(closure(name, graph) for graph in here))
-    return " ".join([name, *sorted(certain), *(f"?{each}" for each in sorted(every - certain))])
+    perhaps = every.union(RELEASED.get(name, ())) - certain
+    return " ".join([name, *sorted(certain), *(f"?{each}" for each in sorted(perhaps))])
 
 
 def main(repositories: Sequence[Path]) -> None:

@@ -68,3 +68,14 @@ def test_what_a_dependency_brings_serves_without_headers_of_its_own() -> None:
         "package.xml": manifest("  <depend>pcl_conversions</depend>\n", "ament_cmake"),
     }
     assert [each.severity.value for each in lint_files(files, ["DEP104"]).findings] == ["info"]
+
+
+@pytest.mark.parametrize(("name", "level"), [("pcl_conversions", "info"), ("pcl_ros", "info"), ("rclcpp", "warning")])
+def test_what_the_headers_of_pcl_bring_from_humble_on(name: str, level: str) -> None:
+    lines = "find_package(PkgConfig REQUIRED)\npkg_check_modules(PROJ REQUIRED proj)\n"
+    files = {
+        "package.xml": manifest(f"  <depend>pkg-config</depend>\n  <depend>{name}</depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace("ament_package", f"{lines}ament_package"),
+    }
+    (finding,) = lint_files(files, ["DEP115"]).findings
+    assert finding.severity.value == level
