@@ -119,7 +119,7 @@ def test_plugins_and_components_may_only_be_loaded(lines: str, levels: list[Seve
     assert [finding.severity for finding in lint_files(files, ["CMK113"]).findings] == levels
     own = {f"src/my_pkg/{path}": text for path, text in files.items()}
     user = package("find_package(my_pkg REQUIRED)\nadd_library(a a.cpp)", "  <depend>OTHER</depend>\n", "user_pkg")
-    user["a.cpp"] = ""
+    user["a.cpp"] = "#include <my_pkg/core.hpp>\n"
     user["package.xml"] = user["package.xml"].replace("OTHER", "my_pkg")
     theirs = {f"src/user_pkg/{path}": text for path, text in user.items()}
     found = lint_files({**own, **theirs}, ["CMK113"]).findings

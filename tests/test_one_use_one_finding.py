@@ -83,7 +83,7 @@ def test_headers_for_others_are_exported(depends: str, lines: str, source: str, 
 
 def test_a_demo_that_needs_more_is_an_info(clean) -> None:
     node = '<launch>\n  <node pkg="joy" exec="joy_node"/>\n</launch>\n'
-    files = {**clean, "CHANGELOG.rst": "1.0.0\n-----\n", "launch/demo_arm.launch.xml": node}
+    files = {**clean, "tracks.yaml": "tracks: {}\n", "launch/demo_arm.launch.xml": node}
     files["package.xml"] = clean["package.xml"].replace("  <export>", "  <test_depend>joy</test_depend>\n  <export>")
     (finding,) = lint_files(files, ["DEP201"]).findings
     assert finding.severity.value == "info"

@@ -1,4 +1,4 @@
-"""What a package does not export, and that nobody can use anyway, against what others use (CMK113, CMK119)."""
+"""Faults in what a package exports: a package here stops at it, or all here are libraries, or nobody meets it."""
 
 from __future__ import annotations
 
@@ -52,8 +52,64 @@ def beside_user(example: Example) -> Example:
     )
 
 
+ROBOT = {
+    "robot/package.xml": manifest("", "ament_cmake", "robot"),
+    "robot/CMakeLists.txt": CMAKE.replace("my_pkg", "robot").replace(
+        "ament_package", "add_executable(robot a.cpp)\ninstall(TARGETS robot DESTINATION lib/robot)\nament_package"
+    ),
+    "robot/a.cpp": "int main() {return 0;}\n",
+}
+CHANGES = {name: f"Changelog for package {name}\n====\n" for name in ("my_pkg", "robot")}
+RELEASED = {
+    "my_pkg/CHANGELOG.rst": CHANGES["my_pkg"],
+    "robot/CHANGELOG.rst": CHANGES["robot"],
+    "my_pkg/README.md": "Write `find_package(my_pkg REQUIRED)` and link it.\n",
+}
+
+
+def beside_robot(example: Example, more: dict[str, str] | None = None) -> Example:
+    """A package beside one with a program that does not use it."""
+    return Example(
+        bad={**{f"my_pkg/{path}": text for path, text in example.bad_files().items()}, **ROBOT, **(more or {})},
+        good={},
+        on="",
+    )
+
+
+def with_needs(*names: str, includes: bool = True) -> Example:
+    """A package that passes std_msgs on, beside one that is built with it and declares some more."""
+    needs = "".join(f"  <depend>{name}</depend>\n" for name in ("my_pkg", *names))
+    user = {"user/package.xml": manifest(needs, "ament_cmake").replace("<name>my_pkg", "<name>user")} | (
+        {} if includes else {"user/a.cpp": ""}
+    )
+    example = beside_user(package(LIBRARY + TELLS + "ament_export_dependencies(rclcpp)\n"))
+    return Example(bad={**example.bad, **user}, good={}, on="")
+
+
+FAULTS = {
+    "CMK106": SET + "ament_export_targets(core_targets)\n",
+    "CMK113": LIBRARY + TELLS + "ament_export_dependencies(rclcpp)\n",
+    "CMK117": LIBRARY + TELLS + "ament_export_dependencies(rclpcp std_msgs)\n",
+    "CMK118": LIBRARY.replace("libraries(core)", "libraries(croe)"),
+    "CMK119": SET + HEADERS,
+    "CMK129": HEADERS.replace(")", ' FILES_MATCHING PATTERN "*.h")'),
+}
+
+
+def faulty(code: str) -> tuple[Example, ...]:
+    """A fault in an export alone, beside a program, in a release of both, and beside one that uses the package."""
+    example = package(FAULTS[code])
+    return example, beside_robot(example), beside_robot(example, RELEASED), beside_user(example)
+
+
 CASES = {
+    **{code: faulty(code) for code in ("CMK106", "CMK117", "CMK118", "CMK129")},
     "CMK113": (
+        *faulty("CMK113"),
+        with_needs("std_msgs"),
+        with_needs("sensor_msgs"),
+        with_needs("strange_thing"),
+        with_needs(includes=False),
         package(LIBRARY),
         package(LIBRARY + TELLS),
         package(LIBRARY + EXTRAS),
@@ -62,6 +118,7 @@ CASES = {
         beside_user(package(LIBRARY + TELLS)),
     ),
     "CMK119": (
+        *faulty("CMK119"),
         package(SET + HEADERS),
         package(SET),
         package(SET + "install(TARGETS core FILE_SET HEADERS)\n"),

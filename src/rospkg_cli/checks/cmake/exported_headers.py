@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.values import Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.cmake.installed_headers import TARGETS, PublicHeaders
-from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
+from .consumers import Consumers
 
 DESCRIPTIONS = "pluginlib_export_plugin_description_file"
 AUTOMATIC = ("ament_auto_package", "autoware_ament_auto_package")
@@ -21,6 +19,7 @@ LIBRARIES = ("ament_export_libraries", *TARGETS)
 class ExportedHeaders:
     headers: PublicHeaders
     workspace: Workspace
+    consumers: Consumers
 
     @property
     def may_be_used(self) -> bool:
@@ -63,37 +62,18 @@ class ExportedHeaders:
     @property
     def is_built_against(self) -> bool:
         """Whether a package of the workspace that has targets of its own depends on this one to build."""
-        return any(True for _ in self.builders)
-
-    @property
-    def builders(self) -> Iterator[PackageFacts]:
-        """The packages of the workspace that have targets of their own and depend on this one to build."""
-        name, tags = self.headers.package.facts.name, ("depend", "build_depend", "build_export_depend")
-        for facts in self.workspace.needing(name):
-            if facts.is_ament and facts.is_compiled:
-                yield from [facts] * any(need.name == name and need.tag in tags for need in facts.dependencies)
+        return bool(self.consumers.builders)
 
     @property
     def are_needed(self) -> bool:
-        """Whether a package that is built against this one includes a header of it and has no copy of its own.
-
-        One of which nobody knows what it includes may do so, unless it has copies.
-        """
-        offered = {path.partition("/")[2] for path in self.headers.offered}
-        for facts in self.builders:
-            has_copies = not offered.isdisjoint(facts.header_files)
-            is_open = not facts.included_headers and not has_copies
-            if is_open or not (offered & facts.included_headers) <= facts.header_files:
-                return True
-        return False
+        """Whether a package that is built against this one includes a header of it and has no copy of its own."""
+        return bool(self.consumers.including)
 
     @property
     def are_for_others(self) -> bool:
-        """Whether somebody here needs the headers, or the package has no program and nobody here builds against it."""
-        targets = self.headers.package.cmake.targets
-        has_program = any(target.is_executable and not target.call.testing for target in targets)
-        is_library = self.may_be_used and not has_program and not self.are_of_plugins
-        return self.are_needed or (is_library and not self.is_built_against)
+        """Whether somebody here needs the headers, or the package is plainly a library for others."""
+        is_library = self.may_be_used and not self.are_of_plugins and self.consumers.are_elsewhere
+        return self.are_needed or is_library
 
     def wanted(self) -> tuple[str, str] | None:
         """Return the first header of include/ that is not installed and that another package includes, and that one.

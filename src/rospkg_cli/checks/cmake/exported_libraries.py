@@ -8,9 +8,7 @@ from typing import Literal
 from ...languages.cmake.values import Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.installed_headers import HEADERS
-from ...package.workspace import Workspace
-from ...ros.manifest import BUILDS
+from .consumers import Consumers
 from .mistyped_links import is_clear_slip, nearest
 from .target_references import TargetReferences
 
@@ -28,7 +26,7 @@ class WrongExport:
 @dataclass(frozen=True)
 class ExportedLibraries:
     package: CMakePackage
-    workspace: Workspace
+    consumers: Consumers
 
     def wrong(self) -> Iterator[WrongExport]:
         """Yield each argument once; only clear slips where a file that can't be read may add targets."""
@@ -37,16 +35,6 @@ class ExportedLibraries:
             is_slip = each.kind == "unknown" and bool(each.near) and is_clear_slip(each.word.text, each.near)
             if is_slip or not cmake.reads_unknown_files:
                 yield each
-
-    @property
-    def is_idle(self) -> bool:
-        """Whether the package has no headers, and no other one that CMake builds is built with it: nobody links it."""
-        own, cmake = self.package.facts.name, self.package.cmake
-        users = (facts for facts in self.workspace.packages if facts.is_ament and facts.name != own)
-        needs = (need for facts in users for need in facts.dependencies if need.tag in BUILDS)
-        return not any(path.endswith(HEADERS) for path in cmake.package_files.paths) and own not in {
-            n.name for n in needs
-        }
 
     def every(self) -> Iterator[WrongExport]:
         cmake = self.package.cmake

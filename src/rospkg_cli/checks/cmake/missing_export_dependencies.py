@@ -11,15 +11,14 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.installed_headers import INCLUDES, PLUGINS, PublicHeaders
 from ...package.cmake.target_links import TargetLink, TargetLinks
-from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
 from ...ros.link_targets import MESSAGES
 from ...ros.read_table import rows
+from .consumers import Consumers
+from .found_with import TABLES, found_with
 from .told_folders import tells_of_any
 
-BUILD = ("build_depend",)
-TABLES = ("exported_dependencies", "runtime_dependencies")
 IN_OTHERS = frozenset({"Boost", "Eigen3", "OpenMP", "Qt5"})
 """What many other libraries look for themselves."""
 REGISTERS = ("PLUGINLIB_EXPORT_CLASS", "RCLCPP_COMPONENTS_REGISTER_NODE", "CLASS_LOADER_REGISTER_CLASS")
@@ -42,15 +41,15 @@ class MissingExportDependency:
     is_target: bool
     """Whether the library is exported as a target: what a target is linked with must be there."""
     is_only_loaded: bool
-    """Whether it is a plugin or a component, or no header includes it, and no package here builds against this one.
-
-    Or users are told of no folder of headers, and so include none."""
+    """Whether it is a plugin or a component, or no header includes it, or users are told of no folder of headers, and
+    so include none."""
 
 
 @dataclass(frozen=True)
 class ExportedDependencies:
     headers: PublicHeaders
     workspace: Workspace
+    consumers: Consumers
 
     def missing(self) -> Iterator[MissingExportDependency]:
         """Yield each package that an exported library passes on and that users don't find, neither by name nor with
@@ -75,7 +74,7 @@ class ExportedDependencies:
                 seen.add(package)
                 loads = plugins or link.target in components or self.registers_classes(link.target)
                 is_hidden = link.target not in self.targets and not tells_of_any(cmake)
-                loaded = is_hidden or ((loads or not included) and not self.is_built_against)
+                loaded = is_hidden or loads or not included
                 yield MissingExportDependency(package, link.word, link, link.target in self.targets, loaded)
 
     def is_target(self, package: str, link: TargetLink) -> bool:
@@ -101,15 +100,10 @@ class ExportedDependencies:
         is_listed = not keys.isdisjoint(self.there[0]) or bool(others) or is_own or package.lower() in lower
         return "::" in link.word.text and package in self.found and bool(keys) and not is_listed
 
-    @cached_property
+    @property
     def is_built_against(self) -> bool:
-        """Whether a package of the workspace builds against this one: plugins and components are only loaded.
-
-        One that compiles nothing (a bringup with a `<depend>`) does not, whatever it declares.
-        """
-        name = self.headers.package.facts.name
-        compiled = (each for each in self.workspace.needing(name) if each.is_ament and not each.is_metapackage)
-        return any(name in built_against(facts, *BUILD) and facts.is_compiled for facts in compiled)
+        """Whether a package of the workspace builds against this one: plugins and components are only loaded."""
+        return bool(self.consumers.builders)
 
     def registers_classes(self, name: str) -> bool:
         """Return whether a source of a library registers a class that pluginlib or a container loads."""
@@ -164,22 +158,7 @@ class ExportedDependencies:
     @cached_property
     def there(self) -> tuple[frozenset[str], bool]:
         """What is exported, directly or through another package, and whether that is known of all ROS packages."""
-        found: set[str] = set()
-        known, tables = True, [rows(f"{name}.txt") for name in TABLES]
-        waiting = list(self.exported)
-        while waiting:
-            name = waiting.pop()
-            if name not in found:
-                found.add(name)
-                facts = self.workspace.named(name)
-                waiting += rows("cmake_exports.txt").get(name, ())
-                if facts is not None:
-                    waiting += (*built_against(facts), *facts.typed_with)
-                    continue
-                waiting += [need for table in tables for need in table.get(name, ())]
-                listed = any(name in table for table in tables)
-                known &= listed or name not in self.exported or not self.workspace.index.is_package(name)
-        return frozenset(found), known
+        return found_with(self.exported, self.workspace)
 
     @cached_property
     def of_families(self) -> frozenset[str]:
@@ -208,7 +187,3 @@ class ExportedDependencies:
         return frozenset(
             each.name for each in packages if each.is_required and not each.call.testing and not each.call.maybe
         )
-
-
-def built_against(facts: PackageFacts, *tags: str) -> list[str]:
-    return [need.name for need in facts.dependencies if need.tag in ("depend", "build_export_depend", *tags)]

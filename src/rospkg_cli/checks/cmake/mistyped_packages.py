@@ -17,6 +17,7 @@ from ...ros.aliases import keys_for_cmake
 from ...ros.link_targets import ROS_NAME
 from ...ros.names import NameKind
 from ...suggest import slips
+from .consumers import Consumers
 from .foreign_targets import TAKING, ForeignTargets, foreign_targets
 from .mistyped_links import nearest
 
@@ -41,6 +42,7 @@ class MistypedPackage:
 class MistypedPackages:
     package: CMakePackage
     workspace: Workspace
+    consumers: Consumers
 
     def all(self) -> Iterator[MistypedPackage]:
         """Yield each argument once."""

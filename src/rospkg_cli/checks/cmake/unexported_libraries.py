@@ -77,12 +77,13 @@ class UnexportedLibraries:
         has_unseen = any(text in UNSEEN for call in cmake.calls for text in call.texts)
         is_known = self.headers.table.knows("header") and not has_unseen and not cmake.interface_targets
         has_none = is_known and not self.headers.installed and found.is_built
-        return (found.is_of_plugins or has_none) and not self.exported.is_built_against
+        is_idle = (found.is_of_plugins or has_none) and not self.exported.is_built_against
+        return is_idle or not (self.exported.are_needed or self.exported.consumers.are_elsewhere)
 
     @property
     def is_needed(self) -> bool:
-        """Whether a package of the workspace is built with this one, which brings it nothing else."""
-        return self.exported.is_built_against and not self.headers.package.cmake.interface_targets
+        """Whether a package of the workspace includes a header of this one, which brings it nothing else."""
+        return self.exported.are_needed and not self.headers.package.cmake.interface_targets
 
 
 def ends_of(path: str) -> list[str]:

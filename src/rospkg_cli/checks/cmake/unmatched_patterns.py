@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Sequence
 
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.values import UNKNOWN, Word
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.copied_files import copied_files, folder_copies
 from ...package.cmake.install_rules import InstallRule
+from ...package.cmake.installed_headers import HEADERS
+from ...package.workspace import Workspace
+from ...ros.share_layout import LAUNCH
+from ..share_uses import ShareUses
+from .consumers import Consumers
 
 FAMILIES = tuple(
     frozenset(each.split())
@@ -39,6 +46,30 @@ class UnmatchedPattern:
     """Whether another rule installs them all."""
     is_harmless: bool = False
     """Whether a rule beside it takes some of them, or it stands in a function, which others call for other folders."""
+
+
+@dataclass(frozen=True)
+class UnmatchedPatterns:
+    """The folders of a package, and whether somebody looks for what is not installed of them."""
+
+    package: CMakePackage
+    workspace: Workspace
+    consumers: Consumers
+
+    def all(self) -> Iterator[UnmatchedPattern]:
+        return unmatched_patterns(self.package.cmake)
+
+    def are_wanted(self, found: UnmatchedPattern) -> bool:
+        """Return whether a package includes one of the headers, or something opens one of the files.
+
+        Launch files are opened by those who start them.
+        """
+        if found.others[0].endswith(HEADERS):
+            return bool(self.consumers.including) or self.consumers.are_elsewhere
+        uses = ShareUses(self.package.cmake.package_files, self.package.facts.name, self.workspace)
+        names = {posixpath.basename(path) for path in found.others}
+        is_started = any(LAUNCH.fullmatch(name) for name in names)
+        return is_started or uses.level(found.folder) != "info" or any(map(uses.names_file, names))
 
 
 def unmatched_patterns(cmake: CMake) -> Iterator[UnmatchedPattern]:

@@ -12,7 +12,7 @@ from ...ros.manifest import EXPORTED
 from ...ros.names import NameKind
 from ...ros.private_links import FROM_JAZZY
 from ...ros.read_table import rows
-from ..cmake.missing_export_dependencies import TABLES
+from ..cmake.found_with import TABLES
 
 PASSED_ON = EXPORTED | {"build_depend"}
 EVERYWHERE, SOMEWHERE, BEFORE_JAZZY = range(3)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -14,6 +14,7 @@ from ...package.cmake.macro_installs import handed_on
 from ...ros.manifest import EXPORTED, RUNS, is_buildtool
 from ...source import Span
 from ...unreadable import UnreadableError
+from ..cmake.consumers import Consumers
 from .declared_dependencies import DeclaredDependencies
 from .undeclared_find_package import FindPackageDependencies
 
@@ -40,6 +41,12 @@ class HandedOnPackages:
     declared: DeclaredDependencies
     files: PackageFiles
     cmake: CMake
+    consumers: Consumers
+
+    def stops(self, names: Collection[str]) -> bool:
+        """Return whether a package is built against this one that does not declare the missing one itself."""
+        users = ({need.name for need in each.dependencies} for each in self.consumers.builders)
+        return any(needs.isdisjoint(names) for needs in users)
 
     def missing(self) -> Iterator[HandedOnPackage]:
         """Yield each package once, at the first call that requires it outside of blocks."""
@@ -51,7 +58,8 @@ class HandedOnPackages:
                 names = providers(name)
                 if names and name not in seen and self.declared.facts.name != name and not there.intersection(names):
                     seen.add(name)
-                    yield HandedOnPackage(names, name, path, span, known)
+                    is_met = self.consumers.are_elsewhere or self.stops(names)
+                    yield HandedOnPackage(names, name, path, span, known and is_met)
         yield from self.exported(seen, FindPackageDependencies(self.declared, self.cmake))
 
     def exported(self, seen: set[str], needs: FindPackageDependencies) -> Iterator[HandedOnPackage]:
@@ -74,8 +82,8 @@ class HandedOnPackages:
                 seen.add(word.text)
                 bringer = self.declared.bringer_among(names, there)
                 if bringer is None or not bringer.is_certain:
-                    is_used = self.declared.workspace.is_built_against(self.declared.facts.name)
-                    yield HandedOnPackage(own, word.text, word.path, word.span, is_used and bringer is None)
+                    is_met = bringer is None and self.stops(own)
+                    yield HandedOnPackage(own, word.text, word.path, word.span, is_met)
 
     @cached_property
     def handed_on(self) -> tuple[frozenset[str], bool]:

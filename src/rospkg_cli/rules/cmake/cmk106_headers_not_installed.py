@@ -45,8 +45,8 @@ FILES = {"src/core.cpp": "int core() {return 1;}\n", "include/my_pkg/core.hpp": 
     over=ExportedHeaders,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "no library is exported, or one of plugins, components or beside programs, and no package here "
-        "includes its headers, or each that does has copies"
+        Severity.INFO: "no package of the workspace is known to include its headers, or each that does has copies, and "
+        "it is no library for others"
     },
     examples=(
         Example(
@@ -74,9 +74,9 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     ## When it is quiet
     Where an install rule or CMake itself can't be evaluated, in `ament_auto_package()`, for a package that exports only
     plugins as targets, and as soon as one header is installed, but for one that another package includes and that has
-    no CMake file that looks elsewhere. An info are those of plugins and components, which are loaded and not linked,
-    and of packages with programs, where nobody here builds against this one, what all who do have copies of, and a
-    folder that no user is told of.
+    no CMake file that looks elsewhere. It is a warning where a package of the workspace includes one of the headers and
+    has no copy of it, or where this one is plainly a library for others, and no one of plugins: all packages of the
+    repository are libraries, or it is released and its pages tell how to use it. It is an info elsewhere.
     """
     cmake = exported.headers.package.cmake
     if not exported.headers.package.is_ament:

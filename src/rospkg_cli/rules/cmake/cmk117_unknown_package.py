@@ -39,9 +39,11 @@ def cmake_handed(keyword: str) -> str:
     over=MistypedPackages,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is exported, and no package of the workspace is built with this one, or only nobody "
-        "here knows it; or it is the package itself, which may be installed from an earlier build; or it is found in "
-        "other letters; or a target is looked for and not required"
+        Severity.WARNING: "nobody here knows it; or it is the package itself, which may be installed from an earlier "
+        "build; or it is found in other letters; or a target is looked for and not required; or it is exported by a "
+        "library for others",
+        Severity.INFO: "it is exported, no package of the workspace is built with this one, and it is no library for "
+        "others",
     },
     examples=(
         Example(
@@ -84,7 +86,9 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     Where a package that is found and not released may find one that a target is given. For names that a package or a
     rosdep key has, that package.xml declares (DEP001 judges these), or that nothing known is near to. Near are only
     packages that CMake finds or package.xml declares; what `find_package()` looks for is compared with those declared
-    that are not found otherwise. Under a condition that can't be evaluated.
+    that are not found otherwise. Under a condition that can't be evaluated. What is exported is an info where no
+    package of the workspace is built with this one, unless it is plainly a library for others: all packages of the
+    repository are, or it is released and its pages tell how to use it.
 
     ## Fix safety
     The nearest name may not be the one that was intended.
@@ -96,13 +100,20 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
         if each.near and packages.package.cmake.source_text(each.word).strip('"') == each.word.text:
             edit = Edit(each.word.path, each.word.span, each.near)
             fix = Fix(f"write `{each.near}`", (edit,), Safety.UNSAFE)
-        is_unused = each.call.name == EXPORT and not packages.workspace.is_built_against(packages.package.facts.name)
         is_asked = each.kind == "imported" and "REQUIRED" not in each.call.texts
-        level = Severity.WARNING if is_unused or is_asked or each.kind in ("own", "nowhere", "case") else None
+        level = Severity.WARNING if is_asked or each.kind in ("own", "nowhere", "case") else None
+        level = met_by(packages, level) if each.call.name == EXPORT else level
         yield Hit(each.word.path, each.word.span, message(each), level, fix=fix)
     for given in packages.foreign():
         if (given.words[0].path, given.words[0].span) not in told:
             yield given_targets(packages, given)
+
+
+def met_by(packages: MistypedPackages, level: Severity | None) -> Severity | None:
+    """Return the level of a fault in what is exported: an info where nobody is known who finds this package."""
+    if packages.consumers.builders:
+        return level
+    return Severity.WARNING if packages.consumers.are_elsewhere else Severity.INFO
 
 
 def given_targets(packages: MistypedPackages, each: ForeignTargets) -> Hit:
@@ -111,9 +122,9 @@ def given_targets(packages: MistypedPackages, each: ForeignTargets) -> Hit:
     are, them = ("are targets", "packages") if each.words[1:] else ("is a target", "package")
     advice = f"name the {'packages' if others[1:] else 'package'} {in_ticks(others)} here" if others else "remove it"
     text = f"{each.names} {are}, and no {them}: {STOPS[each.call.name]}; {advice}"
-    is_unused = each.call.name == EXPORT and not packages.workspace.is_built_against(facts.name)
     fix = None
     if own is not None and each.packages[0] in packages.found and packages.package.cmake.source_text(own) == own.text:
         name = each.packages[0]
         fix = Fix(f"write `{name}`", (Edit(own.path, own.span, name),), Safety.UNSAFE)
-    return Hit(word.path, word.span, text, Severity.WARNING if is_unused else None, fix=fix)
+    level = met_by(packages, None) if each.call.name == EXPORT else None
+    return Hit(word.path, word.span, text, level, fix=fix)

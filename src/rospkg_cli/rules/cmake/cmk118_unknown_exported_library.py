@@ -37,7 +37,7 @@ def cmake(lines: str) -> str:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "it has no library, and a package of the workspace is built with this one",
-        Severity.INFO: "it is a program or nothing makes it, in a package without headers that nobody here builds with",
+        Severity.INFO: "no package of the workspace is built with this one, and it is no library for others",
     },
     examples=(
         Example(
@@ -66,20 +66,20 @@ def unknown_exported_library(exported: ExportedLibraries) -> Iterator[Hit]:
 
     ## When it is quiet
     For other names, which may be libraries of the system, for those that a command of another package is given, and
-    where a file that can't be read is included. Under a condition that can't be evaluated. A program, or a library that
-    nothing makes, is an info in a package without headers, unless CMake builds another one of the workspace with it.
+    where a file that can't be read is included. Under a condition that can't be evaluated. It is an info where no
+    package of the workspace is built with this one, unless it is plainly a library for others: all packages of the
+    repository are, or it is released and its pages tell how to use it.
 
     ## Fix safety
     The nearest library may not be the one that was intended.
     """
-    is_needed = exported.workspace.is_built_against(exported.package.facts.name)
+    is_needed = bool(exported.consumers.builders)
     for each in exported.wrong():
         fix = None
         if each.near and exported.package.cmake.source_text(each.word).strip('"') == each.word.text:
             fix = Fix(f"write `{each.near}`", (Edit(each.word.path, each.word.span, each.near),), Safety.UNSAFE)
         level = Severity.ERROR if is_needed and each.kind != "unknown" else None
-        is_spared = exported.is_idle and not each.near and each.kind in ("unknown", "executable")
-        level = Severity.INFO if is_spared else level
+        level = level if is_needed or exported.consumers.are_elsewhere else Severity.INFO
         yield Hit(each.word.path, each.word.span, message(exported, each), level, fix=fix)
 
 

@@ -40,8 +40,8 @@ def cmake(lines: str) -> str:
     over=UnexportedLibraries,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "the package hands its libraries on with `ament_export_libraries()`; or no package here is "
-        "built with this one, and it is in no set, all in it are plugins, or no headers are installed"
+        Severity.INFO: "the package hands its libraries on with `ament_export_libraries()`; or no package here "
+        "includes its headers, and it is no library for others or is in no set"
     },
     examples=(
         Example(
@@ -77,8 +77,10 @@ def unexported_targets(unexported: UnexportedLibraries) -> Iterator[Hit]:
     Where any other command is given the name of the set, where a macro of another package or a file that can't be read
     may export it, and for sets of executables, registered classes and components alone, which nothing links. Sets of
     other plugins (tree nodes, what a description names) and of a package that installs no headers are infos, where no
-    package here is built with this one. A library that is in no set may be for this package's programs alone: an info,
-    where no package here is built with this one. It is left alone where a CMake or pkg-config file of the package may
+    package here is built with this one, and so are all of which no package here includes a header, unless the package
+    is plainly a library for others: all packages of the repository are, or it is released and its pages tell how to use
+    it. A library that is in no set may be for this package's programs alone: an info, where no package here includes
+    one of its headers. It is left alone where a CMake or pkg-config file of the package may
     tell others of it.
     """
     for found in unexported.sets.all():

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.built_for_ros1 import is_built_for_ros1
-from ...checks.cmake.unmatched_patterns import unmatched_patterns
+from ...checks.cmake.unmatched_patterns import UnmatchedPatterns
 from ...checks.enumeration import in_ticks
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
-from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 
 LINES = 'install(DIRECTORY «launch» DESTINATION share/${PROJECT_NAME} FILES_MATCHING PATTERN "*.launch")\n'
@@ -19,9 +18,12 @@ LAUNCH = "<launch/>\n"
 @rule(
     "CMK129",
     "unmatched-pattern",
-    over=CMakePackage,
+    over=UnmatchedPatterns,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "another rule installs these files, it is in a function, or all sources are of ROS 1"},
+    levels={
+        Severity.INFO: "another rule installs these files, it is in a function, all sources are of ROS 1, or nobody is "
+        "known to include the headers or to open the files"
+    },
     examples=(
         Example(
             bad={
@@ -37,7 +39,7 @@ LAUNCH = "<launch/>\n"
         ),
     ),
 )
-def unmatched_pattern(package: CMakePackage) -> Iterator[Hit]:
+def unmatched_pattern(patterns: UnmatchedPatterns) -> Iterator[Hit]:
     """
     ## What it does
     Finds folders that are installed with FILES_MATCHING and a PATTERN that none of their files fits.
@@ -52,9 +54,11 @@ def unmatched_pattern(package: CMakePackage) -> Iterator[Hit]:
     ignores or the build makes such files, for folders that are not there (CMK102), and below a condition that can't be
     evaluated. It is an info in a function or a macro, which others may call for other folders, and where a pattern
     beside it takes files of the folder to a place that is not known; and where CMake chooses between ament and catkin
-    and all sources are of ROS 1.
+    and all sources are of ROS 1. So it is where nobody is known to look for the files: no package of the workspace
+    includes a header, and this one is not plainly a library for others (all packages of the repository are, or it is
+    released and its pages tell how to use it), or nothing opens the files. Launch files are there to be started.
     """
-    for each in unmatched_patterns(package.cmake):
+    for each in patterns.all():
         names = in_ticks(each.patterns)
         start = f"no file of `{each.folder}` fits {names} (`{each.others[0]}` does not): nothing is installed here"
         if each.is_installed:
@@ -63,5 +67,6 @@ def unmatched_pattern(package: CMakePackage) -> Iterator[Hit]:
             advice = "remove the rule where no folder has such files"
             yield Hit(each.item.path, each.item.span, f"{start}; {advice}", Severity.INFO)
         else:
-            level = Severity.INFO if is_built_for_ros1(package.cmake) else None
+            is_met = patterns.are_wanted(each) and not is_built_for_ros1(patterns.package.cmake)
+            level = None if is_met else Severity.INFO
             yield Hit(each.item.path, each.item.span, f"{start}; correct the pattern", level)

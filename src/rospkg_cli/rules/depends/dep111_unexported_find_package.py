@@ -21,8 +21,8 @@ EXTRAS = CMAKE.replace("ament_package()", 'ament_package(CONFIG_EXTRAS "cmake/my
     over=HandedOnPackages,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where something that is handed on may bring it, or no package of the workspace is built with "
-        "the one that exports it"
+        Severity.INFO: "where something that is handed on may bring it, or no package of the workspace that is built "
+        "with this one lacks it, and it is no library for others"
     },
     examples=(
         Example(
@@ -57,7 +57,8 @@ def unexported_find_package(packages: HandedOnPackages) -> Iterator[Hit]:
 
     ## When it is quiet
     What comes with a package that is handed on is there; where that is not known of each of them, it is an info. Calls
-    in blocks (`if`, functions, macros) and without REQUIRED are left alone.
+    in blocks (`if`, functions, macros) and without REQUIRED are left alone. It is an info, too, where no package of the
+    workspace is built with this one and lacks what is missing, unless it is plainly a library for others.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
