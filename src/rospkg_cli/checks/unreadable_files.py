@@ -14,6 +14,7 @@ from ..package.file_role import role_of
 from ..read_problem import ReadProblem
 from ..unreadable import Unreadable
 from .fault import Level
+from .led_to import YAML, LedTo
 from .started_texts import StartedTexts
 from .urdf.opened_robots import OpenedRobots
 
@@ -42,6 +43,13 @@ class UnreadableFile:
             return False
         text = self.files.tree.entry(self.file.path).data.decode("utf-8", "surrogateescape")
         return not any(LOST.search(token.text) for token in tokens(text) if token.kind not in COMMENTS)
+
+    @property
+    def is_left_alone(self) -> bool:
+        """Whether it is a launch file or YAML that nothing leads to."""
+        path = self.file.path
+        is_asked = role_of(path) == "launch" or path.endswith(YAML)
+        return is_asked and not LedTo(self.files, self.opened.package, self.opened.workspace).has(path)
 
     @cached_property
     def started(self) -> StartedTexts:
@@ -86,6 +94,8 @@ class UnreadableFile:
             return self.level_of_robot()
         if self.file.code is ReadProblem.ENCODING and self.is_in_comments:
             return "info", "; CMake reads past these bytes, since only comments hold them"
+        if self.is_left_alone:
+            return "info", "; no other file names it"
         if path.endswith(".launch") and ROS1_LAUNCH.search(self.files.readable_text(path)):
             return "warning", "; it is written for ROS 1"
         return self.level_of_module() if self.is_loose_module else (None, "")

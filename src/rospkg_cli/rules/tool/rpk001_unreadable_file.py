@@ -36,8 +36,8 @@ ament_package()
     levels={
         Severity.WARNING: "a robot that no file surely opens, or that urdfdom reads all the same; a launch file for "
         "ROS 1; a module of Python that another package may import",
-        Severity.INFO: "a robot that no file opens, a module of Python that nothing imports that is started, bytes "
-        "that are no text in comments of CMake, or plugins without a root around them",
+        Severity.INFO: "a robot, a launch file or YAML that no file opens or names, a module of Python that nothing "
+        "imports that is started, bytes that are no text in comments of CMake, or plugins without a root around them",
     },
     examples=(
         Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}),
@@ -65,9 +65,10 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     so, as another file has its name. It is a warning, too, where urdfdom reads past the fault: an undeclared prefix, or
     something behind the root element, in a plain `.urdf`. A Python module is an info where no entry point, launch file
     or CMake file names it, nor a module that one of these names, a warning where another package needs this one. A
-    launch file for ROS 1 is a warning. Several `<library>` of a plugin description without a root are an info, and so
-    are bytes that are not UTF-8 in comments of a CMake file. A `<` in the value of an attribute of a plugin description
-    is no fault, since pluginlib takes it.
+    launch file for ROS 1 is a warning. A launch file beside others, or YAML, is an info where no other file of the
+    package, no page or script, and no package that needs this one names it. Several `<library>` of a plugin description
+    without a root are an info, and so are bytes that are not UTF-8 in comments of a CMake file. A `<` in the value of
+    an attribute of a plugin description is no fault, since pluginlib takes it.
     """
     file = scope.file
     if not (file.grammar or file.skipped):
