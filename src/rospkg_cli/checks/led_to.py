@@ -49,7 +49,9 @@ class LedTo:
         code = (each for each in self.files.paths if each.endswith(CODE) and each not in (path, "setup.py"))
         yield from (live_text(self.files, each) for each in code)
         whole = self.files.whole
-        for other in self.workspace.needing(self.package.name) if whole is not None else ():
+        for other in self.workspace.needing(self.package.name):
+            if whole is None:
+                return
             theirs = PackageFiles(whole.sub(other.folder), other.folder, whole)
             yield from (live_text(theirs, each) for each in theirs.paths if each.endswith(CODE))
 

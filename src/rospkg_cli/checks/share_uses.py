@@ -48,16 +48,22 @@ class ShareUses:
         return started is not None and any(started.search(text) for text in self.readmes)
 
     def names_file(self, name: str) -> bool:
-        """Return whether code or a README names a file; a path in a home folder or through src/ opens the source."""
-        named = re.compile(
-            rf"(?<![^\s\"'])(?!/home/|~/|/(?:[^\s\"'/]{{1,{REACH}}}/){{0,9}}src/)[^\s\"']*{re.escape(name)}"
-        )
+        """Return whether code or a README names a file; a path in a home folder or through src/ opens the source, and
+        one in the share directory of another package a file of that."""
+        named = re.compile(rf"{self.path_here}[^\s\"']*{re.escape(name)}")
         return any(named.search(text) for text in (*self.code, *self.readmes) if name in text)
 
     def names_folder(self, name: str) -> bool:
         """Return whether code or a README names a folder, in quotes or in a path."""
-        named = re.compile(rf"[\"'/]{re.escape(name)}[\"'/]")
-        return any(named.search(text) for text in (*self.code, *self.readmes))
+        named = re.compile(rf"{self.path_here}(?:[^\s\"']*/)?{re.escape(name)}[\"'/]")
+        return any(named.search(text) for text in (*self.code, *self.readmes) if name in text)
+
+    @property
+    def path_here(self) -> str:
+        """How a path begins that may lead to a file in the share directory of the package."""
+        source = rf"/home/|~/|(?:\./)?src/|/(?:[^\s\"'/]{{1,{REACH}}}/){{0,9}}src/"
+        own = re.escape(self.name)
+        return rf"(?<![^\s\"'])(?!{source}|(?!{own}\))[\w-]+\)/|package://(?!{own}/))"
 
     def opens_nothing(self, text: str, folder: str) -> bool:
         """Return whether a text names nothing but files in a folder that are not there: those are faults of its own."""

@@ -162,7 +162,9 @@ class ShareFiles:
             return False
         if folder != folder_of(missed.glob.pattern) and name and not LAUNCH.fullmatch(name):
             return self.uses.names_folder(posixpath.basename(folder))
-        if not name or (LAUNCH.fullmatch(name) and self.uses.names_launch(name)):
+        if not name:
+            return self.uses.names_folder(posixpath.basename(folder))
+        if LAUNCH.fullmatch(name) and self.uses.names_launch(name):
             return True
         return self.uses.names_file(name) or self.is_named_elsewhere(name)
 

@@ -53,8 +53,9 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     ## When it is quiet
     Where `data_files` can't be evaluated, where setup.py may write files, for files that git ignores, and for those of
     other kinds than the folder is for, and those that are laid aside (`old/`). All files that one glob misses are one
-    finding. It is an info where no code, no YAML and no README names them or their folder, or only by an absolute path
-    to the source, and for empty files; launch files may be named by any page or script that says how to build or run.
+    finding. It is an info where no code, no YAML and no README names them or their folder, or only by a path to the
+    source or to another package, and for empty files; launch files may be named by any page or script that says how to
+    build or run.
 
     ## Fix safety
     A wider glob may install more than is wanted.
