@@ -11,6 +11,8 @@ from ...languages.cmake.targets import MAKERS
 from ...languages.cmake.values import UNKNOWN, Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
+from .built_for_ros1 import is_built_for_ros1
+from .dead_branches import DeadBranches
 from .mistyped_links import is_clear_slip, nearest
 
 FIRST_IS_TARGET = (
@@ -58,6 +60,11 @@ class TargetReferences:
         known = self.exports if reference.kind == "export" else self.names
         unclear = reference.word.maybe or reference.call.maybe or self.cmake.reads_unknown_files
         return not unclear and UNKNOWN not in known
+
+    def is_met_by_none(self, references: Iterable[TargetReference]) -> bool:
+        """Return whether one waits for a package that nothing looks for, or the sources are all of ROS 1."""
+        dead = DeadBranches(self.cmake)
+        return is_built_for_ros1(self.cmake) or any(dead.package_of(each.call) for each in references)
 
     def is_slip(self, reference: TargetReference) -> bool:
         """Return whether a long name is one or two letters off one that the package makes."""

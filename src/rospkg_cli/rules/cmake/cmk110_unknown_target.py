@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.built_for_ros1 import is_built_for_ros1
-from ...checks.cmake.dead_branches import DeadBranches
 from ...checks.cmake.early_references import EarlyReferences
 from ...checks.cmake.message_targets import MessageTargets
 from ...checks.cmake.mistyped_libraries import MistypedLibraries
@@ -121,15 +119,14 @@ def unknown_target(messages: MessageTargets) -> Iterator[Hit]:
         yield Hit(of_messages.word.path, of_messages.word.span, of_messages.sentence, Severity(of_messages.level))
     for each in messages.links.all():
         yield Hit(each.link.word.path, each.link.word.span, mistyped(each))
-    references, dead = TargetReferences(package.cmake), DeadBranches(package.cmake)
+    references = TargetReferences(package.cmake)
     for reference, *others in by_name(references.broken()):
         known = references.targets if reference.kind == "target" else references.exports
         near = did_you_mean(reference.word.text, known)
         message = f"{said(package.cmake, reference)}{near}: CMake stops with {stops(reference)}"
         related = [Related(each.word.path, each.word.span, "and here") for each in others]
         level = None if any(map(references.is_certain, (reference, *others))) else Severity.WARNING
-        is_dead = any(map(dead.package_of, (each.call for each in (reference, *others))))
-        level = Severity.INFO if is_dead or is_built_for_ros1(package.cmake) else level
+        level = Severity.INFO if references.is_met_by_none((reference, *others)) else level
         yield Hit(reference.word.path, reference.word.span, message, level, tuple(related))
     for early in EarlyReferences(package.cmake).all():
         yield Hit(early.reference.word.path, early.reference.word.span, made_below(package.cmake, early))
