@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 import rospkg_cli
+from rospkg_cli.checks.urdf.named_with_folder import NamedWithFolder
 from rospkg_cli.checks.urdf.opened_robots import OpenedRobots
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.run.session import Scope, Session
@@ -69,6 +70,23 @@ def test_who_names_a_robot_is_looked_for_once_a_robot(monkeypatch: pytest.Monkey
     chain = {f"urdf/r{n}.xacro": robot.format(include.format(n + 1) if n < 9 else "<a/>", n) for n in range(10)}
     lint_files({"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE, **chain}, ["URD001", "URD002"])
     assert asked
+    assert max(asked.values()) == 1
+
+
+def test_a_file_is_looked_for_with_its_folder_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: Counter[str] = Counter()
+    real = NamedWithFolder.look_for
+
+    def counted(self: NamedWithFolder, path: str) -> bool:
+        asked[path] += 1
+        return real(self, path)
+
+    monkeypatch.setattr(NamedWithFolder, "look_for", counted)
+    mesh = '<mesh filename="package://my_pkg/none.stl"/>'
+    robot = f'<robot name="r"><link name="l"><visual><geometry>{mesh}</geometry></visual></link></robot>\n'
+    copies = {f"models/m{n}/model.urdf": robot for n in range(9)}
+    lint_files({"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE, **copies}, ["URD001", "URD002"])
+    assert len(asked) == len(copies)
     assert max(asked.values()) == 1
 
 

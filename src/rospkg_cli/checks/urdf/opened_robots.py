@@ -14,6 +14,7 @@ from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_words import may_be_made, words_of
 from ...package.workspace import Workspace
 from .included_paths import includes_path
+from .named_with_folder import NamedWithFolder
 from .opening_texts import LAUNCH, ROBOTS, opening_texts
 from .xacro_calls import may_include
 
@@ -94,26 +95,11 @@ class OpenedRobots:
 
     def is_other_copy(self, path: str) -> bool:
         """Return whether texts name a file of this name with the folder of another copy, and none with this one's."""
-        copies = self.copies.get(path.rpartition("/")[2], [])
-        return len(copies) > 1 and not self.is_named_in_folder(path) and any(map(self.is_named_in_folder, copies))
+        return self.with_folders.is_other_copy(path)
 
     @cached_property
-    def copies(self) -> dict[str, list[str]]:
-        """The paths of the package's files by their names."""
-        found: dict[str, list[str]] = {}
-        for path in self.files.paths:
-            found.setdefault(path.rpartition("/")[2], []).append(path)
-        return found
-
-    def is_named_in_folder(self, path: str) -> bool:
-        """Return whether a text, of this package or another, names a file together with the folder it lies in."""
-        folder, _, name = path.rpartition("/")
-        last = folder.rpartition("/")[2]
-        in_parts = re.compile(rf"(?<![\w.]){re.escape(last)}[\"'/,\s]+{re.escape(name)}(?![\w.])")
-        if not last or any(in_parts.search(text) for other, text in self.texts if other != path):
-            return bool(last)
-        others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
-        return any({last, name} <= words for facts in others for words in facts.robot_words)
+    def with_folders(self) -> NamedWithFolder:
+        return NamedWithFolder(self.paths, self.package.name, self.workspace, self.texts)
 
     def is_surely_named(self, path: str) -> bool:
         """Return whether a text of the package names a file, or one of another that names the package as well.

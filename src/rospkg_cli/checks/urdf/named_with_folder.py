@@ -1,0 +1,64 @@
+"""Which of several files of one name texts mean, as `gz/arm.urdf` beside `classic/arm.urdf`: the one in its folder."""
+
+from __future__ import annotations
+
+import re
+from functools import cached_property
+
+from ...light_dataclasses import dataclass
+from ...package.workspace import Workspace
+
+
+@dataclass(frozen=True)
+class NamedWithFolder:
+    paths: frozenset[str]
+    """The files of the package."""
+    package: str
+    workspace: Workspace
+    texts: tuple[tuple[str, str], ...]
+    """The path and the text of each file that may open one."""
+
+    def is_other_copy(self, path: str) -> bool:
+        """Return whether texts name a file of this name with the folder of another copy, and none with this one's."""
+        copies = self.copies.get(path.rpartition("/")[2], [])
+        return len(copies) > 1 and not self.has(path) and any(map(self.has, copies))
+
+    @cached_property
+    def copies(self) -> dict[str, list[str]]:
+        """The paths of the package's files by their names."""
+        found: dict[str, list[str]] = {}
+        for path in self.paths:
+            found.setdefault(path.rpartition("/")[2], []).append(path)
+        return found
+
+    def has(self, path: str) -> bool:
+        """Return whether a text, of this package or another, names a file together with the folder it lies in."""
+        if path not in self._answers:
+            self._answers[path] = self.look_for(path)
+        return self._answers[path]
+
+    @cached_property
+    def _answers(self) -> dict[str, bool]:
+        """The answers so far: each of two hundred files called `model.sdf` is asked for as a copy of each other."""
+        return {}
+
+    def look_for(self, path: str) -> bool:
+        folder, _, name = path.rpartition("/")
+        last = folder.rpartition("/")[2]
+        if not last:
+            return False
+        in_parts = re.compile(rf"(?<![\w.]){re.escape(last)}[\"'/,\s]+{re.escape(name)}(?![\w.])")
+        if any(in_parts.search(text) for other, text in self.holding(name) if other != path and last in text):
+            return True
+        others = (facts for facts in self.workspace.packages if facts.name != self.package)
+        return any({last, name} <= words for facts in others for words in facts.robot_words)
+
+    def holding(self, name: str) -> list[tuple[str, str]]:
+        """Return the texts in which a name occurs at all, which are few."""
+        if name not in self._holding:
+            self._holding[name] = [each for each in self.texts if name in each[1]]
+        return self._holding[name]
+
+    @cached_property
+    def _holding(self) -> dict[str, list[tuple[str, str]]]:
+        return {}
