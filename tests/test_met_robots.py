@@ -85,3 +85,28 @@ def test_worlds_are_opened_by_launch_files_too(package: str, name: str, level: s
     launch = NAMED.format(f"share('my_pkg') + '/worlds/{name}'", ADDED.format("MODEL"))
     (found,) = lint_files({**files, f"{package}/launch/a.launch.py": launch}, ["URD002"]).findings
     assert found.severity.value == level
+
+
+XACRO = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">{}</robot>\n'
+MACRO = XACRO.format('<xacro:macro name="arm" params="side">{}</xacro:macro>')
+SLIP = '{}<link name="hand_{{side}}"/>{}'
+CALLS = XACRO.format('<xacro:include filename="arm.xacro"/><link name="l"/>{}')
+OPENS_XACRO = {"launch/a.launch.py": NAMED.format("share + '/urdf/r.xacro'", ADDED.format("xacro.process_file(MODEL)"))}
+
+
+def slip_levels(robot: str, macro: str, **more: str) -> list[str]:
+    files = {**FILES, **OPENS_XACRO, "urdf/r.xacro": robot, "urdf/arm.xacro": macro, **more}
+    return [
+        each.severity.value for each in lint_files(files, ["URD001"]).findings if each.location.path == "urdf/arm.xacro"
+    ]
+
+
+def test_a_macro_that_only_an_unopened_robot_calls() -> None:
+    call, macro = '<xacro:arm side="a"/>', MACRO.format(SLIP.format("", ""))
+    assert slip_levels(CALLS.format(call), macro) == ["warning"]
+    assert slip_levels(CALLS.format(""), macro, **{"urdf/spare.xacro": CALLS.format(call)}) == ["info"]
+
+
+def test_what_gazebo_leaves_out_is_an_info() -> None:
+    block = '<gazebo reference="wheel_{side}"><mu1>0.2</mu1></gazebo>'
+    assert slip_levels(CALLS.format('<xacro:arm side="a"/>'), MACRO.format(block)) == ["info"]

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Collection
 from typing import Annotated
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
+from ...package.launch.text import uncommented
 from ...package.urdf.robot_file import RobotFile
 from ...source import Span
 from ...unreadable import READABLE
@@ -103,7 +105,22 @@ class JudgedRobot:
         if not self.met.has(robot) or (not is_launched and may_be_elsewhere(fault)):
             which = "this robot" if robot == self.robot.path else "a robot that reaches this"
             return softer(fault, "info", f"as soon as something opens {which}")
+        if idle := self.unless_called(fault):
+            return softer(fault, "info", idle)
         return self.without_prefix(fault) if UNLESS in fault.message else replace(fault, level="warning")
+
+    def unless_called(self, fault: Fault) -> str:
+        """Return why nobody meets a fault: Gazebo leaves it out, or no opened robot calls its macro; else ""."""
+        around = list(ancestors(self.robot.document.root, fault.span))
+        blocks = (each.attributes["reference"] for each in around if each.tag == "gazebo" and each.get("reference"))
+        if is_slip(fault) and any(each.value_span.holds(fault.span) for each in blocks):
+            return "and Gazebo leaves out what is said of it"
+        names = [each.get("name") or "" for each in around if each.tag == "xacro:macro"]
+        for call in (re.compile(rf"<xacro:{re.escape(name.removeprefix('xacro:'))}(?![\w.-])") for name in names):
+            callers = [each.path for each in self.robots if call.search(uncommented(".xml", each.source.text))]
+            if callers and not any(map(self.met.has, callers)):
+                return "as soon as something opens a robot that calls the macro"
+        return ""
 
     def without_prefix(self, fault: Fault) -> Fault:
         """Return a lost prefix as a warning only where a call of the macro gives one."""
