@@ -455,6 +455,8 @@ FOUND = "".join(f"find_package({name} REQUIRED)\n" for name in ("rclcpp", "std_m
 )
 def test_variables_that_are_nearly_one_of_a_package(lines: str, near: str) -> None:
     found = said(package(FOUND + lines), "CMK115")
+    levels = {each.severity for each in lint_files(package(FOUND + lines), ["CMK115"]).findings}
+    assert levels == ({Severity.INFO if "_INCLUDE_DIR" in near else Severity.WARNING} if near else set())
     assert [message.partition("did you mean `")[2].partition("`")[0] for message in found] == ([near] if near else [])
 
 

@@ -117,6 +117,8 @@ class UnsetVariables:
         found = OF_PACKAGE.fullmatch(each.near)
         if found is None or package_of(each.name) != package_of(each.near) or each.call.name not in ADDING:
             return False
+        if found[2].startswith("INCLUDE"):
+            return True  # where the folder is needed, the build has told so
         given = {text for call in self.cmake.named("ament_target_dependencies") for text in call.texts[1:]}
         linked = (text for call in self.cmake.named("target_link_libraries") for text in call.texts[1:])
         is_linked = found[1] in given or any(text.startswith(f"{found[1]}::") for text in linked)

@@ -68,9 +68,10 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     reads `$ENV{…}` of the same name: the user gives them. In `message()`. Under an unknown condition only names near to
     those of CMake are told, as warnings; where a file is included that can't be read, those near to PROJECT_NAME in
     `install()`, and those beside a variable that nothing reads. A variable of a package in other letters is an info
-    where the right one stands in the same command, as nothing is lost, and where targets get the package by its name or
-    by the right one; so is what is read where a package is found (`if(OpenMP_FOUND)`) that nothing looks for. What
-    packages set that are not built with ament (`octomap`) is known of none.
+    where the right one stands in the same command, as nothing is lost, where it is a folder of headers, without which
+    the build tells of itself, and where targets get the package by its name or by the right one; so is what is read
+    where a package is found (`if(OpenMP_FOUND)`) that nothing looks for. What packages set that are not built with
+    ament (`octomap`) is known of none.
     """
     dead = DeadBranches(variables.cmake)
     for each in (*variables.all(), *UnreadTwins(variables).all()):
