@@ -102,14 +102,20 @@ INDEX = "#include <ament_index_cpp/get_package_share_directory.hpp>\n"
     ],
 )
 def test_what_rclcpp_keeps_to_itself_from_jazzy_on(links: str, levels: list[str]) -> None:
-    found = told(f"{NODE}target_link_libraries(node {links.format()})\n", INDEX)
+    lines = f"{NODE}target_link_libraries(node {links.format()})\n"
+    found = told(lines, INDEX, **{"README.md": "For Humble and Jazzy.\n"})
     assert [level for level, _ in found] == levels
+    for page in ("", "For Humble.\n"):
+        milder = told(lines, INDEX, **{"README.md": page})
+        assert [level for level, _ in milder] == ["info" for _ in levels]
 
 
 def test_packages_that_nobody_knows() -> None:
     """Those of interfaces bring interfaces alone; folders of others may hold anything."""
     acme = f"{NODE}ament_target_dependencies(node rclcpp acme_msgs)\n"
-    assert told(acme, INDEX) == [("warning", "ament_index_cpp/get_package_share_directory.hpp")]
+    assert told(acme, INDEX, **{"README.md": "For Jazzy.\n"}) == [
+        ("warning", "ament_index_cpp/get_package_share_directory.hpp")
+    ]
     assert told(acme) == [("info", "sensor_msgs")]
     assert told(f"{NODE}include_directories(${{nobodys_INCLUDE_DIRS}})\n") == [("info", "sensor_msgs")]
 

@@ -88,6 +88,13 @@ class OlderDistribution:
         return bool(self.named) and self.named.issubset(BEFORE_JAZZY)
 
     @property
+    def reaches_jazzy(self) -> bool:
+        """Whether the run checks for Jazzy or a later one, or one of them is meant."""
+        if self.targets.names:
+            return not set(self.targets.names).issubset(BEFORE_JAZZY)
+        return not self.meant.issubset(BEFORE_JAZZY)
+
+    @property
     def is_from_jazzy_on(self) -> bool:
         """Whether Jazzy or a later one is named, and none before it."""
         return bool(self.named) and self.named.isdisjoint(BEFORE_JAZZY)

@@ -68,8 +68,8 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     a package (`${tf2_INCLUDE_DIRS}`); where one link or folder is not known, nothing is said of the target, and where
     that is not known of one package, or it brings it on some distributions alone, all that it may bring is one info.
     What rclcpp is linked with for itself alone from Jazzy on, as it is with ament_index_cpp, it does not bring; where
-    the pages, scripts and workflows of the repository name Humble or older ones alone, that is an info, and all is
-    where they name distributions before Humble alone.
+    the run checks for Humble alone, or nothing of the repository names Jazzy or a later distribution, that is an info,
+    and all is where pages, scripts and workflows name distributions before Humble alone.
     Targets of `ament_auto_add_…()`, includes under `#if`, and calls under a condition are left alone.
 
     ## References
@@ -95,7 +95,7 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
             f"`{each.header}` is included here, and `{each.target.name}` is not linked with `{each.package}`: {ends}; "
             f"{'' if each.is_found else 'find it, and '}add it to `target_link_libraries({each.target.name} …)`"
         )
-        is_later = is_shared or (each.keeper and includes.distribution.is_before_jazzy)
+        is_later = is_shared or (each.keeper and not includes.distribution.reaches_jazzy)
         is_told = (each.is_own_folder or each.keeper) and not is_later
         yield Hit(each.path, each.span, message, None if is_told else Severity.INFO)
     for target in dict.fromkeys(each.target.name for each in perhaps):
