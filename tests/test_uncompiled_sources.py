@@ -115,7 +115,8 @@ LOADED = (
         (PART, "launch/a.launch.xml", LOADED.format("my_pkg::Part"), "warning"),
         (PART, "launch/a.launch.xml", LOADED.format("my_pkg::Other"), "info"),
         (PLUGIN, "config/a.yaml", "controller:\n  plugin: my_pkg::Part\n", "warning"),
-        (PLUGIN, "plugins.xml", '<class type="my_pkg::Part"/>\n', "warning"),
+        (PLUGIN, "plugins.xml", '<class type="my_pkg::Part"/>\n', "info"),
+        (PLUGIN, "config/plugins.yaml", "plugin: my_pkg::Part\n", "warning"),
         (PLUGIN, "plugins.xml", '<class type="my_pkg::Pump"/>\n', "info"),
         (PLUGIN, "README.md", "There is my_pkg::Part.\n", "info"),
     ],
@@ -158,3 +159,9 @@ TWINS = {
 def test_a_file_whose_header_is_compiled(lines: str, files: dict[str, str], level: str) -> None:
     found = lint_files({**package(lines), **TWINS, **files}, ["CMK202"]).findings
     assert [each.severity.value for each in found] == [level] * bool(level)
+
+
+def test_a_description_that_cmake_hands_out_names_the_class() -> None:
+    description = {"plugins.xml": '<class type="my_pkg::Part"/>\n', "src/spare.cpp": PLUGIN}
+    files = {**package("pluginlib_export_plugin_description_file(nav2_core plugins.xml)"), **description}
+    assert [each.severity.value for each in lint_files(files, ["CMK202"]).findings] == ["warning"]

@@ -82,11 +82,21 @@ class UncompiledSources:
             is_started = bool(self.workspace.having("started_nodes", package, name))
             return is_started or any(map(started.search, self.texts(PAGES)))
         is_loaded = any((package, name) in facts.loaded_components for facts in self.workspace.packages)
-        return is_loaded or any(name in text for text in self.texts(DESCRIPTIONS))
+        return is_loaded or any(
+            name in text for path, text in self.named_texts(DESCRIPTIONS) if self.is_handed_out(path)
+        )
+
+    def is_handed_out(self, path: str) -> bool:
+        """Return whether CMake names a description, to install or export it: else nobody finds the class by it."""
+        file = path.rpartition("/")[2]
+        return not path.endswith(".xml") or any(file in each.source.text for each in self.package.cmake.files)
 
     def texts(self, suffixes: tuple[str, ...]) -> Iterator[str]:
+        return (text for _, text in self.named_texts(suffixes))
+
+    def named_texts(self, suffixes: tuple[str, ...]) -> Iterator[tuple[str, str]]:
         files = self.package.cmake.package_files
-        return (files.readable_text(path) for path in files.paths if path.endswith(suffixes))
+        return ((path, files.readable_text(path)) for path in files.paths if path.endswith(suffixes))
 
     def is_candidate(self, path: str) -> bool:
         """Return whether a file lies where programs do, and git keeps it."""

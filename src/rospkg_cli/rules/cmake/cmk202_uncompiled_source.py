@@ -69,8 +69,8 @@ def uncompiled_source(sources: UncompiledSources) -> Iterator[Hit]:
     the file, where the sources of a target can't be evaluated, where a command of another package may add targets, and
     where a Makefile or the like lies around the file, or one at the top names it. Where what uses a member is in a
     static library that nothing links, or a compiled library lies in the package, nothing may miss it: an info.
-    Where no launch file or page starts the node, and no launch file or description names the class, the file may be a
-    leftover: an info.
+    Where no launch file or page starts the node, and no launch file or description that CMake installs or exports names
+    the class, the file may be a leftover: an info.
     """
     for each in sources.all():
         if each.what == "node":
