@@ -606,6 +606,22 @@ def test_a_header_that_is_not_compiled_beside_others(lines: tuple[str, ...], sou
     assert including("#include <rclcpp/rclcpp.hpp>\n", cmake(*lines), **{"src/node.cpp": source}) == found
 
 
+@pytest.mark.parametrize(("used", "level"), [("my_pkg/public.hpp", "warning"), ("my_pkg/other.hpp", "info")])
+def test_a_header_for_others_that_a_package_here_includes(used: str, level: str) -> None:
+    """A package that only depends on this one, and includes something else of it, does not meet the header."""
+    other = CMAKE.replace("my_pkg", "other").replace("ament_package()", "add_executable(o src/o.cpp)\nament_package()")
+    tree = {
+        "my_pkg/package.xml": manifest("", "ament_cmake"),
+        "my_pkg/CMakeLists.txt": cmake(INSTALLED, "ament_export_include_directories(include)"),
+        "my_pkg/include/my_pkg/public.hpp": "#include <rclcpp/rclcpp.hpp>\n",
+        "other/package.xml": manifest("  <depend>NEED</depend>\n", "ament_cmake", "other").replace("NEED", "my_pkg"),
+        "other/CMakeLists.txt": other,
+        "other/src/o.cpp": f"#include <{used}>\nint main() {{}}\n",
+    }
+    found = lint_files(tree, ["DEP105"]).findings
+    assert [each.severity.value for each in found if each.location.path.startswith("my_pkg/")] == [level]
+
+
 def test_a_source_among_the_headers_is_none() -> None:
     assert including("", cmake(INSTALLED), **{"include/my_pkg/old.cpp": "#include <rclcpp/rclcpp.hpp>\n"}) == []
 

@@ -160,7 +160,9 @@ class IncludeDependencies:
         """
         installed = {row.source for row in self.table.of("header")}
         is_seen = not self.compiled and not installed.isdisjoint(use.path for use in each.uses)
-        is_seen = is_seen and self.declared.workspace.is_built_against(self.declared.facts.name)
+        name, needing = self.declared.facts.name, self.declared.workspace.needing(self.declared.facts.name)
+        is_seen = is_seen and self.declared.workspace.is_built_against(name)
+        is_seen = is_seen and any(self.offered & facts.included_headers - facts.header_files for facts in needing)
         return self.are_passed_on(each) and not is_seen
 
     def are_required(self, each: IncludedPackage) -> bool:
@@ -169,6 +171,11 @@ class IncludeDependencies:
             return True
         modules = tuple(required_modules(self.cmake))
         return any(is_named_among(name, modules) for name in each.names)
+
+    @cached_property
+    def offered(self) -> frozenset[str]:
+        """The headers of include/, as others include them."""
+        return frozenset(path.removeprefix("include/") for path in self.files.below("include/"))
 
     @cached_property
     def compiled(self) -> set[str] | None:

@@ -58,8 +58,8 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     ## When it is quiet
     What a declared dependency or a package that CMake requires certainly installs, or may, is one info, which names who
     brings it, and DEP104's where CMake requires such a package, too. So is what only files include that an option of
-    CMake must ask for, or only headers that are not compiled, where others are, or no package of the workspace builds
-    against this one, or that are not installed. Files that no target compiles, or that no CMake file names beside
+    CMake must ask for, or only headers that are not compiled, where others are, or no package of the workspace includes
+    a header of this one, or that are not installed. Files that no target compiles, or that no CMake file names beside
     neighbours named one by one, includes under `#if` (unless it asks for a macro that CMake defines in any case),
     headers that all others include under it, neighbours whose folder CMake names
     (`include_directories(../other/include)`), what CMake fetches, and packages that `find_package()` names as well
