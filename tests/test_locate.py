@@ -210,6 +210,23 @@ def test_it_says_that_colcon_made_the_packages(tmp_path: Path, write, files: lis
     assert bool(found) is bool(says)
 
 
+@pytest.mark.parametrize(
+    ("files", "says"),
+    [
+        (["skel/.template/a/package.xml"], "colcon does not look into `skel/.template/`, which holds 1 package"),
+        ([".ws/a/package.xml", ".ws/b/package.xml"], "colcon does not look into `.ws/`, which holds 2 packages"),
+        ([".a/package.xml", "b/.c/package.xml"], "colcon does not look into `.a/` and another folder that"),
+        ([".git/modules/a/package.xml", ".venv/a/package.xml"], ""),
+        ([".ws/README.md"], ""),
+    ],
+)
+def test_it_says_that_packages_lie_below_a_dot(tmp_path: Path, write, files: list[str], says: str) -> None:
+    write(tmp_path, dict.fromkeys(files, ""))
+    found = locate([tmp_path]).hidden
+    assert found.startswith(says)
+    assert bool(found) is bool(says)
+
+
 def test_folders_of_others_hide_packages_too(tmp_path: Path) -> None:
     (tmp_path / "third_party" / "one").mkdir(parents=True)
     (tmp_path / "third_party" / "one" / "package.xml").write_text("<package/>")

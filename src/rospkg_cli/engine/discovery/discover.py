@@ -32,6 +32,8 @@ class PassedBy:
         """With a CMakeLists.txt and no package.xml."""
         self.outputs: list[Path] = []
         """What a build made, which is not looked into."""
+        self.dotted: list[Path] = []
+        """Those whose names begin with a dot, which colcon does not look into."""
 
 
 def packages_below(
@@ -77,6 +79,8 @@ def crawl(root: Path, found: dict[str, Path], passed: PassedBy, given: bool, mar
         else:
             passed.plain += [folder] if "CMakeLists.txt" in entries else []
             shown = [entry for name, entry in entries.items() if not name.startswith(".")]  # as colcon's crawl does
+            hidden = (entry for name, entry in entries.items() if name.startswith("."))
+            passed.dotted += [Path(each.path) for each in hidden if each.is_dir(follow_symlinks=False)]
             waiting += [Path(each.path) for each in shown if each.is_dir(follow_symlinks=False)]
             yield from sorted(Path(each.path) for each in shown if each.is_symlink() and is_folder(each))
 

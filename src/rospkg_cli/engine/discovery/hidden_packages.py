@@ -21,7 +21,7 @@ def describe_hidden(paths: Iterable[Path]) -> str:
     passed = PassedBy()
     found = [(top, p) for top in tops for p in packages_below(top, marked=True, passed=passed)]
     if not found:
-        return describe_made(tops, passed.outputs)
+        return describe_made(tops, passed.outputs) or describe_dotted(tops, passed.dotted)
     marks = {hiding_path(top, package).relative_to(top).as_posix(): None for top, package in found}
     others = {1: "", 2: " and another marker"}.get(len(marks), f" and {len(marks) - 1} other markers")
     count = "1 package" if len(found) == 1 else f"{len(found)} packages"
@@ -36,6 +36,21 @@ def describe_made(tops: Sequence[Path], outputs: Iterable[Path]) -> str:
     top = next(top for top in tops if made[0].is_relative_to(top))
     others = {1: "", 2: " and another folder"}.get(len(made), f" and {len(made) - 1} other folders")
     return f"the packages below `{made[0].relative_to(top).as_posix()}/`{others} are made by colcon and do not count"
+
+
+def describe_dotted(tops: Sequence[Path], dotted: Iterable[Path]) -> str:
+    """Return a clause on the folders with a dot before their names that hold packages; "" for none."""
+    held = {each: len(list(packages_below(each))) for each in sorted(dotted)}
+    holding = [each for each, count in held.items() if count]
+    if not holding:
+        return ""
+    count = sum(held.values())
+    top = next(top for top in tops if holding[0].is_relative_to(top))
+    others = {1: ", which holds", 2: " and another folder that hold"}.get(
+        len(holding), f" and {len(holding) - 1} other folders that hold"
+    )
+    packages = "1 package" if count == 1 else f"{count} packages"
+    return f"colcon does not look into `{holding[0].relative_to(top).as_posix()}/`{others} {packages}"
 
 
 def hidden_packages(paths: Iterable[Path]) -> list[tuple[Path, Path]]:

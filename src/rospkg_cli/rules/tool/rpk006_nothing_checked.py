@@ -23,7 +23,8 @@ def nothing_checked(nothing: NoPackagesFound) -> Iterator[Hit]:
     ## What it does
     Reports that no package was found under the given paths.
     There is no folder with a package.xml that isn't hidden by COLCON_IGNORE, AMENT_IGNORE or CATKIN_IGNORE. What colcon
-    made, below `build/` and `install/`, does not count.
+    made, below `build/` and `install/`, does not count, nor does what lies in a folder whose name begins with a dot:
+    colcon does not look there.
 
     ## Why is this bad?
     A run that checked nothing is not a green run. Where that is intended, as in a hook, use `--allow-empty`.
