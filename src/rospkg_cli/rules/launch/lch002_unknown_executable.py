@@ -6,13 +6,12 @@ from collections.abc import Iterator
 
 from ...checks.launch.node_executables import ExecutableUse, NodeExecutables, WellKnownUse
 from ...checks.launch.one_cause import CausedPlace
-from ...checks.launch.without_package import NodesWithoutPackage, PathUse
+from ...checks.launch.without_package import NodesWithoutPackage
 from ...edits.blank_names import blank_name
 from ...edits.caused_places import level_of, other_places
-from ...edits.offers import node_command
+from ...edits.unknown_executables import hint, not_offered, without_package
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...package.package_facts import PackageFacts
 from ...rule import rule
 
 SETUP = SETUP_PY_FOR_ALL.replace(
@@ -100,14 +99,6 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
         yield Hit(started.scope.file.path, use.executable.span, without_package(use), level)
 
 
-def not_offered(use: WellKnownUse) -> str:
-    better = use.wrong.better
-    raised = f" with \"executable '{use.name}' not found on the libexec directory\"" if "/" not in better else ""
-    hint = f"; it is called `{better}` now" if use.wrong.is_removed and better else f"; did you mean `{better}`?"
-    start = f"`{use.package}` has no executable `{use.name}`{' any more' if use.wrong.is_removed else ''}"
-    return f"{start}: the launch stops{raised}{use.why and ', '}{use.why}{hint if better else ''}"
-
-
 def other_name(places: list[CausedPlace[WellKnownUse]]) -> Fix | None:
     """Return what writes the other name wherever the old one stands as it is."""
     better = places[0].item.wrong.better
@@ -115,26 +106,6 @@ def other_name(places: list[CausedPlace[WellKnownUse]]) -> Fix | None:
     if not better or "/" in better or not edits:
         return None
     return Fix(f"start `{better}`", edits, Safety.UNSAFE)
-
-
-def without_package(use: PathUse) -> str:
-    name, when = use.executable.literal, f", {use.why}" if use.why else ""
-    ends = f"the launch stops with \"executable '{name}' not found on the PATH\"{when}"
-    packages = " or ".join(f"`{each}`" for each in use.packages[:3])
-    return f"the node has no package: {ends}; name the package: {packages}"
-
-
-def hint(node: ExecutableUse, own: PackageFacts) -> str:
-    if node.suggestion:
-        return f"did you mean `{node.suggestion}`?"
-    if node.in_folder:
-        folder = f"lib/{node.facts.name}"
-        return f"launch does not look into folders: install `{folder}/{node.in_folder}` into `{folder}` itself"
-    if node.sister:
-        return f"`{node.sister}` has one"
-    there = ", ".join(f"`{name}`" for name in node.programs[:8])
-    offered = node_command(node.facts, node.executable, own)
-    return f"it installs {there or 'no executable at all'}" + (f"; `{offered}` writes one" if offered else "")
 
 
 def rename(nodes: list[ExecutableUse], suggestion: str | None) -> Fix | None:

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
-from ...checks.params.idle_nodes import hardest, level_of
+from ...checks.params.idle_nodes import hardest
 from ...checks.params.launched_names import unknown_to_known
 from ...checks.params.unknown_parameters import UnknownParameters, unread
+from ...edits.dropped_values import also, dropped_value
 from ...edits.fault_hits import hits
 from ...edits.parameter_names import renamed
 from ...edits.plain_names import only_plain_names
 from ...example import Example, manifest
 from ...finding import Hit, Related, Safety, Severity
 from ...rule import rule
-from ...source import Span
 
 NODE = """\
 class Talker : public rclcpp::Node
@@ -121,19 +121,9 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         level = Severity.INFO if scope.readers.is_idle(file.path, parameter.key.span) else None
         yield Hit(file.path, parameter.key.span, f"{message}; `{other}` has `{meant}` in its place", level)
     names = (*scope.launched.unknown(), *unknown_to_known(scope.known))
-    for named in hardest(((each.path, each.span, each.meant), each) for each in names):
-        more, (softer, why) = " any more" if named.is_removed else "", level_of(named.start)
-        is_mild = (
-            more
-            or softer == "info"
-            or not named.is_certain
-            or named.is_default
-            or scope.readers.is_idle(named.path, named.span)
-        )
-        message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped{why}"
-        others, level = also(named.path, named.others), Severity.INFO if is_mild else None
-        hint = f"did you mean `{named.meant}`?" if named.meant else "declare it, or take it out"
-        yield Hit(named.path, named.span, f"{message}; {hint}", level, others)
+    yield from (
+        dropped_value(scope, each) for each in hardest(((each.path, each.span, each.meant), each) for each in names)
+    )
     for path, fault in (*scope.strange_names(), *scope.repeated_reads()):
         yield from hits(path, [fault])
     for limit in scope.joints.mistyped():
@@ -142,7 +132,3 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     for read in scope.unknown_reads():
         softer, what = scope.told_of(read)
         yield Hit(read.path, read.span, what, Severity(softer), also(read.path, (span for _, span in read.more)))
-
-
-def also(path: str, spans: Iterable[Span]) -> tuple[Related, ...]:
-    return tuple(Related(path, span, "and this one") for span in spans)

@@ -125,8 +125,7 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
 def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity | None, str]:
     """Return the level and the message: an error only where xacro stops at what a launch file opens."""
     best = missing_fault(scope, missing)
-    stops = missing.is_include and scope.launched.has(scope.robot.path)
-    level = best.level or (None if stops else "warning")
+    level = best.level or (None if missing.is_include and scope.launched.has(scope.robot.path) else "warning")
     return Severity(level) if level else None, best.message + advice(missing)
 
 
