@@ -26,6 +26,7 @@ from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.languages.python.nodes import nodes_of_kind
 from rospkg_cli.languages.xml import parser as xml_parser
 from rospkg_cli.languages.yaml import nodes as yaml_nodes
+from rospkg_cli.package.params import node_names
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
 
@@ -88,6 +89,23 @@ def test_a_file_is_looked_for_with_its_folder_once(monkeypatch: pytest.MonkeyPat
     lint_files({"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE, **copies}, ["URD001", "URD002"])
     assert len(asked) == len(copies)
     assert max(asked.values()) == 1
+
+
+def test_what_many_programs_share_is_read_for_nodes_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    read: Counter[str] = Counter()
+    real = node_names.of_cpp
+    monkeypatch.setattr(node_names, "of_cpp", lambda text: read.update([text]) or real(text))
+    lines = "".join(f"add_executable(p{n} src/p{n}.cpp)\n" for n in range(9))
+    programs = {f"src/p{n}.cpp": f'#include "my_pkg/base.hpp"\nint main() {{}} // {n}\n' for n in range(9)}
+    files = {
+        "package.xml": manifest("", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace("ament_package", f"{lines}ament_package"),
+        "include/my_pkg/base.hpp": "class Base;\n",
+        "src/base.cpp": '#include "my_pkg/base.hpp"\n',
+    }
+    lint_files({**files, **programs}, ["PRM003"])
+    assert len(read) == len(programs) + 2
+    assert max(read.values()) == 1
 
 
 @pytest.mark.parametrize("name", ["my_robot_examples", "my_robot_nav"])
