@@ -23,6 +23,7 @@ from .home_path_texts import CPP, MARKUP
 from .reached_definitions import is_collected
 from .reached_modules import NAMING, PAGES, SCRIPTS, ReachedModules
 from .setup.linked_build import build_texts
+from .unrun_tests import is_unregistered
 
 KINDS: tuple[InstallKind, ...] = ("executable", "share", "module", "other")
 BESIDE = ("CMakeLists.txt", ".cmake", "Makefile")
@@ -42,6 +43,8 @@ class LeftFiles:
         """Return whether nothing that is known compiles, installs, imports, starts or names a file."""
         if path.endswith(CPP):
             return self.is_uncompiled(path)
+        if role_of(path) == "test" and path.endswith(".py") and self.package.build_type != "ament_python":
+            return is_unregistered(path, self.cmake) and not self.is_named(path)
         if not path.endswith((".py", *MARKUP)) or path in ("setup.py", *self.entries) or is_collected(path):
             return False
         if path.endswith(".py") and self.reached is not None and self.reached.is_left(path):

@@ -23,8 +23,13 @@ def is_never_run(path: str, files: PackageFiles, cmake: CMake | None, build_type
     if build_type == "ament_python":
         asked = (files.readable_text(each) for each in ("setup.cfg", "pytest.ini", "pyproject.toml", "tox.ini"))
         return is_launched and not SOUGHT.fullmatch(name) and not any("python_files" in each for each in asked)
-    is_known = cmake is not None and cmake.is_complete and not cmake.reads_unknown_files
-    if cmake is None or not is_known or not (is_launched or SOUGHT.fullmatch(name)):
+    return bool(is_launched or SOUGHT.fullmatch(name)) and is_unregistered(path, cmake)
+
+
+def is_unregistered(path: str, cmake: CMake | None) -> bool:
+    """Return whether no command of CMake names a file of tests or its folder, but for those that install it."""
+    name = posixpath.basename(path)
+    if cmake is None or not cmake.is_complete or cmake.reads_unknown_files:
         return False
     calls = [each for each in cmake.calls if each.name not in COPYING]
     testing = [each for each in calls if "test" in each.name]
