@@ -33,7 +33,7 @@ LEFT, IN_TEST = "; nothing starts or imports this module", "; only a test runs i
 UNCALLED, UNREACHED = "; nothing calls this method", "; nothing here leads to this function"
 OFF, BY_PATH = "; a switch turns it off that nothing throws", "; it runs only where the file is started by its path"
 REPLACED, UNUSED = "; the class is defined again below", "; its object is made and never used"
-NEVER = (LEFT, UNCALLED, UNREACHED, WHY["late"], BY_PATH, OFF, REPLACED, UNUSED)
+NEVER = (LEFT, UNCALLED, UNREACHED, WHY["late"], WHY["branch"], BY_PATH, OFF, REPLACED, UNUSED)
 REASONS = (
     (FieldUses.is_uncalled, UNCALLED),
     (FieldUses.is_unreached, UNREACHED),
@@ -44,6 +44,7 @@ REASONS = (
     (FieldUses.is_called_with_care, "; who calls it catches that"),
     (FieldUses.is_replaced, REPLACED),
     (FieldUses.is_idle, UNUSED),
+    (FieldUses.is_conditional, WHY["branch"]),
 )
 """Why a use seldom runs, where that is true of all places."""
 
@@ -54,12 +55,13 @@ REASONS = (
     over=FieldUses,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a branch of its function, nothing comes to the place as a rule, who calls it "
-        "catches that, only a test runs it, it is in a program that nothing starts, beside others that are started, or "
-        "a message is made with it and the pages do not say that the package is for Humble or older alone",
-        Severity.INFO: "nothing starts or imports the module, calls the method, or leads to the function, it stands "
-        "behind `rclpy.spin`, a switch turns it off, its object is never used, its class is defined again, or a "
-        "message is made with it and the pages name Jazzy or newer alone, or the run ends before, at another fault",
+        Severity.WARNING: "nothing comes to the place as a rule, who calls it catches that, only a test runs it, it is "
+        "in a program that nothing starts, beside others that are started, or a message is made with it and the pages "
+        "do not say that the package is for Humble or older alone",
+        Severity.INFO: "it is in a branch of its function, nothing starts or imports the module, calls the method, or "
+        "leads to the function, it stands behind `rclpy.spin`, a switch turns it off, its object is never used, its "
+        "class is defined again, or a message is made with it and the pages name Jazzy or newer alone, or the run ends "
+        "before, at another fault",
     },
     examples=(
         Example(
@@ -90,16 +92,16 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a variable may hold something else, or its type or attributes are asked for; where an AttributeError is
-    caught; for what an action client is handed, a message around the feedback or result (`.feedback`), which
-    annotations often take for it; for packages outside of the workspace, unless the name is near a field or was one in
-    ROS 1; under a condition that is for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A method of an
-    object that is bound to a name which nothing reads is an info, unless its construction comes to it, as is one of a
-    class that is defined again below. A use in an `except` branch, in a function whose callers catch what it raises,
-    and in a test is a warning. A module that no entry point and no other file of the package names or imports, beside
-    others that start, is an info, and so is a function that no program leads to, what stands behind `rclpy.spin`, under
-    the `__main__` of an entry point's module, or under a switch that nothing throws; in a branch it is a warning. What
-    a message is made with (`Twist(liner=…)`) raises up to Iron: where the pages, scripts and workflows of the
-    repository name none after it, it is an error, where they name Jazzy or newer alone, an info, and else a warning.
+    caught; for what an action client is handed, a message around the feedback or result (`.feedback`); for packages
+    outside of the workspace, unless the name is near a field or was one in ROS 1; under a condition that is for ROS 1
+    (`ROS_VERSION == 1`); in files that nothing installs. A method of an object that is bound to a name which nothing
+    reads is an info, unless its construction comes to it, as is one of a class that is defined again below. A use in an
+    `except` branch, in a function whose callers catch what it raises, and in a test is a warning. A module that no
+    entry point and no other file of the package names or imports, beside others that start, is an info, and so is a
+    function that no program leads to, what stands behind `rclpy.spin`, under the `__main__` of an entry point's module,
+    under a switch that nothing throws, or in a branch. What a message is made with (`Twist(liner=…)`) raises up to
+    Iron: where the pages, scripts and workflows of the repository name none after it, it is an error, where they name
+    Jazzy or newer alone, an info, and else a warning.
 
     ## Fix safety
     The intended field is a guess.
@@ -121,8 +123,7 @@ def level_of(uses: FieldUses, places: Sequence[UnknownField], end: str) -> Sever
     levels = {uses.level_of(each) for each in places}
     if end in NEVER or levels == {"info"}:
         return Severity.INFO
-    is_mild = bool(end) or None not in levels or all(map(uses.is_conditional, places))
-    return Severity.WARNING if is_mild else None
+    return Severity.WARNING if end or None not in levels else None
 
 
 def unrun(uses: FieldUses, places: Sequence[UnknownField]) -> str:
