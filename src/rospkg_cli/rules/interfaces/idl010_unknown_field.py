@@ -107,16 +107,15 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     The intended field is a guess.
     """
     for fields in together(uses.unknown()):
-        first, *others = (use for field in fields for use in field)
+        first, *others = every = [use for field in fields for use in field]
         fix = None
         if first.near:
-            edits = tuple(Edit(each.path, each.span, first.near) for each in (first, *others))
+            edits = tuple(Edit(each.path, each.span, first.near) for each in every)
             fix = Fix(f"write `{first.near}`", edits, Safety.UNSAFE)
         related = tuple(Related(each.path, each.span, "and here") for each in others)
         names = [field[0].name for field in fields]
-        end = unrun(uses, (first, *others))
-        level = level_of(uses, (first, *others), end)
-        yield Hit(first.path, first.span, f"{message(first, names)}{end}", level, related, fix)
+        end = unrun(uses, every)
+        yield Hit(first.path, first.span, f"{message(first, names)}{end}", level_of(uses, every, end), related, fix)
 
 
 def level_of(uses: FieldUses, places: Sequence[UnknownField], end: str) -> Severity | None:
