@@ -878,6 +878,37 @@ def test_a_type_of_what_is_included_found_or_declared_is_told_once() -> None:
     assert len(of_cpp(text + text)) == 1
 
 
+@pytest.mark.parametrize(
+    ("code", "lines", "source", "key"),
+    [
+        ("DEP104", "find_package(Eigen3 REQUIRED)", "int main() {}", "eigen"),
+        ("DEP105", "add_executable(node src/node.cpp)", "#include <std_msgs/msg/string.hpp>", "std_msgs"),
+        ("DEP115", "add_executable(node src/node.cpp)\ntarget_link_libraries(node modbus)", "", "libmodbus-dev"),
+    ],
+)
+def test_what_rosdep_installs_for_another_package_is_there_to_build(
+    code: str, lines: str, source: str, key: str
+) -> None:
+    own = {f"own/{path}": each for path, each in existing_files(BACKDROPS["ament_cmake"]).items()}
+    own |= {"own/CMakeLists.txt": cmake(lines), "own/src/node.cpp": f"{source}\n"}
+    beside = {each: body.format(key) for each, body in BESIDE.items()}
+    released = {**beside, "tracks.yaml": "tracks: {}\n"}
+    for others, level in (({}, "warning"), (beside, "info"), (released, "warning")):
+        (found,) = lint_files({**own, **others}, [code]).findings
+        assert found.severity.value == level
+
+
+def test_what_lies_in_the_workspace_is_built_only_where_it_is_declared() -> None:
+    own = {**{f"own/{each}": body for each, body in PYTHON.items()}, "own/my_pkg/a.py": "import tool.a\n"}
+    tool = {f"tool/{each}": body.replace("my_pkg", "tool") for each, body in PYTHON.items()}
+    tool = {path.replace("my_pkg", "tool"): text for path, text in tool.items()}
+    tool |= {"tool/tool/__init__.py": "", "tool/tool/a.py": "", "tool/resource/tool": ""}
+    beside = {each: body.format("tool") for each, body in BESIDE.items()}
+    (found,) = lint_files({**own, **tool, **beside}, ["DEP101"]).findings
+    assert "--packages-up-to" in found.message
+    assert found.severity.value == "warning"
+
+
 STARTS_JOY = '<launch><node pkg="joy" exec="joy_node"/></launch>\n'
 LOOKS_UP = (
     "from ament_index_python.packages import get_package_share_directory\nA = get_package_share_directory('joy')\n"
@@ -908,10 +939,13 @@ def test_what_a_package_beside_this_one_declares_is_missing_in_a_release(
     own = {f"own/{each}": body for each, body in PYTHON.items()}
     before = text + PYTHON["setup.py"] if path == "setup.py" else text
     beside = {each: body.format(name) for each, body in BESIDE.items()}
-    for others, where in (({}, "on a clean machine"), (beside, harm)):
+    released = {**beside, "tracks.yaml": "tracks: {}\n"}
+    for others, where, level in (
+        ({}, "on a clean machine", "warning"), (beside, harm, "info"), (released, harm, "warning"),
+    ):  # fmt: skip
         (found,) = lint_files({**own, f"own/{path}": before, **others}, [code]).findings
         assert where in found.message
-        assert found.severity.value == "warning"
+        assert found.severity.value == level
 
 
 @pytest.mark.parametrize(
@@ -947,8 +981,9 @@ def test_what_a_package_beside_declares_is_missing_on_the_build_farm() -> None:
         "ament_package", "rosidl_generate_interfaces(${PROJECT_NAME} msg/Place.msg)\nament_package"
     )
     beside = {each: body.format("geometry_msgs") for each, body in BESIDE.items()}
-    for others, where in (({}, "on a clean machine"), (beside, "on the build farm")):
+    for others, where, level in (({}, "on a clean machine", "warning"), (beside, "on the build farm", "info")):
         (found,) = lint_files({**own, **others}, ["DEP108"]).findings
+        assert found.severity.value == level
         assert f"{where} the generated code does not build" in found.message
 
 

@@ -14,6 +14,7 @@ INFO, WARNING = "import std_msgs.msg\n", "import cv2\n"
 
 @pytest.fixture
 def package(tmp_path: Path) -> Path:
+    (tmp_path / ".git").mkdir()  # else the packages of the other tests are beside it
     files = existing_files(BACKDROPS["ament_python"])
     files |= {"package.xml": manifest("  <exec_depend>sensor_msgs</exec_depend>\n"), "my_pkg/a.py": INFO + WARNING}
     for path, text in files.items():

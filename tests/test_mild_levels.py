@@ -27,19 +27,28 @@ def levels(code: str, on: dict[str, str], files: dict[str, str]) -> list[str]:
     return [each.severity.value for each in found(code, on, files)]
 
 
+def needing(tag: str, name: str) -> str:
+    return xml208.BAD.replace("  <export>", f"  <{tag}>{name}</{tag}>\n  <export>")
+
+
+@pytest.mark.parametrize("tag", ["exec_depend", "test_depend"])
+def test_what_rosdep_installs_with_ament_cmake_is_lacked_by_releases(tag: str) -> None:
+    for more, level in (({}, "info"), ({"tracks.yaml": "tracks: {}\n"}, "warning")):
+        (finding,) = found("XML208", NATIVE, {"package.xml": needing(tag, "rclcpp"), **more})
+        assert finding.severity.value == level
+        assert "on the build farm" in finding.message
+
+
 @pytest.mark.parametrize(
     ("tag", "name", "level"),
     [
         ("depend", "rclcpp", "info"),
         ("build_depend", "rosidl_default_generators", "info"),
-        ("exec_depend", "rclcpp", "warning"),
-        ("test_depend", "rclcpp", "warning"),
         ("depend", "eigen", "warning"),
     ],
 )
 def test_ament_cmake_comes_with_what_is_there_to_build(tag: str, name: str, level: str) -> None:
-    text = xml208.BAD.replace("  <export>", f"  <{tag}>{name}</{tag}>\n  <export>")
-    (finding,) = found("XML208", NATIVE, {"package.xml": text})
+    (finding,) = found("XML208", NATIVE, {"package.xml": needing(tag, name)})
     assert finding.severity.value == level
     assert (f"it comes with `{name}` today" in finding.message) is (level == "info")
 

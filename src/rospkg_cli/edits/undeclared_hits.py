@@ -60,7 +60,7 @@ def where_absent(declared: DeclaredDependencies, *names: str, built: bool = Fals
     """
     if any(declared.workspace.named(name) for name in names):
         return f"after `colcon build --packages-up-to {declared.facts.name}`"
-    if declared.is_declared_beside(names):
+    if declared.is_lacked_by_releases(names):
         return "on the build farm" if built else "in a release"
     return "on a clean machine"
 

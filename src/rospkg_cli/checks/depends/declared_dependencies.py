@@ -17,6 +17,7 @@ from ...ros.manifest import BUILD_TYPES, CONDITIONAL_TAGS, DEPENDENCY_TAGS, EXPO
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
+from ..released import Release
 from .brought_dependencies import (
     COLCON,
     WITH_COLCON,
@@ -48,6 +49,7 @@ class DeclaredDependencies:
     manifest: Manifest
     facts: PackageFacts
     workspace: Workspace
+    release: Release
 
     @property
     def is_checked(self) -> bool:
@@ -202,6 +204,15 @@ class DeclaredDependencies:
         if any(is_declared_by_others(name, self.facts, here, self.workspace) for name in names):
             return True
         return not brought_in(here, self.workspace).keys().isdisjoint(names)
+
+    def is_lacked_by_releases(self, names: Iterable[str]) -> bool:
+        """Return whether only who installs the package alone lacks what it does not declare, as a release does.
+
+        rosdep installs what any package of the repository declares; but colcon builds a package of the workspace only
+        where it is asked for all, or a package that is asked for declares it.
+        """
+        names = [*names]
+        return not any(map(self.workspace.named, names)) and self.is_declared_beside(names)
 
     @cached_property
     def commented_out(self) -> frozenset[str]:

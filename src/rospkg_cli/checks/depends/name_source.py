@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterable
 from typing import Literal
 
 from ...ros.distros import DISTROS, Targets
@@ -48,3 +49,22 @@ def is_left_out(declared: DeclaredDependencies, name: str) -> bool:
     source = source_of(declared, name)
     is_elsewhere = source == "pip" or (source == "unknown" and not declared.workspace.is_complete)
     return is_elsewhere or name in declared.commented_out
+
+
+def is_unmet(declared: DeclaredDependencies, name: str, serving: Iterable[str] = ()) -> bool:
+    """Return whether nobody is known to meet the lack of a dependency, by its name and others that would do.
+
+    It is missing on purpose, or another package of the repository declares it, which nobody shows to be released.
+    """
+    return is_left_out(declared, name) or is_lacked_by_nobody(declared, (name, *serving))
+
+
+def is_lacked_by_nobody(declared: DeclaredDependencies, names: Collection[str]) -> bool:
+    """Return whether only a release lacks what rosdep installs for another package, and nothing shows a release."""
+    is_there = declared.is_lacked_by_releases(names) and is_installable(declared, names)
+    return is_there and not declared.release.is_made
+
+
+def is_installable(declared: DeclaredDependencies, names: Iterable[str]) -> bool:
+    """Return whether anybody knows where one of some names comes from."""
+    return any(source_of(declared, name) != "unknown" for name in names)

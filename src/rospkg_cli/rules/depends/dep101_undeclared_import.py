@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...checks.depends.hand_installs import BY_PAGE
-from ...checks.depends.name_source import is_left_out
+from ...checks.depends.name_source import is_unmet
 from ...checks.depends.undeclared_imports import ImportDependencies, ImportUse, UndeclaredImport
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
@@ -31,8 +31,9 @@ OPTIONAL = "; this module is imported only where that may fail"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment, "
-        "where only PyPI has it or the repository has it installed by pip or by hand, where nothing but launch files, "
-        "only `try`, or nothing at all imports the module, and where nothing leads to the function of the import"
+        "where another package of an unreleased repository declares it, where only PyPI has it or the "
+        "repository has it installed by pip or by hand, where nothing but launch files, only `try`, "
+        "or nothing at all imports the module, and where nothing leads to the function of the import"
     },
     examples=(
         Example(
@@ -64,7 +65,8 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     ## Why is this bad?
     It works where the module happens to be installed. On a clean machine `rosdep install` skips what package.xml does
     not name, and the node ends with ModuleNotFoundError; a released package is broken for all users, also where
-    another package beside it declares the same.
+    another package beside it declares the same. Who builds the repository from source has what any package of it
+    declares: that is an info where nothing shows a release.
 
     ## When it is quiet
     Of a file that imports `rospy` only that is said, for nothing behind it runs, and of several such files once. What a
@@ -130,6 +132,6 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
         end = end or (BY_PAGE if imports.is_by_hand(missing) else "")
     message = f"`{missing.name}` is imported{shown} and not declared: {what}; {todo}{end}"
     places = related((place.path, place.span) for place in missing.places)
-    mild = bool(end) or is_launch or is_left_out(declared, missing.name)
+    mild = bool(end) or is_launch or is_unmet(declared, missing.name, imports.serving(missing))
     fix = declaration(declared, kind, missing.name)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.hand_installs import BY_PAGE
-from ...checks.depends.name_source import is_left_out
+from ...checks.depends.name_source import is_unmet
 from ...checks.depends.undeclared_imports import ImportDependencies
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
@@ -21,9 +21,10 @@ NEVER_RUN = "; `colcon test` does not run this file today"
     over=ImportDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a declared dependency or colcon brings or may bring it, package.xml has it in a comment, "
-        "a page tells to install it by hand, setup.py does not ask for pytest, or `colcon test` does not run the file "
-        "or comes to the function"
+        Severity.INFO: "where a declared dependency or colcon brings or may bring it, another package of an "
+        "unreleased repository declares it, package.xml has it in a comment, a page tells to install "
+        "it by hand, setup.py does not ask for pytest, or `colcon test` does not run the file or "
+        "comes to the function"
     },
     examples=(
         Example(
@@ -48,7 +49,8 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
     What a declared dependency certainly installs can't be missing, nor can pytest, which colcon needs itself: that is
     one info, which names who brings it. What may come with a declared one is another: with a package that is neither
     here nor in the table of what is installed with what, anything may come. It is an info, too, where setup.py does not
-    ask for pytest: `colcon test` runs unittest then; and for a launch test that CMake does not register, or whose name
+    ask for pytest: `colcon test` runs unittest then; where another package of the repository declares it and nothing
+    shows a release; and for a launch test that CMake does not register, or whose name
     pytest does not look for. Left out are optional imports, helpers that no test uses,
     launch_ros and launch_testing where a declared dependency certainly brings them, and what installed code imports as
     well (DEP101).
@@ -78,7 +80,7 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
         end = NEVER_RUN if imports.are_never_run(missing.places) else imports.why_seldom(missing.places)
         end = end or (BY_PAGE if imports.is_by_hand(missing) else "")
         places = related((place.path, place.span) for place in missing.places)
-        is_mild = bool(end) or is_left_out(declared, missing.name) or not imports.has_pytest
+        is_mild = bool(end) or is_unmet(declared, missing.name, imports.serving(missing)) or not imports.has_pytest
         level = Severity.INFO if is_mild else None
         fix = declaration(declared, "test_depend", missing.name)
         yield Hit(first.path, first.span, f"{message}{end}", level, places, fix)

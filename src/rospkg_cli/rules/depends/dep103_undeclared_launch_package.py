@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.name_source import is_left_out
+from ...checks.depends.name_source import is_unmet
 from ...checks.depends.undeclared_launch_packages import LaunchDependencies
 from ...checks.launch.absent_package import ends_with
 from ...checks.launch.package_references import PackageReference
@@ -46,8 +46,9 @@ BAD_XML = """\
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "for launch itself, which users of launch files have, where a declared dependency brings it, "
-        "where an argument must turn it on, for examples, for launch files that nothing installs or names, for what no "
-        "launch comes to, for nodes that other code describes, and where package.xml has it in a comment"
+        "where an argument must turn it on, for examples, for launch files that nothing installs or "
+        "names, for what no launch comes to, for nodes that other code describes, where another "
+        "package of an unreleased repository declares it, and where package.xml has it in a comment"
     },
     examples=(
         Example(
@@ -84,9 +85,9 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     (`sim:=true`) is an info that names the argument; so are packages for examples, what only launch files need that
     nothing installs and no page or other file names, what stands in a function that nothing calls or behind
     `if="false"`, and unknown packages where a `.repos` file lists repositories that are not here, or a README links to
-    theirs. Left out are computed names, uses that catch PackageNotFoundError or ask
-    first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, actions that nothing adds, and what a module
-    imports too (DEP101).
+    theirs, and what another package of the repository declares where nothing shows a release. Left out are computed
+    names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS
+    1, actions that nothing adds, and what a module imports too (DEP101).
 
     ## Fix safety
     The fix is unsafe where no released package has the name, where a comment of package.xml leaves it out, or where
@@ -128,7 +129,7 @@ def undeclared(launch: LaunchDependencies, tag: str, name: str, uses: list[Packa
             f"`{name}` is not declared, and this launch file {first.does} it: {ends}; {advice(declared, tag, name)}"
         )
         fix_or_none = declaration(declared, tag, name)
-    is_meant = meant is None and (is_left_out(declared, name) or launch.is_told(name))
+    is_meant = meant is None and (is_unmet(declared, name) or launch.is_told(name))
     is_aside = tag == "exec_depend" and launch.is_for_examples(name, uses)
     is_aside = is_aside or launch.is_left(uses)
     mild = is_meant or is_aside or first.only_with or all(use.is_usual for use in uses)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.hand_installs import BY_PAGE
-from ...checks.depends.name_source import is_left_out
+from ...checks.depends.name_source import is_unmet
 from ...checks.depends.undeclared_includes import IncludeDependencies
 from ...edits.undeclared_hits import advice, brought_includes, declaration, left_to_others, related, tag_of
 from ...example import CMAKE, Example, manifest
@@ -29,8 +29,9 @@ MAIN = "int main() {return 0;}\n"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a dependency brings it, or may bring it, as an empty submodule may, a page tells to "
-        "install it by hand, package.xml has it in a comment, or no file that includes it is compiled, or installed "
-        "where a package of the workspace builds against this one"
+        "install it by hand, another package of an unreleased repository declares it, package.xml has "
+        "it in a comment, or no file that includes it is compiled, or installed where a package of "
+        "the workspace builds against this one"
     },
     examples=(
         Example(
@@ -67,7 +68,8 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     CMake looks for without need, where only what includes them waits for it, what is declared under a condition that
     does not hold (`$ROS_VERSION == 1`), where no build is sure to compile what includes it, and types whose package
     comes with another undeclared one. What an empty submodule that CMake looks into may hold is an info, and a library
-    that a page tells to install by hand.
+    that a page tells to install by hand, and what another package of the repository declares where nothing shows a
+    release.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -87,7 +89,7 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
             f"{advice(declared, kind, name)}"
         )
         places = related((use.path, use.span) for use in each.uses)
-        is_mild = is_left_out(declared, name) or includes.are_optional(each) or includes.are_idle(each)
+        is_mild = is_unmet(declared, name, each.names) or includes.are_optional(each) or includes.are_idle(each)
         by_page = BY_PAGE if includes.are_by_hand(each.cmake, each.names, [use.header for use in each.uses]) else ""
         is_mild = is_mild or includes.may_be_submodule(each) or bool(by_page)
         level = Severity.INFO if is_mild else None

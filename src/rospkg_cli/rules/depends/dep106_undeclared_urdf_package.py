@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.name_source import is_left_out
+from ...checks.depends.name_source import is_unmet
 from ...checks.depends.robot_uses import RobotUse, RobotUses
 from ...checks.enumeration import enumerated
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
@@ -34,9 +34,10 @@ Visualization Manager:
     over=RobotUses,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "for plugins of robots and of RViz configs, in a package that launches nothing, in a file that "
-        "nothing opens, and where an argument must turn it on, a declared dependency brings or may bring it, or "
-        "package.xml has it in a comment"
+        Severity.INFO: "for plugins of robots and of RViz configs, in a package that launches nothing, in a file "
+        "that nothing opens, and where an argument must turn it on, a declared dependency brings or "
+        "may bring it, another package of an unreleased repository declares it, or package.xml has it "
+        "in a comment"
     },
     examples=(
         Example(
@@ -75,7 +76,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     without them. So is a controller that is not spawned where launch files spawn others of its file, or load none at
     all, one whose type is in a comment, a plugin that no list beside it names (`plugins: [static_layer]`), a type that
     comes with the node which loads it (`geometry_msgs` with joy_teleop), and what a robot needs that nothing opens,
-    beside others, or only where an argument turns it on (`GAZEBO:=true`).
+    beside others, or only where an argument turns it on (`GAZEBO:=true`),
+    and what another package of the repository declares where nothing shows a release.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. Where this
@@ -105,7 +107,7 @@ def undeclared(robots: RobotUses, tag: str, name: str, uses: list[RobotUse]) -> 
     todo = f"did you mean `{meant}`{having(files)}?" if meant else advice(declared, tag, name)
     message = f"`{name}` is not declared, {first.usage}: {where_absent(declared, name)} {first.consequence}; {todo}"
     fix = None if meant else declaration(declared, tag, name)
-    mild = is_left_out(declared, name) or all(use.is_optional for use in uses)
+    mild = is_unmet(declared, name) or all(use.is_optional for use in uses)
     places = related((use.path, use.span) for use in uses)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)
 

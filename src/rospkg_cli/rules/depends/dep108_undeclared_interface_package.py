@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ...checks.depends.interface_types import InterfaceTypeDependencies, InterfaceTypeUse
-from ...checks.depends.name_source import is_left_out
+from ...checks.depends.name_source import is_unmet
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
@@ -30,7 +30,8 @@ RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "no package has that name, and one has nearly it",
-        Severity.INFO: "where a declared dependency brings or may bring it, or package.xml has it in a comment",
+        Severity.INFO: "where a declared dependency brings or may bring it, another package of an unreleased "
+        "repository declares it, or package.xml has it in a comment",
     },
     examples=(
         Example(
@@ -60,7 +61,8 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
     ## When it is quiet
     Interface files that CMakeLists.txt does not generate are left alone (see IDL005). What a declared dependency
     certainly installs is one info, which names who brings it. What may come with a declared one is another: with a
-    package that is neither here nor in the table of what is installed with what, anything may come.
+    package that is neither here nor in the table of what is installed with what, anything may come. What another
+    package of the repository declares is an info where nothing shows a release: rosdep installs it for both.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -84,7 +86,7 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
             f"not build; {advice(declared, 'depend', name)}"
         )
         places = related((use.path, use.span) for use in uses)
-        level = Severity.INFO if is_left_out(declared, name) else None
+        level = Severity.INFO if is_unmet(declared, name) else None
         yield Hit(first.path, first.span, message, level, places, declaration(declared, "depend", name))
     yield from left_to_others(declared, brought, "used in interfaces")
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.bare_libraries import BareLibraries
 from ...checks.depends.linked_libraries import LinkedLibraries
-from ...checks.depends.name_source import is_left_out
+from ...checks.depends.name_source import is_lacked_by_nobody, is_unmet
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
@@ -40,7 +40,10 @@ def example(lines: str, key: str, more: str = "") -> Example:
     "undeclared-library",
     over=LinkedLibraries,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where a dependency brings it, or may bring it, or package.xml has it in a comment"},
+    levels={
+        Severity.INFO: "where a dependency brings it, or may bring it, another package of an unreleased repository "
+        "declares it, or package.xml has it in a comment"
+    },
     examples=(
         example(LINKS, "libmodbus-dev"),
         example(FINDS, "libgpiod-dev"),
@@ -62,8 +65,9 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
 
     ## When it is quiet
     What a declared dependency certainly installs is one info, which names who brings it, and what may come with one is
-    another. Targets and library files of the package are left alone, what CMake downloads or takes from a folder of its
-    own (`link_directories()`, `HINTS`), calls under a condition, and libraries that DEP104 or DEP105 tell of.
+    another, as is what another package of the repository declares where nothing shows a release. Targets and library
+    files of the package are left alone, what CMake downloads or takes from a folder of its own (`link_directories()`,
+    `HINTS`), calls under a condition, and libraries that DEP104 or DEP105 tell of.
 
     ## Fix safety
     The fix is unsafe where a comment of package.xml leaves the library out.
@@ -82,7 +86,7 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
             f"`{key}` is not declared, and CMake needs `{each.name}` of it: the build stops where nothing else "
             f"brings it; {advice(declared, kind, key)}"
         )
-        level = Severity.INFO if is_left_out(declared, key) else None
+        level = Severity.INFO if is_unmet(declared, key, each.keys) else None
         yield Hit(each.path, each.span, message, level, fix=declaration(declared, kind, key))
     yield from left_to_others(declared, brought, "needed by CMake")
     for bare in BareLibraries(libraries).all():
@@ -91,5 +95,5 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
             f"`{bare.key}` has neither headers nor what the linker reads, and the build needs `{bare.what}`: where "
             f"nothing else brings it, it stops here; {advice(declared, kind, bare.wanted)}"
         )
-        level = Severity.INFO if bare.may_be_brought else None
+        level = Severity.INFO if bare.may_be_brought or is_lacked_by_nobody(declared, [bare.wanted]) else None
         yield Hit(bare.path, bare.span, message, level, fix=declaration(declared, kind, bare.wanted))

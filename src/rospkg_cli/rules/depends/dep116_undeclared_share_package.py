@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.name_source import is_left_out
+from ...checks.depends.name_source import is_unmet
 from ...checks.looked_up_packages import LookedUpPackages
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
@@ -25,8 +25,8 @@ NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
     over=LookedUpPackages,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "a dependency brings or may bring it, package.xml has it in a comment, an `if` chooses it, or "
-        "nothing leads to the place"
+        Severity.INFO: "a dependency brings or may bring it, another package of an unreleased repository declares "
+        "it, package.xml has it in a comment, an `if` chooses it, or nothing leads to the place"
     },
     examples=(
         Example(
@@ -52,7 +52,8 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     launched as well is told by DEP101, DEP105 and DEP103. Code that catches the exception, tests, and files that
     nothing installs are left alone. What an `if` chooses, whose other branch looks for another package, is an info, and
     so is what stands in a module that nothing starts or imports, in a function that nothing calls, or in a source that
-    no target compiles, beside others.
+    no target compiles, beside others, and what another package of the repository declares where nothing shows a
+    release.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -73,7 +74,7 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
             f"`{name}` is not declared, and this looks for files of it: {where_absent(declared, name)} the node "
             f"ends with PackageNotFoundError; {advice(declared, 'exec_depend', name)}{first.why_seldom}"
         )
-        is_mild = is_left_out(declared, name) or all(each.is_chosen or each.why_seldom for each in places)
+        is_mild = is_unmet(declared, name) or all(each.is_chosen or each.why_seldom for each in places)
         level = Severity.INFO if is_mild else None
         places_beside = related((each.path, each.span) for each in places)
         yield Hit(first.path, first.span, message, level, places_beside, declaration(declared, "exec_depend", name))

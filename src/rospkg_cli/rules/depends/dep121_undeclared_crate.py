@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.cargo_needs import CARGO, CargoNeeds
-from ...checks.depends.name_source import is_left_out
+from ...checks.depends.name_source import is_unmet
 from ...edits.undeclared_hits import advice, comes_with, declaration, where_absent
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
@@ -34,7 +34,10 @@ def example(table: str, tag: str) -> Example:
     "undeclared-crate",
     over=CargoNeeds,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where a declared dependency brings or may bring it, or package.xml has it in a comment"},
+    levels={
+        Severity.INFO: "where a declared dependency brings or may bring it, another package of an unreleased "
+        "repository declares it, or package.xml has it in a comment"
+    },
     examples=(example("", "depend"), example("dev-", "test_depend")),
 )
 def undeclared_crate(needs: CargoNeeds) -> Iterator[Hit]:
@@ -50,7 +53,8 @@ def undeclared_crate(needs: CargoNeeds) -> Iterator[Hit]:
 
     ## When it is quiet
     A crate with a path, a repository or a registry of its own is left alone, and so is one that is optional, that is
-    asked for in a certain version, or that `.cargo/config.toml` or `[patch]` may point elsewhere.
+    asked for in a certain version, or that `.cargo/config.toml` or `[patch]` may point elsewhere. What another package
+    of the repository declares is an info where nothing shows a release.
 
     ## References
     - https://github.com/ros2-rust/ros2_rust
@@ -64,5 +68,5 @@ def undeclared_crate(needs: CargoNeeds) -> Iterator[Hit]:
             continue
         where = where_absent(declared, need.name, built=True)
         message = f"{start}: {where} cargo finds no such package; {advice(declared, need.tag, need.name)}"
-        level = Severity.INFO if is_left_out(declared, need.name) else None
+        level = Severity.INFO if is_unmet(declared, need.name) else None
         yield Hit(CARGO, need.span, message, level, fix=fix)

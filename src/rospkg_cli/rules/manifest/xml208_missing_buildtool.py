@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.name_source import is_lacked_by_nobody
 from ...checks.manifest.build_tools import BuildTools
 from ...edits.manifest import add_dependency
 from ...edits.undeclared_hits import comes_with
@@ -30,7 +31,10 @@ NOT_FOR_BUILDING = frozenset({"test_depend", "doc_depend", "exec_depend"})
     "missing-buildtool",
     over=BuildTools,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where a dependency that is declared for building brings it"},
+    levels={
+        Severity.INFO: "where a dependency that is declared for building brings it, or another package of an "
+        "unreleased repository declares it"
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -55,7 +59,8 @@ def missing_buildtool(tools: BuildTools) -> Iterator[Hit]:
     A build tool of the ament_cmake family under any tag that is there when the package is built is enough, but for
     parts such as ament_cmake_core and ament_cmake_python where CMakeLists.txt finds ament_cmake itself. A
     CMakeLists.txt that neither finds such a package nor calls `ament_package()` is left alone. Where a dependency that
-    is there to build certainly brings it, as the generators of interfaces do, it is an info.
+    is there to build certainly brings it, as the generators of interfaces do, it is an info, and
+    so it is where another package of the repository declares it and nothing shows a release.
 
     ## References
     - [ament_cmake user documentation](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Documentation.html)
@@ -80,7 +85,7 @@ def missing_buildtool(tools: BuildTools) -> Iterator[Hit]:
                 f"package.xml does not declare `{name}`, which CMakeLists.txt needs: {harm}; "
                 f"add `<buildtool_depend>{name}</buildtool_depend>`"
             )
-            level = Severity.INFO if bringer else None
+            level = Severity.INFO if bringer or is_lacked_by_nobody(tools.declared, [name]) else None
             fix = Fix(f"Add `{name}`", (add_dependency(manifest, "buildtool_depend", name),))
             yield Hit(manifest.path, manifest.span(element), message, level, fix=fix)
             return
