@@ -12,10 +12,16 @@ REQUIRED = "find_package(std_msgs REQUIRED)\n"
 
 
 def said(
-    extras: str, depends: str = "", call: str = "CONFIG_EXTRAS cmake/x.cmake", path: str = "cmake/x.cmake"
+    extras: str,
+    depends: str = "",
+    call: str = "CONFIG_EXTRAS cmake/x.cmake",
+    path: str = "cmake/x.cmake",
+    *,
+    released: bool = False,
 ) -> list:
     cmake = CMAKE.replace("ament_package()", f"ament_package({call})")
     files = {**CPP, "CMakeLists.txt": cmake, path: extras, "package.xml": manifest(depends, "ament_cmake")}
+    files |= {"tracks.yaml": "tracks: {}\n"} if released else {}
     found = lint_files(files, ["DEP111"]).findings
     return [(f.message.split("`")[1], f.severity.value) for f in found]
 
@@ -54,12 +60,16 @@ def test_what_a_file_for_others_requires(extras: str, says: bool) -> None:
     ],
 )  # fmt: skip
 def test_the_tags_that_hand_it_on(tag: str, level: str) -> None:
-    assert said(REQUIRED, need("std_msgs", tag)) == ([("std_msgs", level)] if level else [])
+    """rosdep installs what any tag names: where nothing is released, that is there."""
+    for released in (True, False):
+        told = "info" if level and not released else level
+        assert said(REQUIRED, need("std_msgs", tag), released=released) == ([("std_msgs", told)] if level else [])
 
 
 def test_what_brings_it() -> None:
     assert said(REQUIRED, need("sensor_msgs", "depend")) == []
-    assert said(REQUIRED, need("sensor_msgs", "build_depend")) == [("std_msgs", "warning")]
+    assert said(REQUIRED, need("sensor_msgs", "build_depend")) == [("std_msgs", "info")]
+    assert said(REQUIRED, need("sensor_msgs", "build_depend"), released=True) == [("std_msgs", "warning")]
     assert said(REQUIRED, need("nobody_knows", "depend")) == [("std_msgs", "info")]
 
 

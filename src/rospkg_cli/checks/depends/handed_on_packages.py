@@ -15,7 +15,9 @@ from ...ros.manifest import EXPORTED, RUNS, is_buildtool
 from ...source import Span
 from ...unreadable import UnreadableError
 from ..cmake.consumers import Consumers
+from .declared_beside import NO_INSTALL
 from .declared_dependencies import DeclaredDependencies
+from .name_source import is_installable
 from .undeclared_find_package import FindPackageDependencies
 
 RUNTIME = "rosidl_default_runtime"
@@ -34,6 +36,8 @@ class HandedOnPackage:
     span: Span
     is_certain: bool
     """Whether it is known of everything that is handed on what comes with it, and users are known of an export."""
+    is_installed: bool
+    """Whether rosdep installs it wherever the repository is built: only who gets a release lacks it."""
 
 
 @dataclass(frozen=True)
@@ -48,6 +52,22 @@ class HandedOnPackages:
         users = ({need.name for need in each.dependencies} for each in self.consumers.builders)
         return any(needs.isdisjoint(names) for needs in users)
 
+    def is_installed(self, names: Collection[str]) -> bool:
+        """Return whether this package declares what is missing for itself, or another of the repository does.
+
+        What lies in the workspace is another matter: colcon shows a package only what is handed on to it.
+        """
+        declared = self.declared
+        if any(map(declared.workspace.named, names)):
+            return False
+        own = {need.name for need in declared.facts.dependencies if need.certain and need.tag != NO_INSTALL}
+        is_declared = not own.isdisjoint(names) or declared.is_declared_beside(names)
+        return is_declared and is_installable(declared, names)
+
+    def is_met(self, names: Collection[str]) -> bool:
+        """Return whether anybody may lack what is not handed on: who gets a release, or nothing here installs it."""
+        return self.declared.release.is_made or not self.is_installed(names)
+
     def missing(self) -> Iterator[HandedOnPackage]:
         """Yield each package once, at the first call that requires it outside of blocks."""
         there, known = self.handed_on
@@ -58,8 +78,8 @@ class HandedOnPackages:
                 names = providers(name)
                 if names and name not in seen and self.declared.facts.name != name and not there.intersection(names):
                     seen.add(name)
-                    is_met = self.consumers.are_elsewhere or self.stops(names)
-                    yield HandedOnPackage(names, name, path, span, known and is_met)
+                    is_met = (self.consumers.are_elsewhere or self.stops(names)) and self.is_met(names)
+                    yield HandedOnPackage(names, name, path, span, known and is_met, self.is_installed(names))
         yield from self.exported(seen, FindPackageDependencies(self.declared, self.cmake))
 
     def exported(self, seen: set[str], needs: FindPackageDependencies) -> Iterator[HandedOnPackage]:
@@ -82,8 +102,9 @@ class HandedOnPackages:
                 seen.add(word.text)
                 bringer = self.declared.bringer_among(names, there)
                 if bringer is None or not bringer.is_certain:
-                    is_met = bringer is None and self.stops(own)
-                    yield HandedOnPackage(own, word.text, word.path, word.span, is_met)
+                    is_met = bringer is None and self.stops(own) and self.is_met(own)
+                    place, there_too = (word.path, word.span), self.is_installed(own)
+                    yield HandedOnPackage(own, word.text, *place, is_met, there_too)
 
     @cached_property
     def handed_on(self) -> tuple[frozenset[str], bool]:

@@ -22,7 +22,8 @@ EXTRAS = CMAKE.replace("ament_package()", 'ament_package(CONFIG_EXTRAS "cmake/my
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where something that is handed on may bring it, or no package of the workspace that is built "
-        "with this one lacks it, and it is no library for others"
+        "with this one lacks it, and it is no library for others, or rosdep installs it here and "
+        "nothing shows a release"
     },
     examples=(
         Example(
@@ -30,13 +31,9 @@ EXTRAS = CMAKE.replace("ament_package()", 'ament_package(CONFIG_EXTRAS "cmake/my
             bad={
                 "CMakeLists.txt": EXTRAS,
                 "cmake/my_pkg-extras.cmake": "find_package(«std_msgs» REQUIRED)\n",
-                "package.xml": manifest("  <build_depend>std_msgs</build_depend>\n", "ament_cmake"),
             },
             good={
-                "package.xml": manifest(
-                    "  <build_depend>std_msgs</build_depend>\n  <build_export_depend>std_msgs</build_export_depend>\n",
-                    "ament_cmake",
-                ),
+                "package.xml": manifest("  <build_export_depend>std_msgs</build_export_depend>\n", "ament_cmake"),
             },
             fix=Safety.SAFE,
         ),
@@ -52,13 +49,15 @@ def unexported_find_package(packages: HandedOnPackages) -> Iterator[Hit]:
     all is another matter (DEP104).
 
     ## Why is this bad?
-    On a clean machine, and on the build farm, the CMake of each package that uses this one stops with "Could not find a
-    package configuration file".
+    Where a release is installed, or nothing else brings it, the CMake of each package that uses this one stops with
+    "Could not find a package configuration file".
 
     ## When it is quiet
     What comes with a package that is handed on is there; where that is not known of each of them, it is an info. Calls
     in blocks (`if`, functions, macros) and without REQUIRED are left alone. It is an info, too, where no package of the
-    workspace is built with this one and lacks what is missing, unless it is plainly a library for others.
+    workspace is built with this one and lacks what is missing, unless it is plainly a library for others. `rosdep
+    install` installs what the packages of a repository declare for their own builds, too: such a requirement is a
+    warning only where the repository is visibly released, or where the package required lies in the workspace itself.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -72,9 +71,10 @@ def unexported_find_package(packages: HandedOnPackages) -> Iterator[Hit]:
         stops = (
             f"Could NOT find {each.cmake}" if each.cmake in OF_CMAKE else "Could not find a package configuration file"
         )
+        where = "in a release" if each.is_installed else "on a clean machine"
         message = (
-            f"every package that uses this one requires `{each.cmake}` here, and package.xml does not hand it on: on a "
-            f'clean machine their CMake stops with "{stops}"; add <{tag}>{name}</{tag}>'
+            f"every package that uses this one requires `{each.cmake}` here, and package.xml does not hand it on: "
+            f'{where} their CMake stops with "{stops}"; add <{tag}>{name}</{tag}>'
         )
         level = None if each.is_certain else Severity.INFO
         yield Hit(each.path, each.span, message, level, fix=declaration(packages.declared, tag, name))
