@@ -72,5 +72,9 @@ CASES = {
         cmake("talker", {"CMakeLists.txt": set108.CMAKE.replace(" SCRIPTS_DESTINATION lib/my_pkg", "")}),
         cmake("talker", {"CMakeLists.txt": set108.CMAKE.replace("SCRIPTS_DEST", "SETUP_CFG x.cfg SCRIPTS_DEST")}),
         cmake("talker", {"CMakeLists.txt": "if(X)\n" + set108.CMAKE + "endif()\n"}),
+        *(cmake(f"talker = my_pkg.taker:main{more}", {"README.md": "The talker is in `my_pkg/talker.py`.\n", **files})
+          for more in ("", "\n    other = my_pkg.talker:main")
+          for files in ({}, {"launch/a.launch.xml": '<launch><node pkg="my_pkg" exec="talker"/></launch>\n'},
+                        {"run.sh": "ros2 run my_pkg talker &\n"}, {"run.sh": "ros2 run my_pkg talker_old\n"})),
     ),
 }  # fmt: skip

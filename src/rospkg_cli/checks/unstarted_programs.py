@@ -60,6 +60,16 @@ class UnstartedPrograms:
             self.known[name] = in_launch or any(map(word.search, self.texts)) or self.is_run_by_code(name)
         return self.known[name]
 
+    def is_run(self, name: str) -> bool:
+        """Return whether a launch file starts a program, or a text or code has it behind the name of its package."""
+        if self.workspace.having("started_nodes", self.facts.name, name):
+            return True
+        words = self.behind_package(name)
+        return any(map(words.search, self.texts)) or self.is_run_by_code(name)
+
+    def behind_package(self, name: str) -> re.Pattern[str]:
+        return re.compile(rf"(?<!\w){re.escape(self.facts.name)}['\",\s]+{re.escape(name)}(?![\w-])")
+
     @cached_property
     def known(self) -> dict[str, bool]:
         return {}
@@ -75,6 +85,6 @@ class UnstartedPrograms:
 
     def is_run_by_code(self, name: str) -> bool:
         """Return whether code has a program behind the name of its package, as `ros2 run` is given it."""
-        words = re.compile(rf"(?<!\w){re.escape(self.facts.name)}['\",\s]+{re.escape(name)}(?![\w-])")
+        words = self.behind_package(name)
         code = (path for path in self.files.paths if path.endswith(".py") and path not in BUILDS)
         return any(words.search(self.files.readable_text(path)) for path in code)

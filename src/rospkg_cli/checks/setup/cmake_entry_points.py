@@ -9,12 +9,23 @@ from ...package.cmake.ament_python_install import refused_entries
 from ...package.cmake.cmake_project import CMake
 from ...package.setup.entry_points import EntryPoint
 from ..depends.own_imports import OwnImports
+from ..unstarted_programs import UnstartedPrograms
 
 
 @dataclass(frozen=True)
 class CMakeEntryPoints:
     imports: OwnImports
     cmake: CMake | None
+    programs: UnstartedPrograms
+
+    def is_run(self, name: str) -> bool:
+        """Return whether a launch file, a page, a script or code of the repository runs a program."""
+        return self.programs.is_run(name)
+
+    @property
+    def is_alone(self) -> bool:
+        """Whether the package has no other program."""
+        return len({row.destination for row in self.imports.table.of("executable")}) == 1
 
     def refused(self) -> Iterator[EntryPoint]:
         """Yield what setuptools refuses in a setup.cfg that CMake certainly gives it."""

@@ -25,8 +25,12 @@ FILES = {
     "package.xml": manifest("  <buildtool_depend>ament_cmake_python</buildtool_depend>\n", "ament_cmake"),
     "CMakeLists.txt": CMAKE,
     "my_pkg/__init__.py": "",
+    "README.md": "Run `ros2 run my_pkg talker`.\n",
     "my_pkg/talker.py": "def main():\n    print('hello')\n",
 }
+
+
+UNSTARTED = "; nothing here starts this program"
 
 
 @rule(
@@ -34,6 +38,10 @@ FILES = {
     "broken-cmake-entry-point",
     over=CMakeEntryPoints,
     severity=Severity.ERROR,
+    levels={
+        Severity.WARNING: "where nothing of the repository runs it, and the package has no other program",
+        Severity.INFO: "where nothing of the repository runs it, and the package has other programs",
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -66,7 +74,9 @@ def broken_cmake_entry_point(entries: CMakeEntryPoints) -> Iterator[Hit]:
     ## When it is quiet
     Where the installed modules are not all known, for modules of other packages and those that may be compiled or
     generated, and where the module has a `__getattr__` or an unknown star import. SET101 and SET102 tell it of packages
-    that setup.py builds.
+    that setup.py builds. It is an error where a launch file, a page, a script or code of the repository runs the
+    program, `ros2 run my_pkg talker` for example; a warning where nothing does, and the package has no other program;
+    and an info beside others.
     """
     imports = entries.imports
     if imports.facts.build_type == "ament_python":
@@ -79,7 +89,9 @@ def broken_cmake_entry_point(entries: CMakeEntryPoints) -> Iterator[Hit]:
     for row in imports.table.of("executable"):
         message = wrong(imports, row) if row.entry else ""
         if message:
-            yield Hit(row.path, row.span, message)
+            name = row.destination.rpartition("/")[2]
+            level = None if entries.is_run(name) else Severity.WARNING if entries.is_alone else Severity.INFO
+            yield Hit(row.path, row.span, f"{message}{UNSTARTED if level else ''}", level)
 
 
 def wrong(imports: OwnImports, row: InstalledFile) -> str:
