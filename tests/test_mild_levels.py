@@ -187,10 +187,10 @@ CONFIG = {"setup.py": GLOB, "config/a.yaml": "a: 1\n"}
     [
         ({"config/view.rviz": "Panels: []\n"}, "info"),
         ({"config/b.yml": "a: 1\n"}, "info"),
-        ({"config/b.yml": "a: 1\n", "my_pkg/a.py": "x = 'b.yml'\n"}, "warning"),
-        ({"config/view.rviz": "Panels: []\n", "config/b.yml": "a: 1\n", "README.md": "Change b.yml\n"}, "warning"),
-        ({"config/view.rviz": "Panels: []\n", "launch/a.launch.py": "x = 'view.rviz'\n"}, "warning"),
-        ({"config/view.rviz": "Panels: []\n", "README.md": "Open view.rviz\n"}, "warning"),
+        ({"config/b.yml": "a: 1\n", "my_pkg/a.py": "x = 'b.yml'\n"}, "info"),
+        ({"config/view.rviz": "Panels: []\n", "config/b.yml": "a: 1\n", "README.md": "Change b.yml\n"}, "info"),
+        ({"config/view.rviz": "Panels: []\n", "launch/a.launch.py": "x = 'view.rviz'\n"}, "info"),
+        ({"config/view.rviz": "Panels: []\n", "README.md": "Open view.rviz\n"}, "info"),
         ({"config/view.rviz": "Panels: []\n", "my_pkg/a.py": "x = 'src/my_pkg/config/view.rviz'\n"}, "info"),
         (
             {"config/b.yml": "a: 1\n", "launch/a.launch.xml": "<a b='$(find-pkg-share my_pkg)/config/b.yml'/>"},
@@ -198,7 +198,7 @@ CONFIG = {"setup.py": GLOB, "config/a.yaml": "a: 1\n"}
         ),
         ({"config/b.yml": "a: 1\n", "launch/a.launch.xml": "<a b='$(find-pkg-share other)/config/b.yml'/>"}, "info"),
         ({"config/b.yml": "a: 1\n", "urdf/a.xacro": "<a b='package://other/config/b.yml'/>"}, "info"),
-        ({"config/in/b.yaml": "a: 1\n", "my_pkg/a.py": "x = 'config/in/b.yaml'\n"}, "warning"),
+        ({"config/in/b.yaml": "a: 1\n", "my_pkg/a.py": "x = 'config/in/b.yaml'\n"}, "info"),
         ({"config/in/b.yaml": "a: 1\n", "launch/a.launch.xml": "<a b='$(find-pkg-share other)/in/c.yaml'/>"}, "info"),
     ],
 )

@@ -53,11 +53,6 @@ class ShareUses:
         named = re.compile(rf"{self.path_here}[^\s\"']*{re.escape(name)}")
         return any(named.search(text) for text in (*self.code, *self.readmes) if name in text)
 
-    def names_folder(self, name: str) -> bool:
-        """Return whether code or a README names a folder, in quotes or in a path."""
-        named = re.compile(rf"{self.path_here}(?:[^\s\"']*/)?{re.escape(name)}[\"'/]")
-        return any(named.search(text) for text in (*self.code, *self.readmes) if name in text)
-
     @property
     def path_here(self) -> str:
         """How a path begins that may lead to a file in the share directory of the package."""
@@ -85,10 +80,6 @@ class ShareUses:
     def pages(self) -> tuple[str, ...]:
         """The pages and scripts of the package, and those above it that say how all is built."""
         return pages_and_scripts(self.files)
-
-    def names_launch(self, name: str) -> bool:
-        """Return whether code, a page or a script names a launch file."""
-        return self.names_file(name) or any(name in text for text in self.pages)
 
     @cached_property
     def code(self) -> tuple[str, ...]:

@@ -15,6 +15,7 @@ from ...package.setup.data_files import DataEntry, DataFile
 from ...package.setup.python_install_table import MARKERS
 from ...ros.share_layout import FOLDERS, LAUNCH
 from ...suggest import nearest
+from ..opened_in_share import OpenedInShare
 from ..share_uses import ShareUses
 from ..started_files import is_started
 from .python_package import PythonPackage
@@ -141,6 +142,10 @@ class ShareFiles:
         return ShareUses(self.package.files, self.package.name, self.package.workspace)
 
     @cached_property
+    def opened(self) -> OpenedInShare:
+        return OpenedInShare(self.uses)
+
+    @cached_property
     def uninstalled_neighbours(self) -> tuple[UninstalledNeighbour, ...]:
         """Files for run time in or below the folder of a glob that the glob does not match."""
         found: dict[str, UninstalledNeighbour] = {}
@@ -155,24 +160,15 @@ class ShareFiles:
         return tuple(found.values())
 
     def is_wanted(self, missed: UninstalledNeighbour) -> bool:
-        """Return whether something opens a file: code or a README names it, a page or a script a launch file."""
+        """Return whether something opens a file where it would be installed, or the folder that is left out."""
         path, files = missed.path, self.package.files
         name, folder = posixpath.basename(path), posixpath.dirname(path)
-        if name and not files.readable_text(path).strip():
-            return False
-        if folder != folder_of(missed.glob.pattern) and name and not LAUNCH.fullmatch(name):
-            return self.uses.names_folder(posixpath.basename(folder))
         if not name:
-            return self.uses.names_folder(posixpath.basename(folder))
-        if LAUNCH.fullmatch(name) and self.uses.names_launch(name):
-            return True
-        return self.uses.names_file(name) or self.is_named_elsewhere(name)
-
-    def is_named_elsewhere(self, name: str) -> bool:
-        """Return whether another package names a YAML file."""
-        stem, ending = posixpath.splitext(name)
-        others = self.package.workspace.needing(self.package.name) if ending in (".yaml", ".yml") else ()
-        return any(stem in facts.named_yaml for facts in others)
+            return self.opened.opens_folder(folder)
+        if not files.readable_text(path).strip():
+            return False
+        is_inner = folder != folder_of(missed.glob.pattern) and not LAUNCH.fullmatch(name)
+        return self.opened.opens(path) or (is_inner and self.opened.opens_folder(folder))
 
     def uninstalled_folders(self) -> Iterator[tuple[str, UninstalledNeighbour]]:
         """Yield folders of which nothing is installed, where at least two folders next to them have a glob each."""

@@ -31,7 +31,7 @@ def launch(pattern: str) -> str:
     "file-not-installed",
     over=ShareFiles,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where nothing names them"},
+    levels={Severity.INFO: "where nothing here opens them in the package's share directory"},
     examples=(
         Example(
             bad={**FILES, "setup.py": launch("«glob('launch/*.launch.xml')»")},
@@ -53,9 +53,11 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     ## When it is quiet
     Where `data_files` can't be evaluated, where setup.py may write files, for files that git ignores, and for those of
     other kinds than the folder is for, and those that are laid aside (`old/`). All files that one glob misses are one
-    finding. It is an info where no code, no YAML and no README names them or their folder, or only by a path to the
-    source or to another package, and for empty files; launch files may be named by any page or script that says how to
-    build or run.
+    finding. It is a warning where a launch file, code, a robot or YAML of the workspace opens one of them in the share
+    directory of the package (`get_package_share_directory('my_pkg')` joined with its name,
+    `$(find-pkg-share my_pkg)/…`, `package://my_pkg/…`) or beside a robot or a map, where another launch file includes
+    it, and where a page or a script starts it by `ros2 launch my_pkg …`. Elsewhere it is an info: in comments, in paths
+    to the source or to the share directory of another package, and for empty files.
 
     ## Fix safety
     A wider glob may install more than is wanted.
@@ -65,7 +67,7 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
         start = f"`{path}` is not installed, but the others of its folder are"
         fails = f"`ros2 launch {package.name} {path.rpartition('/')[2]}` does not find it"
         message = f"{start}: {fails}; add it here, or remove it"
-        level = None if shared.uses.names_launch(path.rpartition("/")[2]) else Severity.INFO
+        level = None if shared.opened.opens(path) else Severity.INFO
         yield Hit(beside.setup_text.path, beside.setup_text.shown, message, level)
     groups: dict[tuple[Span, bool], list[UninstalledNeighbour]] = {}
     for missed in shared.uninstalled_neighbours if package.knows_data_files else ():

@@ -1,0 +1,103 @@
+"""Whether live text of a workspace opens a file in the share directory of a package, or starts it there."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from functools import cached_property
+
+from ..files import PackageFiles
+from ..light_dataclasses import dataclass
+from ..package.file_role import role_of
+from ..package.launch.live_text import live_text
+from ..package.workspace import Workspace
+from ..ros.share_layout import LAUNCH
+from .home_path_texts import without_comments
+from .joined_shares import JoinedShares
+from .pages_and_scripts import pages_and_scripts
+from .share_uses import CODE, CPP, ShareUses
+
+MARKUP = (".urdf", ".xacro", ".sdf", ".world", ".xml")
+"""Files that name others by their places beside them."""
+IMAGE = r"(?m:^[ \t]*image[ \t]*:[ \t]*)[\"']?"
+"""Before the picture of a map, beside its YAML."""
+
+
+@dataclass(frozen=True)
+class OpenedInShare:
+    uses: ShareUses
+
+    def opens(self, path: str) -> bool:
+        """Return whether something opens a file, by its path in the package, or starts it."""
+        name = posixpath.basename(path)
+        if LAUNCH.fullmatch(name) and (self.is_started(name) or self.is_included(path, name)):
+            return True
+        word = rf"{re.escape(name)}(?![\w.-])"
+        texts = (text for own, text in self.texts if own != path and name in text)
+        return any(self.shares_of(text).join(word) for text in texts) or self.is_named_beside(path, name)
+
+    def opens_folder(self, folder: str) -> bool:
+        """Return whether a folder is opened as a whole; the name of a file behind it opens that file."""
+        name = re.escape(posixpath.basename(folder))
+        word = rf"{name}(?:/?[\"'](?![\s,/+(]*f?[\"'][\w./-]*\.\w+[\"'])|/[{{$])"
+        is_model = re.compile(rf"model://{name}[\"'/<]")
+        return any(
+            is_model.search(text) or self.shares_of(text).join(word)
+            for _, text in self.texts
+            if posixpath.basename(folder) in text
+        )
+
+    def is_started(self, name: str) -> bool:
+        """Return whether a page or a script starts a launch file with `ros2 launch`, behind the package's name."""
+        starts = re.compile(rf"\bros2\s+launch\s+(?:-\S+\s+)*{re.escape(self.uses.name)}\s+{re.escape(name)}(?![\w-])")
+        return any(starts.search(text) for text in (*pages_and_scripts(self.uses.files), *self.uses.readmes))
+
+    def is_included(self, path: str, name: str) -> bool:
+        """Return whether another launch file of the package names this one, and in no other package's share."""
+        word = re.compile(rf"{self.uses.path_here}[^\s\"']*{re.escape(name)}")
+        launches = (text for own, text in self.texts if own != path and (role_of(own) == "launch" if own else False))
+        return any(self.shares_of(text).may_join(word) for text in launches if name in text)
+
+    def is_named_beside(self, path: str, name: str) -> bool:
+        """Return whether a robot, a world or a map names a file by its place beside it."""
+        beside = re.compile(rf"(?:[\"'>]|{IMAGE})([\w./-]*{re.escape(name)})(?![\w.-])")
+        own = ((each, text) for each, text in self.texts if each.endswith((*MARKUP, ".yaml", ".yml")) and name in text)
+        places = (
+            posixpath.normpath(posixpath.join(posixpath.dirname(each), found[1]))
+            for each, text in own
+            if each != path and role_of(each) != "launch"
+            for found in beside.finditer(text)
+            if each.endswith(MARKUP) or found[0].lstrip().startswith("image")
+        )
+        return path in places
+
+    def shares_of(self, text: str) -> JoinedShares:
+        return JoinedShares(text, self.uses.name)
+
+    @cached_property
+    def texts(self) -> tuple[tuple[str, str], ...]:
+        """What opens files, without comments, each with its path in this package; "" in another one."""
+        own = ((path, live(self.uses.files, path)) for path in opening(self.uses.files.paths))
+        return (*own, *(("", text) for text in self.elsewhere()))
+
+    def elsewhere(self) -> Iterator[str]:
+        """Yield the live texts of other packages that name this one."""
+        whole = self.uses.files.whole
+        if whole is None:
+            return
+        files, name = PackageFiles(whole), self.uses.name
+        workspace: Workspace = self.uses.workspace
+        folders = tuple(f"{facts.folder}/" for facts in workspace.packages if facts.name != name and facts.folder)
+        for path in opening(tuple(path for path in files.every if path.startswith(folders))):
+            if name in files.readable_text(path):
+                yield live(files, path)
+
+
+def opening(paths: tuple[str, ...]) -> Iterator[str]:
+    """Yield the files that may open something when they are used."""
+    return (path for path in paths if path.endswith(CODE) and role_of(path) not in ("test", "aside"))
+
+
+def live(files: PackageFiles, path: str) -> str:
+    return without_comments(path, files.readable_text(path)) if path.endswith(CPP) else live_text(files, path)
