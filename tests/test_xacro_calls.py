@@ -47,11 +47,11 @@ def test_joints_for_ros2_control_may_lie_in_a_file_of_their_own(body: str) -> No
 def test_a_robot_that_nothing_includes_has_all_its_joints() -> None:
     body = '<link name="a"/><ros2_control name="c"><joint name="elsewhere"/></ros2_control>'
     ((level, message),) = said(robot=body)
-    assert (level, "`elsewhere`" in message) == ("warning", True)
+    assert (level, "`elsewhere`" in message) == ("info", True)
     joint = '<link name="b"/><joint name="elsewhere" type="fixed"><parent link="a"/><child link="b"/></joint>'
     assert said(piece=body, robot=f'{joint}<xacro:include filename="piece.xacro"/>') == []
     told = said(piece=body, robot='<link name="b"/><xacro:include filename="piece.xacro"/>')
-    assert told == [("warning", "no joint of the robot is called `elsewhere`: ros2_control looks for it in vain")]
+    assert told == [("info", "no joint of the robot is called `elsewhere`: ros2_control looks for it in vain")]
 
 
 def test_joints_that_a_file_gives_to_ros2_control_in_vain_are_one_fault() -> None:
@@ -75,8 +75,8 @@ def test_a_joint_with_one_part_of_urdf_is_one_of_urdf(missing: str) -> None:
         ({"a": MACRO.format("wheel", BAD), "b": "<xacro:wheel/>"}, "error", ""),
         ({"a": MACRO.format("wheel", BAD), "b": "<xacro:parts.wheel p='1'/>"}, "error", ""),
         ({"a": MACRO.format("wheel", BAD), "b": "<xacro:wheel_left/>"}, "info", "the macro `wheel`"),
-        ({"a": f'<xacro:if value="$(arg x)">{BAD}</xacro:if>'}, "warning", ", where the condition around it holds"),
-        ({"a": f'<xacro:unless value="$(arg x)">{BAD}</xacro:unless>'}, "warning", "around it holds"),
+        ({"a": f'<xacro:if value="$(arg x)">{BAD}</xacro:if>'}, "info", ", where the condition around it holds"),
+        ({"a": f'<xacro:unless value="$(arg x)">{BAD}</xacro:unless>'}, "info", "around it holds"),
         ({"a": '<xacro:if value="${x"><link name="a"/></xacro:if>'}, "error", "xacro stops here"),
         ({"a": '<xacro:property name="x" value="${y"/>'}, "info", ", as soon as something reads `x`"),
         ({"a": '<xacro:property name="x" value="${y" lazy_eval="false"/>'}, "error", "xacro stops here"),
@@ -143,8 +143,8 @@ def test_what_may_be_included_under_a_computed_name_has_what_its_includer_sets(
     [
         ('<gazebo reference="somewhere"/>', "info"),
         ('<xacro:if value="$(arg x)"><gazebo reference="somewhere"/></xacro:if>', "info"),
-        ('<gazebo reference="base_lnk"/>', "warning"),
-        ('<xacro:if value="$(arg x)"><gazebo reference="base_lnk"/></xacro:if>', "warning"),
+        ('<gazebo reference="base_lnk"/>', "info"),
+        ('<xacro:if value="$(arg x)"><gazebo reference="base_lnk"/></xacro:if>', "info"),
     ],
 )
 def test_a_condition_makes_what_gazebo_leaves_out_no_worse(body: str, level: str) -> None:

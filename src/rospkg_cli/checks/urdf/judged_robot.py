@@ -30,7 +30,7 @@ from .xacro_problems import of_one_parameter
 from .xacro_slips import MUST_BE_GIVEN
 
 PREFIX = regex(r"the prefix of `\$\{\s*(\w+)")
-LEVELS = (None, "error", "warning", "info")
+LEVELS = (None, "info")
 IN_GAZEBO = regex(r"(?:gazebo|gz|ign)_ros2_control/")
 
 
@@ -87,9 +87,9 @@ class JudgedRobot:
         return list(found.values())
 
     def at_its_level(self, fault: Fault, robot: str) -> Fault:
-        """Return a fault as an error only where a launch file opens a robot that meets it.
+        """Return a fault as an error where a launch file surely opens a robot that meets it, else as an info.
 
-        It is a warning where code or a command of a page does, and an info where nothing is shown to.
+        There is nothing between: what xacro and urdfdom pass over, or meet for some, is seldom what anybody sees.
         """
         is_launched = self.launched.has(robot)
         if fault.level == "info":
@@ -107,7 +107,7 @@ class JudgedRobot:
             return softer(fault, "info", f"as soon as something opens {which}")
         if idle := self.unless_called(fault):
             return softer(fault, "info", idle)
-        return self.without_prefix(fault) if UNLESS in fault.message else replace(fault, level="warning")
+        return self.without_prefix(fault) if UNLESS in fault.message else replace(fault, level="info")
 
     def unless_called(self, fault: Fault) -> str:
         """Return why nobody meets a fault: Gazebo leaves it out, or no opened robot calls its macro; else ""."""
@@ -123,7 +123,7 @@ class JudgedRobot:
         return ""
 
     def without_prefix(self, fault: Fault) -> Fault:
-        """Return a lost prefix as a warning only where a call of the macro gives one."""
+        """Return a lost prefix as an info, that says what is lost where no call of the macro gives one."""
         around = list(ancestors(self.robot.document.root, fault.span))
         macro = next((each for each in reversed(around) if each.tag == "xacro:macro"), None)
         parameter = PREFIX.search(fault.message)
@@ -132,7 +132,7 @@ class JudgedRobot:
         near = self.calls.including(self.robot.path.rpartition("/")[2])
         given = gives_text(macro, parameter[1], near, self.calls.texts)
         said = fault.message if given is not False else fault.message.replace(UNLESS_EMPTY, EMPTY)
-        return replace(fault, level="warning" if given else "info", message=said)
+        return replace(fault, level="info", message=said)
 
     @property
     def is_simulated(self) -> bool:

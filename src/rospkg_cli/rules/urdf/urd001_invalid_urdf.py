@@ -66,10 +66,9 @@ def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> 
     over=JudgedRobot,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a part of a link is lost, a condition is around it, or code or a command of a page, and no "
-        "launch file, opens a robot that meets it",
-        Severity.INFO: "nothing is shown to open a robot that meets it, nothing calls its macro or reads its property "
-        "or its `<ros2_control>`, Gazebo leaves out what is unknown, or a prefix or an argument may be given",
+        Severity.INFO: "no launch file is shown to open a robot that meets it, a part of a link is lost, a condition is "
+        "around it, nothing calls its macro or reads its property or its `<ros2_control>`, Gazebo leaves out what is "
+        "unknown, or a prefix or an argument may be given",
     },
     examples=(
         example('<parent link="«bse»"/>', '<parent link="base"/>'),
@@ -102,13 +101,13 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     transmission or an SRDF. A macro is expanded only where it is called, a property evaluated only where `${…}` reads
     it, what is in `<xacro:if>` only for some: there the level is lower. Where a file may be a part of a robot, or
     something that it includes is not here, names that it lacks are reported only where a near one is there, or one with
-    a prefix (`${prefix}hand` for `hand`) that is no joint's child; that is a warning only where a call gives one. What
+    a prefix (`${prefix}hand` for `hand`) that is no joint's child; that is an info. What
     a macro takes is not known behind an include of a computed name (`${type}.urdf.xacro`), where a file of the package
     that it may be defines it again. A fault is an error only where a launch file of the workspace names a robot in
-    which xacro meets it: the folders of includes count, and calls of macros. It is a warning where code that opens
-    robots names it in full, or a command of a page or a script. Where nothing is shown to open a robot (a launch file
-    that puts its name together only may), it is an info; so it is in a folder such as `old/`, in a macro that nothing
-    calls, and in a `<ros2_control>` where no package here names, needs or starts a controller manager or a simulator.
+    which xacro meets it: the folders of includes count, and calls of macros. Where code, a command of a page or nothing
+    opens the robot (a launch file that puts its name together only may), it is an info; so it is in a folder such as
+    `old/`, in a macro that nothing calls, where urdfdom or xacro pass over it, or meet it for some, and in a
+    `<ros2_control>` where no package here names, needs or starts a controller manager or a simulator.
     Joints of a `<ros2_control>` that the robot lacks are one where pages and scripts name Humble or older ones alone
     and no plugin for Gazebo moves them, and an argument that is its own default where no launch file is known to leave
     it out.
