@@ -543,9 +543,22 @@ def test_modules_that_are_installed_where_one_python_looks(place: str, count: in
     assert len(said(files, "CMK109")) == count
 
 
-@pytest.mark.parametrize(("name", "count"), [("ament_target_dependencies", 0), ("more", 1)])
-def test_a_copy_of_a_command_in_its_own_file(name: str, count: int) -> None:
-    text = "function(ament_target_dependencies)\nendfunction()\n"
+@pytest.mark.parametrize(
+    ("name", "command", "count"),
+    [
+        ("ament_target_dependencies", "ament_target_dependencies", 0),
+        ("more", "ament_target_dependencies", 1),
+        ("FindPackageHandleStandardArgs", "find_package_handle_standard_args", 0),
+        ("GoogleTest", "gtest_discover_tests", 0),
+        ("more", "gtest_discover_tests", 1),
+        ("bindTools", "pybind11_add_module", 0),
+        ("more", "rosidl_generate_interfaces", 0),
+        ("more", "qt5_wrap_ui", 0),
+        ("more", "qt_wrap_ui", 1),
+    ],
+)
+def test_a_copy_of_a_command_in_its_own_file(name: str, command: str, count: int) -> None:
+    text = f"function({command})\nendfunction()\n"
     files = {**package(f"include(cmake/{name}.cmake)"), f"cmake/{name}.cmake": text}
     assert len(said(files, "CMK116")) == count
 

@@ -30,6 +30,19 @@ OF_QT = regex(r"qt\d?_\w+")
 """Commands that Qt has with and without its version: who writes for several defines one by the other."""
 
 
+OF_OTHERS = regex(
+    r"(?:pybind11|nanobind|qt[456]|qt_add|rosidl|rclcpp|pluginlib|generate_parameter)_\w+"
+    r"|add_(?:launch|ros|rostest)_\w+|find_ros1_\w+|\w*_rmw_\w+"
+)
+"""Commands that are known here, and that neither CMake nor ament defines."""
+MODULES = frozenset(
+    "cmakefinddependencymacro cmakepackageconfighelpers cmakeprinthelpers externalproject featuresummary fetchcontent "
+    "findcuda finddoxygen findfltk findgtest findpkgconfig findprotobuf findpython findpython2 findpython3 "
+    "findpythonlibs findqt findqt3 findqt4 googletest".split()
+)
+"""Files of CMake that define commands of other names; a package may bring a copy of one."""
+
+
 @dataclass(frozen=True)
 class RedefinedCommands:
     cmake: CMake
@@ -37,7 +50,7 @@ class RedefinedCommands:
     def all(self) -> Iterator[RedefinedCommand]:
         """Yield what stands outside of any `if`, and does not call the former command by its name `_command`.
 
-        A file that is called like the command is the one that defines it, or a copy of that.
+        A file that is called like the command, or like a module of CMake, is the one that defines it, or a copy.
         """
         for file in self.cmake.files:
             for block in file.body:
@@ -49,13 +62,20 @@ class RedefinedCommands:
             name = argument.text.lower()
             called = {each.name for each in inside(block)}
             is_wrapper = bool(OF_QT.fullmatch(name)) and any(OF_QT.fullmatch(each) for each in called)
-            is_copy = file.path.rpartition("/")[2].lower() == f"{name}.cmake"
+            is_copy = is_definer(file.path, name)
             if name in self.known and f"_{name}" not in called and not is_wrapper and not is_copy:
                 yield RedefinedCommand(name, file.path, argument.span, name in called)
 
     @cached_property
     def known(self) -> frozenset[str]:
-        return frozenset({*words("cmake_commands.txt"), *COMMANDS, *MAKERS})
+        names = {*words("cmake_commands.txt"), *COMMANDS, *MAKERS}
+        return frozenset(name for name in names if not OF_OTHERS.fullmatch(name))
+
+
+def is_definer(path: str, command: str) -> bool:
+    """Return whether a file is called like that in which CMake or ament defines a command."""
+    stem = path.rpartition("/")[2].lower().removesuffix(".cmake").replace("_", "")
+    return path.endswith(".cmake") and (stem == command.replace("_", "") or stem in MODULES)
 
 
 def inside(block: Block) -> Iterator[CommandInvocation]:

@@ -53,7 +53,8 @@ def redefined_command(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Inside of an `if`, which may ask whether the command exists, and where the body calls the former command by the name
-    that CMake keeps for it (`_install`).
+    that CMake keeps for it (`_install`). In a copy of the file in which CMake or ament defines the command
+    (`GoogleTest.cmake`). Commands of others, such as pybind11, Qt or rosidl, are none of these.
     """
     for each in RedefinedCommands(package.cmake).all():
         start = f"`{each.name}` is a command of CMake or ament, and is defined anew here"
