@@ -125,6 +125,24 @@ def test_what_nobody_names_may_be_a_leftover(source: str, path: str, text: str, 
     assert levels({"src/spare.cpp": source, path: text}) == [level]
 
 
+@pytest.mark.parametrize(
+    ("target", "is_beside"),
+    [
+        ("add_executable(spare src/spare_node.cpp)", True),
+        ("add_executable(spare_node src/spare_node.cpp)", False),
+        ("add_library(spare SHARED src/spare_node.cpp)", False),
+    ],
+)
+@pytest.mark.parametrize("page", ["Run `ros2 run my_pkg spare`.\n", ""])
+def test_a_program_of_its_name_is_made_of_other_files(target: str, is_beside: bool, page: str) -> None:
+    files = {"src/spare_node.cpp": NODE, "README.md": page, "src/spare.cpp": NODE}
+    found = lint_files({**package(target), **files}, ["CMK202"]).findings
+    (told,) = [each for each in found if each.location.path == "src/spare.cpp"]
+    assert ("a leftover beside the target `spare`" in told.message) == is_beside
+    assert ("finds nothing" in told.message) != is_beside
+    assert told.severity.value == ("warning" if page and not is_beside else "info")
+
+
 def test_a_launch_file_of_another_package_starts_it() -> None:
     other = {"other/package.xml": manifest("", "ament_cmake", "other")}
     other["other/CMakeLists.txt"] = CMAKE.replace("my_pkg", "other")

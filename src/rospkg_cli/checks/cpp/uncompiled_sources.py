@@ -86,6 +86,14 @@ class UncompiledSources:
             name in text for path, text in self.named_texts(DESCRIPTIONS) if self.is_handed_out(path)
         )
 
+    def beside(self, source: UncompiledSource) -> str:
+        """Return what has the name of a node already, made of other files, so that `ros2 run` finds that; else ""."""
+        target = self.package.cmake.target(source.name) if source.what == "node" else None
+        if target is not None and target.is_executable and target.is_built:
+            return f"the target `{source.name}`"
+        has_program = source.what == "node" and source.name in self.package.facts.executables
+        return f"the program `{source.name}`" if has_program else ""
+
     def is_handed_out(self, path: str) -> bool:
         """Return whether CMake names a description, to install or export it: else nobody finds the class by it."""
         file = path.rpartition("/")[2]

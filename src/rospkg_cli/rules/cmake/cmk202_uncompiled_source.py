@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cpp.uncompiled_sources import UncompiledSources
+from ...checks.cpp.uncompiled_sources import UncompiledSource, UncompiledSources
 from ...checks.cpp.uncompiled_twins import uncompiled_twins
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
@@ -34,8 +34,8 @@ MORE = LINES.replace("talker", "listener").partition("\n")[2]
     over=UncompiledSources,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "no launch file, page or description names what is in it, or nothing that is surely linked "
-        "needs it"
+        Severity.INFO: "no launch file, page or description names what is in it, a program of its name is made of "
+        "other files, or nothing that is surely linked needs it"
     },
     examples=(
         Example(
@@ -70,16 +70,22 @@ def uncompiled_source(sources: UncompiledSources) -> Iterator[Hit]:
     where a Makefile or the like lies around the file, or one at the top names it. Where what uses a member is in a
     static library that nothing links, or a compiled library lies in the package, nothing may miss it: an info.
     Where no launch file or page starts the node, and no launch file or description that CMake installs or exports names
-    the class, the file may be a leftover: an info.
+    the class, or where a program of the node's name is made of other files, the file may be a leftover: an info.
     """
     for each in sources.all():
-        if each.what == "node":
-            fails = f"`ros2 run {sources.package.facts.name} {each.name}` finds nothing; add an executable of it"
-        else:
-            fails = f"the {each.what} can't be loaded; add the file to a library"
-        message = (
-            f"no target in CMakeLists.txt compiles `{each.path}`: the build passes over it, and {fails}, or remove it"
-        )
-        yield Hit(each.path, each.span, message, None if sources.is_wanted(each) else Severity.INFO)
+        beside = sources.beside(each)
+        message = f"no target in CMakeLists.txt compiles `{each.path}`: {harm(sources, each, beside)}, or remove it"
+        yield Hit(each.path, each.span, message, None if sources.is_wanted(each) and not beside else Severity.INFO)
     for twin in uncompiled_twins(sources):
         yield Hit(twin.path, twin.span, twin.sentence, None if twin.user else Severity.INFO)
+
+
+def harm(sources: UncompiledSources, each: UncompiledSource, beside: str) -> str:
+    """Return what comes of it that nothing compiles a file, and what to do."""
+    if beside:
+        return f"it is a leftover beside {beside}, which has other sources; add it to those"
+    if each.what == "node":
+        fails = f"`ros2 run {sources.package.facts.name} {each.name}` finds nothing; add an executable of it"
+    else:
+        fails = f"the {each.what} can't be loaded; add the file to a library"
+    return f"the build passes over it, and {fails}"
