@@ -15,7 +15,7 @@ HARM: dict[ReferenceKind, str] = {
 }
 WITHOUT_PARAMETERS = "launch warns, and the node starts with its defaults"
 WITHOUT_SOME = "launch warns, and the node starts without what it sets"
-"""Where other files are given beside it, which the node has."""
+"""Where other files or values are given beside it, which the node has."""
 
 
 def harm_of(scope: LaunchContext, missing: MissingReference) -> str:

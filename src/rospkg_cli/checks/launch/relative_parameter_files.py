@@ -95,11 +95,11 @@ def is_for_nodes(scope: LaunchContext, missing: MissingReference) -> bool:
 
 
 def has_others_beside(scope: LaunchContext, missing: MissingReference) -> bool:
-    """Return whether a node is given more parameter files than a missing one: others set what they hold."""
+    """Return whether each node that is given a missing file has other parameters, too, which set what they hold."""
     spans = (missing.span, *missing.other_spans)
+    beside = []
     for node in scope.file.nodes:
-        given = {each.file.span for each in node.parameters if each.file is not None}
+        given = {each.file.span if each.file is not None else each.span for each in node.parameters}
         lost = {text.span for text, _ in files_of(scope.file, node) if any(map(text.span.contains, spans))}
-        if lost and len(given) > len(lost):
-            return True
-    return False
+        beside += [len(given) > len(lost)] if lost else []
+    return bool(beside) and all(beside)

@@ -8,7 +8,8 @@ from ...checks.launch.idle_actions import level_at
 from ...checks.launch.include_arguments import IncludeContext
 from ...checks.launch.missing_harm import harm_of
 from ...checks.launch.missing_references import LaunchContext, MissingReference
-from ...checks.launch.relative_parameter_files import relative_parameter_files
+from ...checks.launch.relative_parameter_files import has_others_beside, is_for_nodes, relative_parameter_files
+from ...checks.launch.undeclared_files import undeclared_for
 from ...edits.offers import how_to_have
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
@@ -53,7 +54,8 @@ NODE = {
         Severity.WARNING: "a process that is started opens it, it is the default of an argument or in the current "
         "directory, its action has a condition, or the launch file is not installed",
         Severity.INFO: "the action is never added to the launch description, the argument or value never used, the "
-        "file itself gives the argument another value, or an included one takes no such argument",
+        "file itself gives the argument another value, an included one takes no such argument, the node gets other "
+        "parameters too, or its code declares none of that name",
     },
     examples=(
         Example(
@@ -93,7 +95,9 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     some), launch files of tests that CMake does not run, and files that a package inside of one of its name has itself
     (WSP005). Where the action has a condition that the defaults of the arguments do not make true, it is a warning,
     where nothing adds the action, uses the value or calls the function, an info, and so is the default of an argument
-    that the file itself gives another value (`context.launch_configurations['x'] = …`).
+    that the file itself gives another value (`context.launch_configurations['x'] = …`). A parameter file of a node that
+    gets other files or values as well is an info, and so is the value of a parameter that no code of the node's
+    package, which is here, declares or gets.
     """
     for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):
@@ -104,6 +108,10 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
                 softer, why = "info", "but the launch file gives the argument another value"
             if not softer and IncludeContext(scope).is_untaken(each):
                 softer, why = "info", "but the included file takes no such argument"
+            if softer != "info" and (unasked := undeclared_for(scope, each)):
+                softer, why = "info", unasked
+            if softer != "info" and is_for_nodes(scope, each) and has_others_beside(scope, each):
+                softer = "info"
             if not softer and not scope.is_installed:
                 softer, why = "warning", "where it is started from the source: it is not installed"
             level = Severity(softer) if softer else None if each.stops_launch else Severity.WARNING
