@@ -74,7 +74,7 @@ def uncompiled_source(sources: UncompiledSources) -> Iterator[Hit]:
     """
     for each in sources.all():
         beside = sources.beside(each)
-        message = f"no target in CMakeLists.txt compiles `{each.path}`: {harm(sources, each, beside)}, or remove it"
+        message = f"no target in CMakeLists.txt compiles `{each.path}`: {harm(sources, each, beside)}"
         yield Hit(each.path, each.span, message, None if sources.is_wanted(each) and not beside else Severity.INFO)
     for twin in uncompiled_twins(sources):
         yield Hit(twin.path, twin.span, twin.sentence, None if twin.user else Severity.INFO)
@@ -83,9 +83,9 @@ def uncompiled_source(sources: UncompiledSources) -> Iterator[Hit]:
 def harm(sources: UncompiledSources, each: UncompiledSource, beside: str) -> str:
     """Return what comes of it that nothing compiles a file, and what to do."""
     if beside:
-        return f"it is a leftover beside {beside}, which has other sources; add it to those"
+        return f"it is a leftover beside {beside}, which has other sources; remove it"
     if each.what == "node":
         fails = f"`ros2 run {sources.package.facts.name} {each.name}` finds nothing; add an executable of it"
     else:
         fails = f"the {each.what} can't be loaded; add the file to a library"
-    return f"the build passes over it, and {fails}"
+    return f"the build passes over it, and {fails}, or remove it"

@@ -66,9 +66,9 @@ def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> 
     over=JudgedRobot,
     severity=Severity.ERROR,
     levels={
-        Severity.INFO: "no launch file is shown to open a robot that meets it, a part of a link is lost, a condition is "
-        "around it, nothing calls its macro or reads its property or its `<ros2_control>`, Gazebo leaves out what is "
-        "unknown, or a prefix or an argument may be given",
+        Severity.INFO: "no launch file is shown to open a robot that meets it, a part of a link is lost, a condition "
+        "is around it, nothing calls its macro or reads its property or its `<ros2_control>`, Gazebo leaves out what "
+        "is unknown, or a prefix or an argument may be given",
     },
     examples=(
         example('<parent link="«bse»"/>', '<parent link="base"/>'),
