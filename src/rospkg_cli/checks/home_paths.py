@@ -20,6 +20,7 @@ from ..package.params.parameter_file import ParameterFile
 from ..package.workspace import Workspace
 from ..source import Span
 from ..unreadable import READABLE
+from .bare_paths import names_nothing
 from .file_dialogs import begins_dialog
 from .home_accounts import is_of_container, is_of_many
 from .home_path_texts import (
@@ -64,8 +65,8 @@ class HomePath:
     is_seldom_read: bool
     """Whether RViz, a script in a folder of its own, a file that nothing compiles, installs or starts, or YAML that
     nothing names, has it, which few start; or the parameter files of the package replace it; or it is one of several
-    places for modules, a launch file has it that nothing uses, a comment or page tells to write another, or a dialog
-    for files begins there."""
+    places for modules, a launch file has it that nothing uses, a comment or page tells to write another, a dialog
+    for files begins there, or it has no suffix and is the path of no file or folder."""
     is_unreached: bool = False
     """Whether it is in a function of Python that nothing leads to."""
     is_unread: bool = False
@@ -123,9 +124,14 @@ class HomePaths:
             is_seldom_read = is_seldom_read or self.is_replaced(path, place, bare, named)
             is_seldom_read = is_seldom_read or self.is_setting(path, text, bare, place.start)
             is_seldom_read = is_seldom_read or begins_dialog(bare, place.start)
+            is_seldom_read = is_seldom_read or self.names_nothing(path, *home)
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
             is_unread = self.unread is not None and self.unread.has(path, place)
             yield HomePath(path, place, named, *home, *flags, is_unread)
+
+    def names_nothing(self, path: str, package: str | None, below: str) -> bool:
+        facts = self.workspace.named(package) if package is not None else None
+        return names_nothing(path, below, self.files, self.facts, facts)
 
     def is_unreached(self, path: str, place: Span) -> bool:
         """Return whether no program of the package leads to the function around a place."""

@@ -19,7 +19,7 @@ from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
 from ..unreadable import READABLE
 from .depends.compiled_sources import sources_by_use
-from .home_path_texts import CPP, MARKUP
+from .home_path_texts import CPP, MARKUP, without_comments
 from .reached_definitions import is_collected
 from .reached_modules import NAMING, PAGES, SCRIPTS, ReachedModules
 from .setup.linked_build import build_texts
@@ -51,7 +51,7 @@ class LeftFiles:
             return not self.is_for_others
         is_forgotten = role_of(path) == "launch" and not self.installs_launch_files
         is_left = (self.is_uninstalled(path) and not is_forgotten) or self.is_no_program(path)
-        return is_left and not self.is_named(path)
+        return (is_left or self.is_no_more_than_data(path)) and not self.is_named(path)
 
     @cached_property
     def entries(self) -> frozenset[str]:
@@ -81,12 +81,30 @@ class LeftFiles:
         table = self.table
         return table is not None and all(map(table.knows, KINDS)) and path not in self.installed
 
+    def is_no_more_than_data(self, path: str) -> bool:
+        """Return whether a script is at most a part of a folder of data, where `ros2 run` and imports find it not.
+
+        Where some rules to install are not known, it is one that lies in no folder that the build names.
+        """
+        if self.table is None or not path.endswith(".py") or role_of(path) != "run":
+            return False
+        rows = [row for row in self.table.rows if row.source == path]
+        if rows or self.is_uninstalled(path):
+            return all(row.what in ("share", "other") for row in rows)
+        folders = "|".join(map(re.escape, posixpath.dirname(path).split("/")))
+        word = re.compile(rf"(?<![\w-])(?:{folders})(?![\w-])")
+        return bool(folders) and not any(
+            word.search(self.live(each)) for each in self.files.matching("*CMakeLists.txt")
+        )
+
     @cached_property
     def installed(self) -> frozenset[str]:
         return frozenset(row.source for row in self.table.rows) if self.table is not None else frozenset()
 
     def live(self, path: str) -> str:
         """Return what a file says: a page in all its text, any other file without comments."""
+        if path.endswith(CPP):
+            return without_comments(path, self.files.readable_text(path))
         return self.files.readable_text(path) if path.endswith(PAGES) else live_text(self.files, path)
 
     def is_no_program(self, path: str) -> bool:
@@ -120,7 +138,7 @@ class LeftFiles:
 
     def having(self, word: re.Pattern[str], path: str) -> Iterator[str]:
         """Yield the other files that have the name of one; what setup.py installs it names without a use."""
-        ends, without = (*PAGES, *NAMING, *BESIDE), {path, "setup.py"} if path in self.installed else {path}
+        ends, without = (*PAGES, *NAMING, *BESIDE, *CPP), {path, "setup.py"} if path in self.installed else {path}
         others = (each for each in self.files.paths if each not in without and each.endswith(ends))
         named = (each for each in others if word.search(self.files.readable_text(each)))
         return (each for each in named if word.search(self.live(each)))
@@ -129,7 +147,7 @@ class LeftFiles:
         """Return whether a file is code that nothing installs, or a module that nothing starts or imports."""
         if not path.endswith(".py") or role_of(path) != "run" or is_collected(path):
             return False
-        is_left = self.is_uninstalled(path) or (self.reached is not None and self.reached.is_left(path))
+        is_left = self.is_no_more_than_data(path) or (self.reached is not None and self.reached.is_left(path))
         return is_left and not self.is_for_others
 
 
@@ -137,4 +155,4 @@ def naming(path: str) -> re.Pattern[str]:
     """Return how other files name a file: by its name, or as a module."""
     name = posixpath.basename(path)
     stem = re.escape(name.removesuffix(".py"))
-    return re.compile(rf"(?<![\w-]){re.escape(name)}(?!\w)|\b(?:import|from)\b[^\n]*(?<!\w){stem}(?!\w)")
+    return re.compile(rf"(?<![\w-]){re.escape(name)}(?!\w)|(?<![\w-])(?:import|from)(?![\w-])[^\n]*(?<!\w){stem}(?!\w)")

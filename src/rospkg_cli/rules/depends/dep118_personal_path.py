@@ -47,7 +47,8 @@ FILES = {
         Severity.INFO: "the file is not of the workspace, many have an account of that name, code asks first, "
         "nothing installs, compiles, starts or names the file, YAML or launch files replace it, nothing leads to the "
         "function or reads the variable, a comment or page tells to write another, it is one of "
-        "several places for modules, or a dialog for files begins there"
+        "several places for modules, a dialog for files begins there, or YAML or a launch file has it "
+        "without a suffix and no file or folder is called so"
     },
     examples=(
         Example(
@@ -86,11 +87,14 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     of a parameter for which all YAML of the package that gives it has another value, or launch files have one, a value
     of YAML that they replace (nav2's, by its argument `map`, too), what an RViz config or YAML that nothing names has,
     a script in a folder that is none for code, a source that no target compiles, a module that nothing starts or
-    imports beside others, or only such modules, a script or launch file that nothing installs or names, a script that
+    imports beside others, or only such modules, a launch file or script that nothing installs or names, a script that
     setup.py puts among the programs without the bit to be executed and that nothing names, a function that no program
     leads to, what a launch file has only for an action that it never adds, what is put into a variable of a function or
     a member, which nothing reads, the folder in which a dialog for files begins, and what a comment at it, or a line of
-    a page that names the file, tells to change.
+    a page that names the file, tells to change. A script that nothing names is left too where it is only a part of a
+    folder in the share directory, or where not all that is installed is known and CMake does not name its folder. A
+    value of YAML or a launch file without a suffix that is the path of no file or folder is an info as well: what reads
+    it adds a suffix (slam_toolbox's `map_file_name`), or writes there.
     Robots and worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
