@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import nodes_of, nodes_of_kind
@@ -33,6 +33,22 @@ def called_behind_spin(file: PythonFile, is_taken: Callable[[str], bool]) -> Sto
     spins = (each for block in blocks(file.tree) for each in block[:-1] if is_left_by_interrupt(each))
     spans = tuple(map(file.span, spins))
     return StoppedPlaces(file, spans, is_taken, is_lasting=True) if spans else None
+
+
+def is_called_late(files: Iterable[PythonFile], file: PythonFile, span: Span) -> bool:
+    """Return whether a place is in a method that files call behind a `spin` alone, the file of the class or another.
+
+    Files that do not name the class mean the method of another object.
+    """
+    for owner in nodes_of_kind(file.tree, ast.ClassDef):
+        for method in owner.body:
+            if isinstance(method, ast.FunctionDef) and file.span(method).holds(span):
+                naming = (each for each in files if each is file or owner.name in each.source.text)
+                uses = ((each, node) for each in naming for node in nodes_of_kind(each.tree, ast.Attribute))
+                named = [(each, each.span(node)) for each, node in uses if node.attr == method.name]
+                outside = [(each, at) for each, at in named if each is not file or not file.span(method).holds(at)]
+                return bool(outside) and all(is_behind_spin(each, at) for each, at in outside)
+    return False
 
 
 def blocks(tree: ast.Module) -> Iterator[Sequence[ast.stmt]]:

@@ -15,7 +15,7 @@ from ..languages.python.unreached_functions import unreached_functions
 from ..light_dataclasses import dataclass
 from ..package.install_table import InstallTable
 from ..source import Span
-from .behind_spin import called_behind_spin, is_behind_spin
+from .behind_spin import called_behind_spin, is_behind_spin, is_called_late
 from .installed_modules import InstalledModules
 from .interfaces.seldom_run import is_in_handler
 from .interfaces.uncalled_methods import UncalledMethods
@@ -60,7 +60,7 @@ class ReachedPlaces:
 
     def is_late(self, file: PythonFile, span: Span) -> bool:
         """Return whether a place is led to behind a `spin` alone that Ctrl-C leaves by an exception."""
-        if is_behind_spin(file, span):
+        if is_behind_spin(file, span) or is_called_late((each for _, each in self.run.files), file, span):
             return True
         if file.path not in self.behind_spins:
             self.behind_spins[file.path] = called_behind_spin(file, lambda name: self.is_taken(file, name))
