@@ -44,6 +44,18 @@ def test_variables_without_their_dollar_sign(line: str, text: str) -> None:
     assert [message.partition(" is ")[0] for _, message in found] == ([f"`{text}`"] if text else [])
 
 
+@pytest.mark.parametrize(
+    ("line", "level"),
+    [
+        ("add_executable(a a.cpp)\ninstall(TARGETS a DESTINATION lib/$(PROJECT_NAME))", "warning"),
+        ("install(TARGETS DESTINATION lib/$(PROJECT_NAME))", "info"),
+        ("add_executable(a a.cpp)\ninstall(TARGETS a DESTINATION lib/$(PROJECT_NAME))\nament_auto_package()", "info"),
+    ],
+)
+def test_targets_that_are_installed_all_the_same(line: str, level: str) -> None:
+    assert [severity for severity, _ in told("CMK126", line)] == [level]
+
+
 TWO = """\
 find_package(rclcpp_components REQUIRED)
 add_library(talker SHARED src/talker.cpp)

@@ -64,7 +64,12 @@ class LostDollars:
         return call.name in OTHER_LANGUAGES or (call.name == "install" and not OF_INSTALL.isdisjoint(call.texts))
 
     def has_effect(self, call: EvaluatedCommand) -> bool:
-        """Return whether what is exported reaches `ament_package()`, which knows of its own folder's alone."""
+        """Return whether anything is lost by a command: what is exported has to reach `ament_package()` of its folder.
+
+        Targets that `ament_auto_package()` installs as well are found all the same, and no target is a dead line.
+        """
+        if call.name == "install" and call.texts[:1] == ("TARGETS",):
+            return call.texts[1:2] != ("DESTINATION",) and not any(self.cmake.named("ament_auto_package"))
         folders = {each.folder for each in self.cmake.named("ament_package", "ament_auto_package")}
         return not call.name.startswith(EXPORTS) or not folders or call.folder in folders
 

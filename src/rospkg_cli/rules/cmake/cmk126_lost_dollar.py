@@ -27,7 +27,10 @@ def cmake(folder: str) -> str:
     "lost-dollar",
     over=CMakePackage,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "what is exported in a folder below that of `ament_package()` goes nowhere in any case"},
+    levels={
+        Severity.INFO: "what is exported in a folder below that of `ament_package()` goes nowhere in any case, or "
+        "`ament_auto_package()` installs the targets, too"
+    },
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake("«{CMAKE_CURRENT_SOURCE_DIR}»"), **SOURCE},
