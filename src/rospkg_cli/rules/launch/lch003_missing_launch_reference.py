@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.idle_actions import level_at
-from ...checks.launch.include_arguments import IncludeContext
 from ...checks.launch.missing_harm import harm_of
 from ...checks.launch.missing_references import LaunchContext, MissingReference
-from ...checks.launch.relative_parameter_files import has_others_beside, is_for_nodes, relative_parameter_files
-from ...checks.launch.undeclared_files import undeclared_for
+from ...checks.launch.relative_parameter_files import relative_parameter_files
+from ...checks.launch.softened_references import softened
 from ...edits.offers import how_to_have
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
@@ -101,19 +100,7 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     """
     for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):
-            softer, why = level_at(scope.file, each.span) if each.use != "caught" else ("info", "")
-            if not softer and scope.is_unread(each):
-                softer, why = "info", "but nothing uses the argument"
-            if not softer and scope.is_overwritten(each):
-                softer, why = "info", "but the launch file gives the argument another value"
-            if not softer and IncludeContext(scope).is_untaken(each):
-                softer, why = "info", "but the included file takes no such argument"
-            if softer != "info" and (unasked := undeclared_for(scope, each)):
-                softer, why = "info", unasked
-            if softer != "info" and is_for_nodes(scope, each) and has_others_beside(scope, each):
-                softer = "info"
-            if not softer and not scope.is_installed:
-                softer, why = "warning", "where it is started from the source: it is not installed"
+            softer, why = softened(scope, each)
             level = Severity(softer) if softer else None if each.stops_launch else Severity.WARNING
             others = tuple(Related(scope.file.path, span, "here too") for span in each.other_spans)
             yield Hit(scope.file.path, each.span, message(scope, each, why), level, others)
