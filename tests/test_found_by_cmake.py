@@ -167,14 +167,19 @@ def test_libraries_that_are_exported(lines: str, said: str) -> None:
 
 def test_a_library_that_comes_as_a_file_is_exported() -> None:
     files = package(f"{CORE}ament_export_libraries(my_pkg)")
-    assert levels(files, "CMK118") == [INFO]
-    assert levels({**files, "include/my_pkg/a.hpp": ""}, "CMK118") == [WARNING]
+    assert levels(files, "CMK118") == [WARNING]
+    started = package(f"{CORE}install(TARGETS talker DESTINATION lib/my_pkg)\nament_export_libraries(my_pkg)")
+    assert levels(started, "CMK118") == [INFO]  # no library for others
     assert levels({**files, "lib/libmy_pkg.so": ""}, "CMK118") == []
 
 
+PROGRAM = "add_executable(a a.cpp)\ninstall(TARGETS a DESTINATION lib/${PROJECT_NAME})\n"
+USER = "find_package(base REQUIRED)\nadd_executable(user user.cpp)"
+
+
 def test_a_library_that_nobody_links() -> None:
-    base = package("add_executable(a a.cpp)\nament_export_libraries(${PROJECT_NAME})")
-    user = package("find_package(base REQUIRED)", "  <depend>base</depend>\n")
+    base = package(f"{PROGRAM}ament_export_libraries(${{PROJECT_NAME}})")
+    user = package(USER, "  <depend>base</depend>\n")
     assert levels(workspace(base=base), "CMK118") == [INFO]
     assert levels(workspace(base=base, user=user), "CMK118") == [WARNING]
     python = {"package.xml": user["package.xml"].replace("ament_cmake", "ament_python")}
@@ -193,12 +198,11 @@ def workspace(**packages: dict[str, str]) -> dict[str, str]:
     ("line", "expected"), [("plain", [ERROR]), ("talker", [ERROR]), ("croe", [WARNING]), ("core", [])]
 )
 def test_an_export_that_is_needed(line: str, expected: list[Severity]) -> None:
-    user = package("find_package(base REQUIRED)", "  <depend>base</depend>\n")
+    user = package(USER, "  <depend>base</depend>\n")
     base = package(f"{CORE}ament_export_libraries({line})")
     assert levels(workspace(base=base, user=user), "CMK118") == expected
     user = {**user, "package.xml": user["package.xml"].replace("depend>base</", "exec_depend>base</exec_")}
-    mild = INFO if line == "talker" else WARNING  # a program that nobody builds against
-    assert levels(workspace(base=base, user=user), "CMK118") == [mild] * len(expected)
+    assert levels(workspace(base=base, user=user), "CMK118") == [WARNING] * len(expected)  # a library for others
 
 
 EXPORT = "install(TARGETS core EXPORT export_core DESTINATION lib)\n"
