@@ -245,6 +245,7 @@ def test_an_ignore_comment_is_written_above_the_line(editor: Editor, package: Pa
 
 def test_all_fixes_of_a_package(editor: Editor, package: Path) -> None:
     """Those that change other files too; the module is nowhere but in the editor."""
+    (package / ".git").mkdir()  # a repository of its own: what another package of it declares is an info
     module = package / package.name / "talker.py"
     module.touch()
     editor.open(module)

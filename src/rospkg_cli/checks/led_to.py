@@ -17,6 +17,7 @@ from .pages_and_scripts import pages_and_scripts
 from .share_uses import CODE
 
 YAML = (".yaml", ".yml")
+LAUNCHED = (".py", ".xml", ".launch", *YAML)
 
 
 @dataclass(frozen=True)
@@ -41,7 +42,8 @@ class LedTo:
         return any(not wanted.isdisjoint(each.named_yaml) for each in others)
 
     def is_only_launch_file(self, path: str) -> bool:
-        return not any(role_of(each) == "launch" and each != path for each in self.files.paths)
+        others = (each for each in self.files.paths if each != path and role_of(each) == "launch")
+        return not any(each.endswith(LAUNCHED) and not each.rpartition("/")[2].startswith(".") for each in others)
 
     def texts_but(self, path: str) -> Iterator[str]:
         """Yield all that may name a file: pages, scripts, the code of the package and of those that need it."""
