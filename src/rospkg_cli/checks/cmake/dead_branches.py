@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 
-from ...languages.cmake.command_blocks import Block, Branch
 from ...languages.cmake.evaluated_command import EvaluatedCommand
-from ...languages.cmake.syntax import CommandInvocation
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.foreign_commands import foreign_commands
 from ...ros.read_table import rows
+from .branch_names import names_around
 
 FOUND = regex(r"(\w+)_FOUND")
 ASKING = ("if", "elseif", "else", "endif", "while", "message")
 """Commands that set nothing: what stands in them is not looked for."""
 AUTOMATIC = ("ament_auto_find_build_dependencies", "ament_auto_find_test_dependencies")
-EITHER = frozenset({"OR", "(", ")"})
 
 
 @dataclass(frozen=True)
@@ -62,25 +60,12 @@ class DeadBranches:
     @cached_property
     def asked(self) -> dict[int, tuple[str, ...]]:
         """Command → the packages that must be found for the branches that it is in."""
-        found: dict[int, tuple[str, ...]] = {}
-        waiting: list[tuple[CommandInvocation | Block, tuple[str, ...]]]
-        waiting = [(each, ()) for file in self.cmake.files for each in file.body]
-        while waiting:
-            each, names = waiting.pop()
-            if isinstance(each, CommandInvocation):
-                found[id(each)] = names
-                continue
-            for branch in each.branches:
-                inner = (*names, *asked_by(branch))
-                waiting += [(below, inner) for below in branch.body]
-        return found
+        return names_around(self.cmake, packages_in)
 
 
-def asked_by(branch: Branch) -> Iterator[str]:
-    """Yield the packages that a branch asks for."""
-    texts = [each.text for each in branch.command.arguments]
-    if branch.command.name in ("if", "elseif") and EITHER.isdisjoint(texts):
-        for before, text in zip(["", *texts], texts, strict=False):
-            found = FOUND.fullmatch(text) if before in ("", "AND") else None
-            if found is not None:
-                yield found[1]
+def packages_in(texts: Sequence[str]) -> Iterator[str]:
+    """Yield the packages that a condition asks for."""
+    for before, text in zip(["", *texts], texts, strict=False):
+        found = FOUND.fullmatch(text) if before in ("", "AND") else None
+        if found is not None:
+            yield found[1]

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 
-from ...languages.cmake.command_blocks import Block, Branch
 from ...languages.cmake.evaluated_command import EvaluatedCommand
-from ...languages.cmake.syntax import CommandInvocation
 from ...languages.cmake.targets import MAKERS
 from ...languages.cmake.values import UNKNOWN
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.foreign_commands import foreign_commands
+from .branch_names import names_around
 
 FINDING = ("find_package", "fetchcontent_declare", "fetchcontent_makeavailable", "pkg_check_modules", "ament_vendor")
 """Commands that may bring targets of what they name."""
-EITHER = frozenset({"OR", "(", ")"})
 
 
 @dataclass(frozen=True)
@@ -40,26 +38,13 @@ class UnmadeTargets:
         return frozenset(each for each in names - made if each.lower() not in brought and not is_open)
 
     @cached_property
-    def asked(self) -> dict[int, frozenset[str]]:
+    def asked(self) -> dict[int, tuple[str, ...]]:
         """Command → the targets for which the branches ask that it is in."""
-        found: dict[int, frozenset[str]] = {}
-        waiting: list[tuple[CommandInvocation | Block, frozenset[str]]]
-        waiting = [(each, frozenset()) for file in self.cmake.files for each in file.body]
-        while waiting:
-            each, names = waiting.pop()
-            if isinstance(each, CommandInvocation):
-                found[id(each)] = names
-                continue
-            for branch in each.branches:
-                inner = names.union(asked_by(branch))
-                waiting += [(below, inner) for below in branch.body]
-        return found
+        return names_around(self.cmake, targets_in)
 
 
-def asked_by(branch: Branch) -> Iterator[str]:
-    """Yield the targets without which a branch is not taken."""
-    texts = [each.text for each in branch.command.arguments]
-    if branch.command.name in ("if", "elseif") and EITHER.isdisjoint(texts):
-        for before, test, name in zip(["", *texts], texts, texts[1:], strict=False):
-            if test == "TARGET" and before != "NOT":
-                yield name
+def targets_in(texts: Sequence[str]) -> Iterator[str]:
+    """Yield the targets without which a condition does not hold."""
+    for before, test, name in zip(["", *texts], texts, texts[1:], strict=False):
+        if test == "TARGET" and before != "NOT":
+            yield name
