@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import posixpath
+import re
+from collections.abc import Iterator
 
 from ..files import PackageFiles
 from ..lazy_regex import regex
-from .setup.linked_build import build_files
+from ..tree import READABLE
 
 OF_MANY = frozenset(
     "admin app dev developer docker jetson nvidia pi robot root ros ros2 runner ubuntu user username vscode you".split()
@@ -14,7 +15,19 @@ OF_MANY = frozenset(
 """Accounts that robots, containers and examples have: the path may be the same for everyone."""
 SHARED = regex(r"your|docker|container|(?:^|_)(?:ws|workspace)$")
 SHORTEST = 4
-OF_CONTAINER = regex(r"(?i)dockerfile|compose.*\.ya?ml$|(?:^|/)devcontainer\.json$")
+"""The letters of a name that is no part of other words; a shorter one must be written as that of an account."""
+OF_CONTAINER = regex(
+    r"(?i)(?:^|/)(?:[^/]*(?:dockerfile|containerfile)[^/]*|[^/]*compose[^/]*\.ya?ml|devcontainer\.json)$"
+)
+"""Files that make a container, or put several together."""
+OF_MACHINE = regex(
+    r"(?i)(?:^|/)(?:vagrantfile|user-data|[^/]*cloud[_-]?init[^/]*|[^/]*entry_?-?point[^/]*\.(?:sh|bash)"
+    r"|(?:[^/]*docker[^/]*|\.?devcontainers?|containers?|ansible)/(?:.*/)?[^/.]*(?:\.(?:sh|bash|ya?ml|json|env|cfg|conf))?"
+    r"|\.env)$"
+)
+"""Scripts and settings of containers and machines that everybody gets alike: they may name other people too."""
+WRITTEN = r"/home/{0}(?![\w.-])(?![^\s:\"']*:[/$.~])|(?i:user|chown|gosu)[^\n]*?(?<![\w./-]){0}(?![\w.-])"
+"""A home, which is not that of the host in `-v /home/ada/ws:/ws`, or the name of an account: `useradd -m neo`."""
 
 
 def is_of_many(user: str) -> bool:
@@ -24,9 +37,21 @@ def is_of_many(user: str) -> bool:
 
 
 def is_of_container(files: PackageFiles, user: str) -> bool:
-    """Return whether a Dockerfile or what composes containers, in the package or above it, names an account."""
-    if not user.isascii() or len(user) < SHORTEST:
+    """Return whether what makes containers or machines, in the package or elsewhere in the run, names an account."""
+    if not user.isascii():
         return False
-    own = ((files, path) for path in files.paths)
-    places = (each for each in (*own, *build_files(files)) if OF_CONTAINER.search(posixpath.basename(each[1])))
-    return any(each.holds(path, user.encode()) for each, path in places)
+    written = re.compile(WRITTEN.format(re.escape(user)))
+    for each, path in machine_files(files):
+        if each.holds(path, user.encode()):
+            is_clear = len(user) >= SHORTEST and OF_CONTAINER.search(path) is not None
+            if is_clear or written.search(each.readable_text(path)):
+                return True
+    return False
+
+
+def machine_files(files: PackageFiles) -> Iterator[tuple[PackageFiles, str]]:
+    """Yield the files that make containers and machines."""
+    whole = PackageFiles(files.whole) if files.whole is not None else files
+    for path, kind in whole.tree.files().items():
+        if kind in READABLE and (OF_CONTAINER.search(path) or OF_MACHINE.search(path)):
+            yield whole, path
