@@ -135,6 +135,16 @@ CASES = {
             on="ament_cmake",
         ),
         *(compiled(lines, "#include <std_msgs/msg/strng.hpp>\n", idl012.FILES) for lines in WAYS),
+        Example(
+            bad={
+                "CMakeLists.txt": INTERFACES_CMAKE.replace('  "srv/SetMode.srv"\n', "").replace(
+                    "ament_package", "add_library(a src/a.cpp)\nament_package"
+                ),
+                "src/a.cpp": "#include <my_pkg/msg/status.hpp>\n#include <my_pkg/srv/set_mode.hpp>\n",
+            },
+            good={},
+            on="interfaces",
+        ),
         compiled(
             "",
             "",

@@ -9,6 +9,7 @@ from .setups import python
 STD = manifest("  <exec_depend>std_msgs</exec_depend>\n  <exec_depend>my_ifs</exec_depend>\n")
 
 UNKNOWN = SETUP_PY.replace("find_packages(exclude=['test'])", "found()")
+NO_SRV = INTERFACES_CMAKE.replace('  "srv/SetMode.srv"\n', "")
 PLAIN = manifest(INTERFACES_BODY, "cmake").replace("my_pkg", "my_ifs")
 
 
@@ -32,6 +33,12 @@ def beside(line: str, cmake: str = INTERFACES_CMAKE, **files: str | None) -> Exa
 CASES = {
     "IDL011": (
         importing("from std_msgs.msg import string, _string, Color, Int65, Bool\n"),
+        beside("from my_ifs.msg import Status\nfrom my_ifs.srv import SetMode\n", NO_SRV),
+        beside("def f():\n    from my_ifs.srv import SetMode_Request\n    return SetMode_Request\n", NO_SRV),
+        # the file may be in the variable, be another one by its name, or of the branch for ROS 1
+        beside("from my_ifs.srv import SetMode\n", NO_SRV.replace('"msg/', '${EXTRA} "msg/')),
+        beside("from my_ifs.srv import SetMode\n", NO_SRV.replace('"msg/', '"srv/Set_Mode.srv" "msg/')),
+        beside("from my_ifs.srv import SetMode\n", "add_service_files(FILES SetMode.srv)\n" + NO_SRV),
         importing("from std_msgs.msg import *\n"),
         importing("from std_srvs.srv import Empty, EmptyRequest, SetBoolResponse, TakeRequest, Empty_Request\n"),
         importing("import rospy\nfrom std_srvs.srv import EmptyRequest\n"),

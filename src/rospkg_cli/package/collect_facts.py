@@ -18,6 +18,7 @@ from .included_headers import included_headers
 from .interfaces.interface_index import interface_names
 from .interfaces.message_fields import message_fields
 from .interfaces.typed_with import typed_with
+from .interfaces.unlisted_interfaces import unlisted_interfaces
 from .launch.launch_file import launch_summaries, loaded_components, started_nodes
 from .launch.parsed_yaml import parsed_keys, parsed_yaml
 from .launch.read_signature import launch_signatures
@@ -101,6 +102,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("build_type", "name_span", "version", "version_span", "dependencies", "groups", "group_dependencies",
      "is_metapackage"): of_manifest,
     ("interfaces",): of_interfaces,
+    ("unlisted_interfaces",): one("unlisted_interfaces", unlisted_interfaces),
     ("executables", "misplaced_executables", "share_files", "modules"): of_install_table,
     ("components",): of_components,
     ("loaders",): of_loaders,

@@ -105,6 +105,8 @@ class PackageFacts:
     """The files that its robots include: package, path, and the file that includes it."""
     interfaces: frozenset[str] = frozenset()
     """`msg/Name`, `srv/Name`, `action/Name`."""
+    unlisted_interfaces: frozenset[str] = frozenset()
+    """Those of them that have a file, of which CMake surely generates nothing."""
     messages: tuple[MessageFields, ...] = ()
     """The fields of its messages, services and actions, but for those in .idl files."""
     typed_with: frozenset[str] = frozenset()

@@ -9,7 +9,7 @@ from ...files import PackageFiles
 from ...languages.cpp.code_text import code_text
 from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
 from ...package.interfaces.generated_types import generated_types
 from ...ros.link_targets import MESSAGES
@@ -41,6 +41,8 @@ class WrongInterface:
     """The header or the type that is near; "" where none is."""
     level: Level
     """How bad it is, by who compiles the file."""
+    is_unlisted: bool = False
+    """Whether the file of the interface is there, and CMake generates nothing of it."""
 
     @property
     def header_name(self) -> str:
@@ -75,11 +77,11 @@ class InterfacesInCpp:
                 continue
             package, kind, name = found.groups()
             names, lowered = self.names(package, kind), self.lowered(package, kind)
+            if self.known.is_unlisted(package, kind, lowered.get(name, "")) and not self.is_there(each.path):
+                yield replace(self.hit(source, each.span, each.path, package, kind, ""), is_unlisted=True)
             near = self.as_generated(package, name, lowered, each.path)
-            if (not names and not near) or name in lowered or self.is_own_header(each.path):
+            if (not names and not near) or name in lowered or self.is_there(each.path):
                 continue
-            if is_installed_header(each.path, self.known.workspace):
-                continue  # beside the generated ones
             near = near or near_names(name, lowered, 2 if self.known.is_here(package) else 1)
             if near or self.known.is_here(package):
                 meant = f"{package}/{kind}/{near[0]}.{each.path.rpartition('.')[2]}" if near else ""
@@ -127,9 +129,10 @@ class InterfacesInCpp:
         """Return the interfaces of a kind that a package has; none where they are unknown."""
         return (self.known.of(package) or {}).get(kind, frozenset())
 
-    def is_own_header(self, header: str) -> bool:
-        """Return whether the package has a header of that path itself, wherever."""
-        return any(f"/{path}".endswith(f"/{header}") for path in self.files.paths)
+    def is_there(self, header: str) -> bool:
+        """Return whether the package has a header of that path, wherever, or another one beside its generated ones."""
+        is_own = any(f"/{path}".endswith(f"/{header}") for path in self.files.paths)
+        return is_own or is_installed_header(header, self.known.workspace)
 
     def is_defined(self, package: str, name: str) -> bool:
         """Return whether a file of this package seems to define a class of a name in the namespace of its messages."""

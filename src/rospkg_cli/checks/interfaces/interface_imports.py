@@ -35,6 +35,8 @@ class WrongInterfaceImport:
     is_left: bool
     """Whether it is in a module that nothing starts or imports, beside programs."""
     is_uninstalled: bool = False
+    is_unlisted: bool = False
+    """Whether the file of the interface is there, and CMake generates nothing of it."""
     why: str = ""
     """What is said of an import that seldom or never runs: nothing leads to its function."""
 
@@ -107,6 +109,9 @@ class InterfaceImports:
             if name[:1] not in ("_", "*") and self.known.lacks(package, kind, name):
                 meant = self.known.meant(package, kind, name)
                 yield self.hit(file, each, alias_span(file, each, name), package, kind, name, meant or "")
+            elif self.known.is_unlisted(package, kind, name):
+                hit = self.hit(file, each, alias_span(file, each, name), package, kind, name, "")
+                yield replace(hit, is_unlisted=True)
 
     def hit(
         self, file: PythonFile, each: Import, span: Span, package: str, kind: str, name: str, meant: str

@@ -73,6 +73,11 @@ class KnownInterfaces:
             return False
         return self.is_here(package) or self.meant(package, kind, name) is not None
 
+    def is_unlisted(self, package: str, kind: str, name: str) -> bool:
+        """Return whether a package has the file of an interface, and generates nothing of it."""
+        facts = self.facts(package) if self.is_here(package) else None
+        return facts is not None and f"{kind}/{base_name(name)}" in facts.unlisted_interfaces
+
     def meant(self, package: str, kind: str, name: str) -> str | None:
         """Return the interface that is intended, as `package.kind.Name`, where exactly one is near."""
         known = self.of(package) or {}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.interfaces.interface_imports import InterfaceImports, WrongInterfaceImport
-from ...checks.interfaces.known_interfaces import NAMES
+from ...checks.interfaces.known_interfaces import NAMES, base_name
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -54,7 +54,7 @@ def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
 
     ## Why is this bad?
     The build does not look: it is green, and the node ends with ImportError when it starts. A package has the messages
-    of its own .msg files, which only a package of CMake can generate code of.
+    of its own .msg files, which only a package of CMake can generate code of, and only of those that it lists.
 
     ## When it is quiet
     Where the package is not in the workspace, unless one of its messages has a near name or the name is that of a
@@ -84,6 +84,11 @@ def message(wrong: WrongInterfaceImport) -> str:
         return f"{what}: the import fails; write `from {module} import {name}`"
     if kind not in NAMES:
         return f"there is no module `{package}.{kind}`: the import raises ModuleNotFoundError; write `{wrong.meant}`"
+    if wrong.is_unlisted:
+        what = (
+            f"`{package}` generates nothing of `{kind}/{base_name(wrong.name)}.{kind}`: the import raises ImportError"
+        )
+        return f"{what}; list the file in its `rosidl_generate_interfaces`"
     module, _, name = wrong.meant.rpartition(".")
     if wrong.name:
         what = f"`{package}` has no {NAMES[kind]} `{wrong.name}`: the import raises ImportError"

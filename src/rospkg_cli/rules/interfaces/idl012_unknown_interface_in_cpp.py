@@ -92,6 +92,9 @@ WHAT = {"msg": "message", "srv": "service", "action": "action"}
 
 
 def message(each: WrongInterface) -> str:
+    if each.is_unlisted:
+        what = f"`{each.package}` has the {WHAT[each.kind]} of `{each.text}`, and generates nothing of it"
+        return f"{what}: the compiler stops there; list its .{each.kind} file in `rosidl_generate_interfaces`"
     what = f"`{each.package}` has no such {WHAT[each.kind]}"
     near = f" (did you mean `{each.meant}`?)" if each.meant else ""
     advice = "correct the name" if each.meant else "add it, or remove this"
