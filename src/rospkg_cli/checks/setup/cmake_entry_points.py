@@ -22,11 +22,6 @@ class CMakeEntryPoints:
         """Return whether a launch file, a page, a script or code of the repository runs a program."""
         return self.programs.is_run(name)
 
-    @property
-    def is_alone(self) -> bool:
-        """Whether the package has no other program."""
-        return len({row.destination for row in self.imports.table.of("executable")}) == 1
-
     def refused(self) -> Iterator[EntryPoint]:
         """Yield what setuptools refuses in a setup.cfg that CMake certainly gives it."""
         calls = self.cmake.named("ament_python_install_package") if self.cmake else []

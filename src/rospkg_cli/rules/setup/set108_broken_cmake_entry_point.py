@@ -38,10 +38,7 @@ UNSTARTED = "; nothing here starts this program"
     "broken-cmake-entry-point",
     over=CMakeEntryPoints,
     severity=Severity.ERROR,
-    levels={
-        Severity.WARNING: "where nothing of the repository runs it, and the package has no other program",
-        Severity.INFO: "where nothing of the repository runs it, and the package has other programs",
-    },
+    levels={Severity.INFO: "where nothing of the repository runs it"},
     examples=(
         Example(
             on="ament_cmake",
@@ -75,8 +72,7 @@ def broken_cmake_entry_point(entries: CMakeEntryPoints) -> Iterator[Hit]:
     Where the installed modules are not all known, for modules of other packages and those that may be compiled or
     generated, and where the module has a `__getattr__` or an unknown star import. SET101 and SET102 tell it of packages
     that setup.py builds. It is an error where a launch file, a page, a script or code of the repository runs the
-    program, `ros2 run my_pkg talker` for example; a warning where nothing does, and the package has no other program;
-    and an info beside others.
+    program, `ros2 run my_pkg talker` for example, and an info where nothing does.
     """
     imports = entries.imports
     if imports.facts.build_type == "ament_python":
@@ -90,7 +86,7 @@ def broken_cmake_entry_point(entries: CMakeEntryPoints) -> Iterator[Hit]:
         message = wrong(imports, row) if row.entry else ""
         if message:
             name = row.destination.rpartition("/")[2]
-            level = None if entries.is_run(name) else Severity.WARNING if entries.is_alone else Severity.INFO
+            level = None if entries.is_run(name) else Severity.INFO
             yield Hit(row.path, row.span, f"{message}{UNSTARTED if level else ''}", level)
 
 
