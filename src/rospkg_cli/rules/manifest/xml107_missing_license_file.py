@@ -5,32 +5,41 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
-from ...checks.manifest.manifest_inputs import ManifestAndFiles
+from ...checks.manifest.license_files import LicenseFiles
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
 from ...suggest import did_you_mean
 
 GOOD = manifest().replace("<license>", '<license file="LICENSE">')
+CHANGES = """\
+Changelog for package my_pkg
+============================
+
+1.0.0 (2026-01-02)
+------------------
+* Drive.
+"""
 
 
 @rule(
     "XML107",
     "missing-license-file",
-    over=ManifestAndFiles,
+    over=LicenseFiles,
     severity=Severity.ERROR,
+    levels={Severity.INFO: "where nothing shows that the package is released"},
     examples=(
         Example(
-            bad={"package.xml": GOOD.replace('"LICENSE"', '"«LICENCE»"')},
+            bad={"package.xml": GOOD.replace('"LICENSE"', '"«LICENCE»"'), "CHANGELOG.rst": CHANGES},
             good={"package.xml": GOOD},
         ),
         Example(
-            bad={"package.xml": GOOD.replace('"LICENSE"', '"«../LICENSE»"')},
+            bad={"package.xml": GOOD.replace('"LICENSE"', '"«../LICENSE»"'), "CHANGELOG.rst": CHANGES},
             good={"package.xml": GOOD},
         ),
     ),
 )
-def missing_license_file(package: ManifestAndFiles) -> Iterator[Hit]:
+def missing_license_file(package: LicenseFiles) -> Iterator[Hit]:
     """
     ## What it does
     Finds a license whose `file` does not exist, is an absolute path, or is outside of the package.
@@ -40,7 +49,8 @@ def missing_license_file(package: ManifestAndFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Only a `file` attribute in format 3 is judged: it may name any file of the package. Packages without the attribute
-    are left to XML111.
+    are left to XML111. It is an info where nothing shows that the package is released: no file of bloom, no job for it,
+    and no CHANGELOG.rst of its own.
 
     ## References
     - [REP-149, license](https://ros.org/reps/rep-0149.html): "A path relative to the package.xml file"
@@ -60,4 +70,5 @@ def missing_license_file(package: ManifestAndFiles) -> Iterator[Hit]:
         else:
             near = did_you_mean(path, package.files.paths)
             why = f"`{attribute.value}` does not exist{near}: bloom refuses to release it; add the license text"
-        yield Hit(manifest.path, attribute.value_span if attribute.value else attribute.span, why)
+        level = None if package.release.is_made else Severity.INFO
+        yield Hit(manifest.path, attribute.value_span if attribute.value else attribute.span, why, level)
