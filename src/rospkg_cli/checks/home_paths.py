@@ -10,6 +10,7 @@ from typing import Annotated
 
 from ..files import PackageFiles
 from ..languages.python.file import PythonFile
+from ..languages.python.guarded_nodes import is_guarded
 from ..languages.python.unreached_places import is_unreached
 from ..light_dataclasses import dataclass
 from ..package.file_role import is_set_aside, role_of
@@ -39,9 +40,12 @@ from .left_files import LeftFiles
 from .params.launch_overrides import is_given, is_overridden
 from .params.replaced_defaults import is_replaced
 from .reached_definitions import ReachedDefinitions
+from .replaced_launch_files import has_named_twin, is_always_given
+from .share_lookups import UNOPENED
 from .shown_texts import is_only_shown
 from .told_settings import is_told_by_comment, is_told_by_page
 from .unread_paths import UnreadPaths
+from .unstarted_programs import UnstartedPrograms
 from .yaml_elsewhere import is_named_yaml, is_of_another
 
 FOR_CODE = ("launch", "src", "scripts", "script", "nodes", "node", "bin")
@@ -61,12 +65,14 @@ class HomePath:
     """Whether it is the image of a map."""
     may_be_there: bool
     """Whether many have an account of that name, or the container of the repository has; or code asks first whether
-    it exists, or tries another one first."""
+    it exists, tries another one first, or goes on where it can't be opened."""
     is_seldom_read: bool
     """Whether RViz, a script in a folder of its own, a file that nothing compiles, installs or starts, or YAML that
-    nothing names, has it, which few start; or the parameter files of the package replace it; or it is one of several
-    places for modules, a launch file has it that nothing uses, a comment or page tells to write another, a dialog
-    for files begins there, or it has no suffix and is the path of no file or folder."""
+    nothing names, has it, or a program that nothing starts, beside others that are started; or a launch file whose
+    callers give the argument, or whose twin in another language they name; or the parameter files of the package
+    replace it; or it is one of several places for modules, a launch file has it that nothing uses, a comment or page
+    tells to write another, a dialog for files begins there, or it has no suffix and is the path of no file or
+    folder."""
     is_unreached: bool = False
     """Whether it is in a function of Python that nothing leads to."""
     is_unread: bool = False
@@ -82,6 +88,7 @@ class HomePaths:
     definitions: ReachedDefinitions | None = None
     unread: UnreadPaths | None = None
     left: LeftFiles | None = None
+    programs: UnstartedPrograms | None = None
     launches: Annotated[tuple[LaunchFile, ...], READABLE] = ()
     parameters: Annotated[tuple[ParameterFile, ...], READABLE] = ()
 
@@ -113,9 +120,10 @@ class HomePaths:
                     places.setdefault(match["path"], match)
         for named, match in sorted(places.items(), key=lambda each: each[1].start()):
             is_image = bare[: match.start("path")].rstrip(" \t\"'").endswith("image:")
-            is_asked_here = is_asked or (path.endswith(".py") and is_in_handler(bare, match.start()))
-            may_be_there = is_asked_here or self.is_of_many(match["user"] or match["mac"])
             place, home = Span(*match.span("path")), self.home_of(named)
+            is_asked_here = is_asked or (path.endswith(".py") and is_in_handler(bare, match.start()))
+            is_asked_here = is_asked_here or (file is not None and is_guarded(file, place, UNOPENED))
+            may_be_there = is_asked_here or self.is_of_many(match["user"] or match["mac"])
             if file is not None and is_unreached(file, place):
                 continue
             is_seldom_read = self.is_seldom_read(path) or IS_SOUGHT.search(bare, 0, match.start()) is not None
@@ -141,8 +149,10 @@ class HomePaths:
     def is_replaced(self, path: str, place: Span, text: str, value: str) -> bool:
         """Return whether YAML or launch files give nodes another value in place of a default, or of that of a file."""
         before, launches = text[: place.start], self.launches
-        if path.endswith(YAML):
+        if path.endswith(YAML) and role_of(path) != "launch":
             return is_overridden(path, place, self.parameters, launches)
+        if role_of(path) == "launch":
+            return is_always_given(path, before, self.files) or has_named_twin(path, self.files)
         return is_replaced(before, value, self.parameters) or is_given(before, value, self.facts.name, launches)
 
     def is_setting(self, path: str, text: str, bare: str, place: int) -> bool:
@@ -175,6 +185,7 @@ class HomePaths:
         folder = path.partition("/")[0]
         is_aside = path.endswith(".py") and folder not in (self.facts.name, *FOR_CODE)
         is_left = self.left is not None and self.left.has(path)
+        is_left = is_left or (path.endswith(".py") and self.programs is not None and self.programs.has(path))
         return path.endswith(".rviz") or is_aside or is_left or (path.endswith(YAML) and self.is_left_out(path))
 
     def is_unused(self, path: str, place: Span) -> bool:

@@ -36,6 +36,12 @@ class UnstartedPrograms:
         own = [name for name, paths in self.of_programs.items() if path in paths]
         return bool(own) and not any(map(self.is_started, own)) and any(map(self.is_started, self.facts.executables))
 
+    def has_script(self, path: str) -> bool:
+        """Return the same of scripts that are installed as they are: an entry point is meant to be started."""
+        own = {name for name, paths in self.of_programs.items() if path in paths} if self.has(path) else set()
+        rows = (row for row in self.table.of("executable") if row.destination.rpartition("/")[2] in own)
+        return bool(own) and not any(row.entry for row in rows)
+
     @cached_property
     def of_programs(self) -> dict[str, frozenset[str]]:
         """By the name of a program in Python, the files that it is made of."""

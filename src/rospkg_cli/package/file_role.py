@@ -26,7 +26,8 @@ LEFT = regex(
 )
 """Folders for what nobody uses any more; none for words that a robot's task may have (`trash`, `garbage`)."""
 LEFT_FILE = regex(
-    rf".*[_.-](?:legacy|depr[ei]cated|old|backup|bak|obsolete|orig|copy|{UNUSED})", re.IGNORECASE | re.DOTALL
+    rf".*(?:[_.-](?:legacy|depr[ei]cated|old|backup|bak|obsolete|orig|copy|{UNUSED})| copy(?: \d+)?)",
+    re.IGNORECASE | re.DOTALL,
 )
 
 
@@ -44,4 +45,6 @@ def role_of(path: str) -> Role:
 def is_set_aside(path: str) -> bool:
     """Return whether a file or folder lies in a folder for what nobody uses any more, or is a file named as such."""
     *folders, last = path.split("/")
-    return any(LEFT.fullmatch(each) for each in folders) or LEFT_FILE.fullmatch(last.partition(".")[0]) is not None
+    return any(LEFT.fullmatch(each) for each in folders) or any(
+        map(LEFT_FILE.fullmatch, (last.partition(".")[0], last.rpartition(".")[0]))
+    )

@@ -16,6 +16,7 @@ from ..reached_modules import ReachedModules
 from ..reached_places import ReachedPlaces
 from ..ros1_import import ROS1, ros1_import
 from ..unrun_tests import is_never_run
+from ..unstarted_programs import UnstartedPrograms
 from .brought_dependencies import COLCON, ROSDEP, Bringer
 from .declared_dependencies import DeclaredDependencies
 from .hand_installs import HandInstalls
@@ -58,6 +59,7 @@ class ImportDependencies:
     reached: ReachedModules | None = None
     cmake: CMake | None = None
     places: ReachedPlaces | None = None
+    programs: UnstartedPrograms | None = None
 
     def are_never_run(self, places: Iterable[ImportUse]) -> bool:
         """Return whether all places are in tests that `colcon test` does not run."""
@@ -82,6 +84,11 @@ class ImportDependencies:
         """Return whether all places are in modules that nothing starts or imports, beside programs."""
         reached = self.reached
         return reached is not None and all(reached.is_left(path) for path in {each.path for each in places})
+
+    def is_unstarted(self, places: Iterable[ImportUse]) -> bool:
+        """Return whether all places are in scripts that nothing starts or names, beside programs that are started."""
+        programs = self.programs
+        return programs is not None and all(map(programs.has_script, {each.path for each in places}))
 
     def why_seldom(self, uses: Iterable[ImportUse]) -> str:
         """Return what is said where all places seldom or never run, beside what is said of modules; "" for others."""
@@ -119,10 +126,10 @@ class ImportDependencies:
 
     def in_use_first(self, places: list[ImportUse]) -> tuple[ImportUse, ...]:
         """Return places with those first that somebody comes to."""
-        is_alone = len(places) == 1
-        return tuple(
-            places if is_alone else sorted(places, key=lambda e: self.is_left([e]) or bool(self.why_seldom([e])))
-        )
+        return tuple(sorted(places, key=self.is_seldom) if len(places) > 1 else places)
+
+    def is_seldom(self, use: ImportUse) -> bool:
+        return self.is_left([use]) or bool(self.why_seldom([use])) or self.is_unstarted([use])
 
     def missing_in_tests(self) -> list[UndeclaredImport]:
         """Return what only tests import undeclared, but for what comes with other undeclared names."""

@@ -21,6 +21,7 @@ BAD = "import rclpy\nfrom «trajectory_msgs.msg» import JointTrajectory\n"
 ONLY_LAUNCH = "only launch files need it, and `ros2 launch` brings it"
 LEFT = "; nothing starts or imports this module"
 PIP = "; this repository has pip install it"
+UNSTARTED = "; nothing here starts this script, as it does other programs of the package"
 OPTIONAL = "; this module is imported only where that may fail"
 
 
@@ -33,7 +34,7 @@ OPTIONAL = "; this module is imported only where that may fail"
         Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment, "
         "where another package of an unreleased repository declares it, where only PyPI has it or the "
         "repository has it installed by pip or by hand, where nothing but launch files, only `try`, "
-        "or nothing at all imports the module, and where nothing leads to the function of the import"
+        "or nothing at all imports the module or starts the script, and where nothing leads to the function"
     },
     examples=(
         Example(
@@ -74,7 +75,8 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     nor can what rosdep itself needs (PyYAML): that is one info, which names who brings it. What may come with a
     declared one is another: with a package that is neither here nor in the table of what is installed with what,
     anything may come. A module that no entry point and no other file of the package names or imports, beside others
-    that start, is an info, and one that others import under `try` … `except ImportError` alone; so is an import in a
+    that start, is an info, as is a script that nothing starts or names beside programs that are started, unless it is
+    an entry point, and one that others import under `try` … `except ImportError` alone; so is an import in a
     function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's module, what
     `ros2 launch` brings, where only launch files import the module, and a library that a requirements.txt, a
     Dockerfile, a script or a page of the repository has pip install, or a page tells to install by hand. Left out are
@@ -130,6 +132,7 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
     if not end:
         end = PIP if imports.is_for_pip(missing) else imports.why_seldom(missing.places)
         end = end or (BY_PAGE if imports.is_by_hand(missing) else "")
+        end = end or (UNSTARTED if imports.is_unstarted(missing.places) else "")
     message = f"`{missing.name}` is imported{shown} and not declared: {what}; {todo}{end}"
     places = related((place.path, place.span) for place in missing.places)
     mild = bool(end) or is_launch or is_unmet(declared, missing.name, imports.serving(missing))

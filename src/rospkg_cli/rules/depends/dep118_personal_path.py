@@ -86,15 +86,17 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     exists or tries something else first, unless they lead into the workspace: then they are an info. So is the default
     of a parameter for which all YAML of the package that gives it has another value, or launch files have one, a value
     of YAML that they replace (nav2's, by its argument `map`, too), what an RViz config or YAML that nothing names has,
-    a script in a folder that is none for code, a source that no target compiles, a module that nothing starts or
-    imports beside others, or only such modules, a launch file or script that nothing installs or names, a script that
-    setup.py puts among the programs without the bit to be executed and that nothing names, a function that no program
-    leads to, what a launch file has only for an action that it never adds, what is put into a variable of a function or
-    a member, which nothing reads, the folder in which a dialog for files begins, and what a comment at it, or a line of
-    a page that names the file, tells to change. A script that nothing names is left too where it is only a part of a
-    folder in the share directory, or where not all that is installed is known and CMake does not name its folder. A
-    value of YAML or a launch file without a suffix that is the path of no file or folder is an info as well: what reads
-    it adds a suffix (slam_toolbox's `map_file_name`), or writes there.
+    a script in a folder that is none for code, a program that nothing starts, beside others that are started, what code
+    goes on without (`except OSError`), the default of an argument that all who start or include the launch file give, a
+    launch file whose twin in another language alone is named, a source that no target compiles, a module that nothing
+    starts or imports beside others, or only such modules, a launch file or script that nothing installs or names, a
+    script that setup.py puts among the programs without the bit to be executed and that nothing names, a function that
+    no program leads to, what a launch file has only for an action that it never adds, what is put into a variable of a
+    function or a member, which nothing reads, the folder in which a dialog for files begins, and what a comment at it,
+    or a line of a page that names the file, tells to change. A script that nothing names is left too where it is only a
+    part of a folder in the share directory, or where not all that is installed is known and CMake does not name its
+    folder. A value of YAML or a launch file without a suffix that is the path of no file or folder is an info as well:
+    what reads it adds a suffix (slam_toolbox's `map_file_name`), or writes there.
     Robots and worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)

@@ -72,7 +72,8 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     groups: dict[tuple[Span, bool], list[UninstalledNeighbour]] = {}
     for missed in shared.uninstalled_neighbours if package.knows_data_files else ():
         groups.setdefault((missed.glob.span, missed.path.endswith("/")), []).append(missed)
-    for (span, is_folder), (first, *others) in groups.items():
+    for (span, is_folder), group in groups.items():
+        first, *others = sorted(group, key=lambda each: not shared.is_wanted(each))
         edits = widen_glob(package.setup, first.glob, first.path)
         fix = Fix(f"widen the glob so that it finds {first.path}", edits, Safety.UNSAFE) if edits else None
         why = "unlike the folders next to it" if is_folder else f"`{first.glob.pattern}` finds only its neighbours"
@@ -82,7 +83,7 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
             f"{'them' if others else 'it'}; add {'a glob' if is_folder else 'them' if others else 'it'} to `data_files`"
         )
         related = tuple(Related(place, Span(0, 0), "not installed either") for place in places(shared, others))
-        level = None if any(shared.is_wanted(each) for each in (first, *others)) else Severity.INFO
+        level = None if shared.is_wanted(first) else Severity.INFO
         yield Hit(package.setup.path, span, message, level, related=related, fix=fix)
 
 

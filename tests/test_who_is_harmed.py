@@ -1,0 +1,54 @@
+"""What nobody is shown to start, to open or to release is an info, and a warning where somebody is."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest, setup_py
+from rospkg_cli.finding import Finding
+from rospkg_cli.rules.manifest import xml107_missing_license_file as xml107
+from rospkg_cli.testing import lint_files
+
+PYTHON = existing_files(BACKDROPS["ament_python"])
+NATIVE = existing_files(BACKDROPS["ament_cmake"])
+INSTALLS = "install(PROGRAMS scripts/talker.py scripts/tune.py DESTINATION lib/${PROJECT_NAME})\nament_package"
+SCRIPT = "#!/usr/bin/env python3\nimport {}\n"
+STARTS = '<launch>\n  <node pkg="my_pkg" exec="{}"/>\n</launch>\n'
+ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
+GLOB = "        ('share/' + package_name + '/config', glob('config/*.yaml')),\n"
+OPENS = "x = get_package_share_directory('my_pkg') + '/config/tree.xml'\n"
+
+
+def found(code: str, on: dict[str, str], files: dict[str, str]) -> Finding:
+    (finding,) = lint_files({**on, **files}, [code]).findings
+    return finding
+
+
+def test_a_script_that_nothing_starts_beside_others() -> None:
+    scripts = {"scripts/talker.py": SCRIPT.format("sys"), "scripts/tune.py": SCRIPT.format("scipy")}
+    files = {**scripts, "CMakeLists.txt": CMAKE.replace("ament_package", INSTALLS)}
+    for starts, level in (("talker.py", "info"), ("tune.py", "warning"), ("other.py", "warning")):
+        finding = found("DEP101", NATIVE, {**files, "launch/a.launch.xml": STARTS.format(starts)})
+        assert finding.severity.value == level
+        assert ("nothing here starts this script" in finding.message) == (level == "info")
+
+
+def test_the_file_that_something_opens_is_the_one_that_is_told() -> None:
+    setup = "from glob import glob\n" + setup_py().replace(ENTRY, ENTRY + GLOB)
+    config = {"config/a.yaml": "a: 1\n", "config/b.json": "{}\n", "config/tree.xml": "<root/>\n"}
+    finding = found("SET207", PYTHON, {"setup.py": setup, **config, "my_pkg/a.py": OPENS})
+    assert finding.severity.value == "warning"
+    assert finding.message.startswith("`config/tree.xml` and 1 more")
+    assert found("SET207", PYTHON, {"setup.py": setup, **config}).severity.value == "info"
+
+
+def test_a_copy_of_a_launch_file_is_set_aside() -> None:
+    needs = {"package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n")}
+    launch = '<launch>\n  <node pkg="rviz2" exec="rviz2"/>\n</launch>\n'
+    for name, level in (("a.launch.xml", "warning"), ("a.launch copy.xml", "info"), ("a copy 2.launch.xml", "info")):
+        setup = "from glob import glob\n" + setup_py().replace(ENTRY, ENTRY + GLOB.replace("config/*.yaml", "launch/*"))
+        assert found("DEP103", PYTHON, {**needs, "setup.py": setup, f"launch/{name}": launch}).severity.value == level
+
+
+def test_a_license_text_is_missed_by_who_releases() -> None:
+    lost = {"package.xml": xml107.GOOD.replace('"LICENSE"', '"LICENCE"')}
+    assert found("XML107", PYTHON, lost).severity.value == "info"
+    assert found("XML107", PYTHON, {**lost, "tracks.yaml": "tracks: {}\n"}).severity.value == "error"
