@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest, setup_py
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest, scripts, setup_py
 from rospkg_cli.finding import Finding
 from rospkg_cli.rules.manifest import xml107_missing_license_file as xml107
 from rospkg_cli.testing import lint_files
@@ -52,3 +52,29 @@ def test_a_license_text_is_missed_by_who_releases() -> None:
     lost = {"package.xml": xml107.GOOD.replace('"LICENSE"', '"LICENCE"')}
     assert found("XML107", PYTHON, lost).severity.value == "info"
     assert found("XML107", PYTHON, {**lost, "tracks.yaml": "tracks: {}\n"}).severity.value == "error"
+
+
+def test_a_package_that_is_left_out_and_nothing_started_imports() -> None:
+    """A module in the way may be imported in a function; one that no entry point leads to shows no harm."""
+    setup = setup_py(scripts("talker = my_pkg.talker:main")).replace(
+        "find_packages(exclude=['test'])", "[package_name]"
+    )
+    uses, inner = (
+        "from my_pkg.speech import words\n",
+        {"my_pkg/speech/__init__.py": "", "my_pkg/speech/words.py": "A = 1\n"},
+    )
+    main = "def main():\n    {}\n"
+    for talker, level in (
+        (uses + main.format("words.A"), "error"),
+        (main.format("from my_pkg import middle"), "warning"),
+        (main.format("pass"), "info"),
+    ):
+        files = {"setup.py": setup, **inner, "my_pkg/talker.py": talker, "my_pkg/middle.py": uses}
+        assert found("SET302", PYTHON, files).severity.value == level
+        without = {path: text for path, text in files.items() if path != "my_pkg/speech/__init__.py"}
+        assert (
+            found(
+                "SET301", PYTHON, {**without, "setup.py": setup.replace("[package_name]", "find_packages()")}
+            ).severity.value
+            == level
+        )

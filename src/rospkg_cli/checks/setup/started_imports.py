@@ -1,4 +1,4 @@
-"""The modules that Python imports at the start of a package's entry points, before any of their functions is called."""
+"""The modules that Python imports at the start of a package's entry points, and those that these lead to later."""
 
 from __future__ import annotations
 
@@ -20,24 +20,40 @@ class StartedImports:
 
         Nothing that is imported under a `try`, for typing or in a function: a start need not end there.
         """
+        return self.all_from_entries(at_once=True)
+
+    @cached_property
+    def names_at_some_time(self) -> frozenset[str]:
+        """The same with what is imported in functions, or may fail."""
+        return self.all_from_entries(at_once=False)
+
+    def all_from_entries(self, *, at_once: bool) -> frozenset[str]:
         found: set[str] = set()
         waiting = [entry.module for entry in self.package.setup.entry_points if entry.module and not entry.fault]
         while waiting:
             name = waiting.pop()
             if name and name not in found:
                 found.add(name)
-                waiting += [name.rpartition(".")[0], *self.imported_by(name)]
+                waiting += [name.rpartition(".")[0], *self.imported_by(name, at_once=at_once)]
         return frozenset(found)
 
-    def imported_by(self, module: str) -> Iterator[str]:
-        """Yield what a module of the package imports as soon as it is imported itself."""
+    def imported_by(self, module: str, *, at_once: bool) -> Iterator[str]:
+        """Yield what a module of the package imports, as soon as it is imported itself or at some time."""
         path = self.package.on_disk.get(module, "")
         file = self.package.modules.at(path) if path else None
         for each in file.imports if file is not None else ():
-            if not (each.is_optional or each.is_for_typing or each.is_local):
+            if not (each.is_for_typing or (at_once and (each.is_optional or each.is_local))):
                 name = absolute(each, path, self.package.setup)
                 yield from (name, *(f"{name}.{part}" for part in each.names))
 
     def reaches(self, package: str) -> bool:
         """Return whether a start imports a Python package, or a module in it."""
-        return any(name == package or name.startswith(f"{package}.") for name in self.names)
+        return is_among(package, self.names)
+
+    def may_reach(self, package: str) -> bool:
+        """Return whether a program may come to import it, or the package has no program that would."""
+        return not self.package.setup.entry_points or is_among(package, self.names_at_some_time)
+
+
+def is_among(package: str, names: frozenset[str]) -> bool:
+    return any(name == package or name.startswith(f"{package}.") for name in names)

@@ -32,7 +32,8 @@ SHOWN = regex(r"(?:.*/)?(?:examples?|demos?|scripts?|tools?|tutorials?|notebooks
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "no entry point imports it as it starts, or the workspace is built with `--symlink-install`",
-        Severity.INFO: "nothing imports it, and no package depends on this one, or it is called `old` or holds scripts",
+        Severity.INFO: "nothing that an entry point leads to imports it, and no package depends on this one, or it is "
+        "called `old` or holds scripts",
     },
     examples=(
         Example(
@@ -52,8 +53,8 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
     `find_packages()` leaves them out: the build is green, and at run time there is "No module named 'my_pkg.speech'".
     In the source folder, and with `--symlink-install`, it works, so the error is found late: where a README, a
     Dockerfile or another file of the repository builds that way, it is a warning. It is one, too, where no entry point
-    imports the folder as it starts: a module that nothing starts does, or a function. It is an info for a folder that
-    nothing imports, where no package of the workspace depends on this one, the folder is called `deprecated`, `legacy`,
+    imports the folder as it starts: a function does. It is an info for a folder that nothing imports to which an entry
+    point leads, where no package of the workspace depends on this one, the folder is called `deprecated`, `legacy`,
     `old` or `backup`, or each of its files has a shebang line or a `__main__`.
 
     ## When it is quiet
@@ -87,7 +88,7 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
             message = f"{start}; create an empty one{also}"
             fix = Fix(f"create {init}{also}", (Create(init, ""), *listing), safety)
         is_for_nobody = is_listed or tree.is_set_aside(folder) or are_scripts(inside, tree.package.files)
-        may_matter = imported or (tree.may_be_for_others and not is_for_nobody)
+        may_matter = (imported and tree.started.may_reach(name)) or (tree.may_be_for_others and not is_for_nobody)
         mild = Severity.WARNING if may_matter else Severity.INFO
         is_fatal = imported and tree.started.reaches(name) and not link
         yield Hit(inside[0], Span(0, 0), message, None if is_fatal else mild, fix=fix)
