@@ -78,3 +78,16 @@ def test_a_package_that_is_left_out_and_nothing_started_imports() -> None:
             ).severity.value
             == level
         )
+
+
+def test_a_tool_beside_the_programs() -> None:
+    setup, code = setup_py(scripts("talker = my_pkg.talker:main")), "import scipy\n\nprint(scipy)\n"
+    page = {"README.md": "Run `python3 benchmarks/speed.py`.\n", "setup.py": setup}
+    main = {"my_pkg/talker.py": "def main():\n    pass\n"}
+    for folder, level in (("benchmarks", "info"), ("my_pkg/benchmarking", "info"), ("signals", "warning")):
+        files = {**page, **main, f"{folder}/__init__.py": "", f"{folder}/speed.py": code}
+        files["README.md"] = page["README.md"].replace("benchmarks", folder)
+        assert found("DEP101", PYTHON, files).severity.value == level
+    used = {"my_pkg/talker.py": "from my_pkg.tools import speed\n\n\ndef main():\n    print(speed)\n"}
+    files = {**page, **used, "my_pkg/tools/__init__.py": "", "my_pkg/tools/speed.py": code}
+    assert found("DEP101", PYTHON, files).severity.value == "warning"

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ..files import PackageFiles
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..package.install_table import InstallTable
@@ -18,6 +19,7 @@ from .reached_modules import ReachedModules
 
 STARTING = (".xml", ".launch", ".yaml", ".yml", ".json", ".service", ".desktop", ".conf")
 """Files that start programs, beside launch files in Python, pages and scripts."""
+OF_TOOLS = regex(r"(?i)bench(?:mark(?:s|ing)?)?|tools?|experiments?|notebooks?|training|debug(?:ging)?")
 BUILDS = ("package.xml", "setup.py", "setup.cfg")
 
 
@@ -41,6 +43,12 @@ class UnstartedPrograms:
         own = {name for name, paths in self.of_programs.items() if path in paths} if self.has(path) else set()
         rows = (row for row in self.table.of("executable") if row.destination.rpartition("/")[2] in own)
         return bool(own) and not any(row.entry for row in rows)
+
+    def is_tool(self, path: str) -> bool:
+        """Return whether a file lies in a folder of tools, for benchmarks say, and is a part of no program."""
+        folders = path.split("/")[:-1]
+        is_in_use = not self.table.knows("executable") or any(path in paths for paths in self.of_programs.values())
+        return not is_in_use and any(map(OF_TOOLS.fullmatch, folders))
 
     @cached_property
     def of_programs(self) -> dict[str, frozenset[str]]:

@@ -29,6 +29,9 @@ RUNNERS = frozenset({"python3-pytest", "launch_ros", "launch_testing", "ament_in
 BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catkin_pkg"})
 """What runs setup.py, or colcon needs itself."""
 
+UNSTARTED = "; nothing here starts this script, as it does other programs of the package"
+TOOL = "; this is a tool beside the programs of the package"
+
 
 @dataclass(frozen=True, slots=True)
 class ImportUse:
@@ -85,10 +88,12 @@ class ImportDependencies:
         reached = self.reached
         return reached is not None and all(reached.is_left(path) for path in {each.path for each in places})
 
-    def is_unstarted(self, places: Iterable[ImportUse]) -> bool:
-        """Return whether all places are in scripts that nothing starts or names, beside programs that are started."""
-        programs = self.programs
-        return programs is not None and all(map(programs.has_script, {each.path for each in places}))
+    def why_unstarted(self, places: Iterable[ImportUse]) -> str:
+        """Return what is said of scripts that nothing starts beside programs that are, and of tools; "" for others."""
+        programs, paths = self.programs, {each.path for each in places}
+        if programs is None:
+            return ""
+        return UNSTARTED if all(map(programs.has_script, paths)) else TOOL if all(map(programs.is_tool, paths)) else ""
 
     def why_seldom(self, uses: Iterable[ImportUse]) -> str:
         """Return what is said where all places seldom or never run, beside what is said of modules; "" for others."""
@@ -129,7 +134,7 @@ class ImportDependencies:
         return tuple(sorted(places, key=self.is_seldom) if len(places) > 1 else places)
 
     def is_seldom(self, use: ImportUse) -> bool:
-        return self.is_left([use]) or bool(self.why_seldom([use])) or self.is_unstarted([use])
+        return self.is_left([use]) or bool(self.why_seldom([use]) or self.why_unstarted([use]))
 
     def missing_in_tests(self) -> list[UndeclaredImport]:
         """Return what only tests import undeclared, but for what comes with other undeclared names."""

@@ -21,7 +21,6 @@ BAD = "import rclpy\nfrom «trajectory_msgs.msg» import JointTrajectory\n"
 ONLY_LAUNCH = "only launch files need it, and `ros2 launch` brings it"
 LEFT = "; nothing starts or imports this module"
 PIP = "; this repository has pip install it"
-UNSTARTED = "; nothing here starts this script, as it does other programs of the package"
 OPTIONAL = "; this module is imported only where that may fail"
 
 
@@ -76,13 +75,14 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     declared one is another: with a package that is neither here nor in the table of what is installed with what,
     anything may come. A module that no entry point and no other file of the package names or imports, beside others
     that start, is an info, as is a script that nothing starts or names beside programs that are started, unless it is
-    an entry point, and one that others import under `try` … `except ImportError` alone; so is an import in a
-    function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's module, what
-    `ros2 launch` brings, where only launch files import the module, and a library that a requirements.txt, a
-    Dockerfile, a script or a page of the repository has pip install, or a page tells to install by hand. Left out are
-    optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks
-    for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files that nothing
-    installs, and the package's own modules, and libraries of which rosdep has keys for older releases of Ubuntu alone.
+    an entry point, what lies in a folder of tools (`benchmarks/`) and is no part of a program, and one that others
+    import under `try` … `except ImportError` alone; so is an import in a function that no program leads to, behind
+    `rclpy.spin`, or under the `__main__` of an entry point's module, what `ros2 launch` brings, where only launch files
+    import the module, and a library that a requirements.txt, a Dockerfile, a script or a page of the repository has pip
+    install, or a page tells to install by hand. Left out are optional imports: under `try` … `except ImportError`,
+    `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
+    get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, and the package's
+    own modules, and libraries of which rosdep has keys for older releases of Ubuntu alone.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, where no released package has the name, or where a comment of
@@ -132,7 +132,7 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
     if not end:
         end = PIP if imports.is_for_pip(missing) else imports.why_seldom(missing.places)
         end = end or (BY_PAGE if imports.is_by_hand(missing) else "")
-        end = end or (UNSTARTED if imports.is_unstarted(missing.places) else "")
+        end = end or imports.why_unstarted(missing.places)
     message = f"`{missing.name}` is imported{shown} and not declared: {what}; {todo}{end}"
     places = related((place.path, place.span) for place in missing.places)
     mild = bool(end) or is_launch or is_unmet(declared, missing.name, imports.serving(missing))
