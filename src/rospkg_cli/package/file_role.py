@@ -26,9 +26,10 @@ LEFT = regex(
 )
 """Folders for what nobody uses any more; none for words that a robot's task may have (`trash`, `garbage`)."""
 LEFT_FILE = regex(
-    rf".*(?:[_.-](?:legacy|depr[ei]cated|old|backup|bak|obsolete|orig|copy|{UNUSED})| copy(?: \d+)?)",
-    re.IGNORECASE | re.DOTALL,
+    rf".*[_.-](?:legacy|depr[ei]cated|old|backup|bak|obsolete|orig|copy|{UNUSED})", re.IGNORECASE | re.DOTALL
 )
+COPY = regex(r" copy(?: \d+)?\.", re.IGNORECASE)
+"""How editors and desktops call a copy of a file: `a.launch copy 2.py`."""
 
 
 @lru_cache(maxsize=4096)
@@ -45,6 +46,5 @@ def role_of(path: str) -> Role:
 def is_set_aside(path: str) -> bool:
     """Return whether a file or folder lies in a folder for what nobody uses any more, or is a file named as such."""
     *folders, last = path.split("/")
-    return any(LEFT.fullmatch(each) for each in folders) or any(
-        map(LEFT_FILE.fullmatch, (last.partition(".")[0], last.rpartition(".")[0]))
-    )
+    is_left = LEFT_FILE.fullmatch(last.partition(".")[0]) or COPY.search(last)
+    return is_left is not None or any(LEFT.fullmatch(each) for each in folders)
