@@ -9,7 +9,8 @@ from rospkg_cli.testing import lint_files
 
 PYTHON = existing_files(BACKDROPS["ament_python"])
 NATIVE = existing_files(BACKDROPS["ament_cmake"])
-INSTALLS = "install(PROGRAMS scripts/talker.py scripts/tune.py DESTINATION lib/${PROJECT_NAME})\nament_package"
+NAMED = "install(PROGRAMS scripts/talker.py scripts/tune.py DESTINATION lib/${PROJECT_NAME})\nament_package"
+FOUND = "file(GLOB found scripts/*.py)\ninstall(PROGRAMS ${found} DESTINATION lib/${PROJECT_NAME})\nament_package"
 SCRIPT = "#!/usr/bin/env python3\nimport {}\n"
 STARTS = '<launch>\n  <node pkg="my_pkg" exec="{}"/>\n</launch>\n'
 ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
@@ -24,11 +25,14 @@ def found(code: str, on: dict[str, str], files: dict[str, str]) -> Finding:
 
 def test_a_script_that_nothing_starts_beside_others() -> None:
     scripts = {"scripts/talker.py": SCRIPT.format("sys"), "scripts/tune.py": SCRIPT.format("scipy")}
-    files = {**scripts, "CMakeLists.txt": CMAKE.replace("ament_package", INSTALLS)}
+    files = {**scripts, "CMakeLists.txt": CMAKE.replace("ament_package", FOUND)}
     for starts, level in (("talker.py", "info"), ("tune.py", "warning"), ("other.py", "warning")):
         finding = found("DEP101", NATIVE, {**files, "launch/a.launch.xml": STARTS.format(starts)})
         assert finding.severity.value == level
         assert ("nothing here starts this script" in finding.message) == (level == "info")
+    named = {**files, "CMakeLists.txt": CMAKE.replace("ament_package", NAMED)}
+    starts = {"launch/a.launch.xml": STARTS.format("talker.py")}
+    assert found("DEP101", NATIVE, {**named, **starts}).severity.value == "warning"
 
 
 def test_the_file_that_something_opens_is_the_one_that_is_told() -> None:

@@ -39,10 +39,17 @@ class UnstartedPrograms:
         return bool(own) and not any(map(self.is_started, own)) and any(map(self.is_started, self.facts.executables))
 
     def has_script(self, path: str) -> bool:
-        """Return the same of scripts that are installed as they are: an entry point is meant to be started."""
+        """Return the same of scripts that come with their folder: one that the build names is to be started."""
         own = {name for name, paths in self.of_programs.items() if path in paths} if self.has(path) else set()
-        rows = (row for row in self.table.of("executable") if row.destination.rpartition("/")[2] in own)
-        return bool(own) and not any(row.entry for row in rows)
+        rows = [row for row in self.table.of("executable") if row.destination.rpartition("/")[2] in own]
+        return bool(rows) and not any(row.entry or self.is_named_by_build(row.source) for row in rows)
+
+    def is_named_by_build(self, path: str) -> bool:
+        word = re.compile(rf"(?<![\w-]){re.escape(path.rpartition('/')[2])}(?![\w-])")
+        builds = (
+            each for each in self.files.paths if each == "setup.py" or each.endswith(("CMakeLists.txt", ".cmake"))
+        )
+        return any(word.search(live_text(self.files, each)) for each in builds)
 
     def is_tool(self, path: str) -> bool:
         """Return whether a file lies in a folder of tools, for benchmarks say, and is a part of no program."""

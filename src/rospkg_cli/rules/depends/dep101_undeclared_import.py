@@ -74,8 +74,8 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     nor can what rosdep itself needs (PyYAML): that is one info, which names who brings it. What may come with a
     declared one is another: with a package that is neither here nor in the table of what is installed with what,
     anything may come. A module that no entry point and no other file of the package names or imports, beside others
-    that start, is an info, as is a script that nothing starts or names beside programs that are started, unless it is
-    an entry point, what lies in a folder of tools (`benchmarks/`) and is no part of a program, and one that others
+    that start, is an info, as is a script that nothing starts or names beside programs that are started, unless the
+    build names it, what lies in a folder of tools (`benchmarks/`) and is no part of a program, and one that others
     import under `try` … `except ImportError` alone; so is an import in a function that no program leads to, behind
     `rclpy.spin`, or under the `__main__` of an entry point's module, what `ros2 launch` brings, where only launch files
     import the module, and a library that a requirements.txt, a Dockerfile, a script or a page of the repository has pip
