@@ -33,6 +33,7 @@ from .params.passed_files import handed_yaml, yaml_readers
 from .plugins.plugin_facts import described_plugins, loaded_bases
 from .plugins.plugin_uses import plugin_uses
 from .python.run_time_files import run_time_files
+from .python.taken_names import taken_names
 from .read_install_table import installed_facts
 from .settled_folders import settled_folders
 from .uninstalled_files import made_files, uninstalled_files
@@ -132,6 +133,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("kept_links",): one("kept_links", kept_links),
     ("plugin_uses",): one("plugin_uses", plugin_uses),
     ("included_headers",): one("included_headers", included_headers),
+    ("taken_names",): one("taken_names", taken_names),
     ("header_files",): one("header_files", header_files),
     ("headers",): one("headers", lambda reading: include_dirs(reading.files)),
 }  # fmt: skip

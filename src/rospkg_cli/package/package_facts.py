@@ -130,6 +130,8 @@ class PackageFacts:
     """The packages that its CMake certainly finds for itself alone: no target or export hands them on."""
     modules: frozenset[str] = frozenset()
     """Dotted names of the Python modules that are installed."""
+    taken_names: frozenset[tuple[str, str]] = frozenset()
+    """What its Python code takes out of modules of others: the module and the name; "" where it imports all of it."""
     headers: frozenset[str] = frozenset()
     """The folders below its `include/` folders that hold headers: `rclcpp/executors`."""
     header_files: frozenset[str] = frozenset()
