@@ -144,3 +144,17 @@ def test_it_says_where_the_run_ends() -> None:
     (behind,) = (each for each in findings if each.code == "IDL010")
     assert behind.message.endswith("; the run ends before, at another line")
     assert [(at.line, what) for at, what in behind.related] == [(9, "this raises first")]
+
+
+def test_a_module_whose_own_import_fails_ends_those_that_import_it() -> None:
+    files = {"my_pkg/words.py": "from .gone import hello\n", "my_pkg/deep.py": "import my_pkg.words\n"}
+    for import_ in ("from .words import hello", "from . import deep"):
+        assert set(found(files, top=import_).values()) == {"info"}
+    tried = "try:\n    from .words import hello\nexcept ImportError:\n    pass"
+    assert found(files, top=tried)["dta"] == "error"
+
+
+def test_the_import_of_a_test_that_fails() -> None:
+    test = "from my_pkg.gone import a\n\n\ndef test_it():\n    lost()\n"
+    findings = lint_files({**PYTHON, "my_pkg/talker.py": "", "test/test_it.py": test}, ["DEP109", "DEP117"]).findings
+    assert {each.code: each.severity.value for each in findings} == {"DEP109": "warning", "DEP117": "info"}

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
+from ...checks.installed_modules import InstalledModules
 from ...files import PackageFiles
 from ...finding import AGAIN, Finding, Location, Severity
 from ...languages.python.file import PythonFile
@@ -16,6 +17,7 @@ from ...package.package_facts import PackageFacts
 from ...package.python_modules import PythonModules
 from ...package.run_events import RuleCrash
 from ...source import Span
+from .failing_modules import FailingModules
 from .finding_builder import AT_RUN
 
 OF_IMPORTS = frozenset({"DEP109", "DEP110", "IDL011"})
@@ -30,19 +32,35 @@ class EarlierFaults:
     files: PackageFiles
     modules: PythonModules
     facts: PackageFacts
+    installed: InstalledModules | None = None
 
     def milder(self, every: Sequence[Finding | RuleCrash]) -> list[Finding | RuleCrash]:
         """Return results with an info for each fault of a file that its program does not come to."""
         loud = [each for each in every if isinstance(each, Finding) and each.severity is not Severity.INFO]
         found: dict[int, Finding] = {}
+        failing = self.failing_imports(loud)
         for path in {each.location.path for each in loud if each.code in AT_RUN}:
             file = self.modules.at(path.removeprefix(f"{self.files.folder}/" if self.files.folder else ""))
-            found |= self.in_file(path, file, loud) if file is not None else {}
+            found |= self.in_file(path, file, loud, failing.get(file.path, ())) if file is not None else {}
         return [found.get(id(each), each) for each in every]
 
-    def in_file(self, path: str, file: PythonFile, loud: Sequence[Finding]) -> dict[int, Finding]:
+    def failing_imports(self, loud: Sequence[Finding]) -> Mapping[str, Sequence[Span]]:
+        """Return by the path of a file where it imports own modules whose import ends at a fault."""
+        if self.installed is None:
+            return {}
+        start = f"{self.files.folder}/" if self.files.folder else ""
+
+        def stops(file: PythonFile) -> list[Span]:
+            return [at.span for each in loud for at in self.stops(each, f"{start}{file.path}", file)]
+
+        return FailingModules(self.installed, stops).imports()
+
+    def in_file(
+        self, path: str, file: PythonFile, loud: Sequence[Finding], failing: Sequence[Span]
+    ) -> dict[int, Finding]:
         """Return the milder findings of a file by the identities of those that they replace."""
-        stops = {at.span: at for each in loud for at in self.stops(each, path, file)}
+        stops = {span: self.location(path, file, span) for span in failing}
+        stops |= {at.span: at for each in loud for at in self.stops(each, path, file)}
         others = self.naming(file)
         places = StoppedPlaces(file, tuple(sorted(stops)), lambda name: is_in(name, others))
         return self.behind(path, loud, places, [stops[span] for span in sorted(stops)])
@@ -75,8 +93,11 @@ class EarlierFaults:
         for each in file.imports:
             kind = each.module.removeprefix(f"{self.facts.name}.")
             if kind in ("msg", "srv", "action") and kind != each.module and not each.is_optional:
-                start, end = (file.source.position(at) for at in (each.span.start, each.span.end))
-                yield Location(path, each.span, *start, *end)
+                yield self.location(path, file, each.span)
+
+    def location(self, path: str, file: PythonFile, span: Span) -> Location:
+        start, end = (file.source.position(at) for at in (span.start, span.end))
+        return Location(path, span, *start, *end)
 
     def naming(self, file: PythonFile) -> list[str]:
         """Return what other files say that name a module, and may read what is in it."""
