@@ -16,9 +16,10 @@ FIND = "  find_package(ament_cmake_pytest REQUIRED)\n"
     [
         ("moves.py", "ament_add_pytest_test(moves test/moves.py)", ["warning"]),
         ("moves.py", "# ament_add_pytest_test(moves test/moves.py)", ["info"]),
-        ("moves.py", "install(FILES test/moves.py DESTINATION share/my_pkg)", ["warning"]),
+        ("moves.py", "install(FILES test/moves.py DESTINATION share/my_pkg)", ["info"]),
         ("moves.py", "install(DIRECTORY test DESTINATION share/my_pkg)", ["info"]),
-        ("moves.py", "ament_add_pytest_test(all test)", ["warning"]),
+        ("moves.py", "ament_add_pytest_test(all test)", ["info"]),
+        ("test_moves.py", "ament_add_pytest_test(all test)", ["warning"]),
         ("moves.py", "", ["info"]),
         ("test_moves.py", "", ["info"]),
     ],

@@ -22,14 +22,18 @@ from .interfaces.uncalled_methods import UncalledMethods
 from .reached_definitions import ReachedDefinitions
 from .reached_modules import ReachedModules
 from .run_imports import RunImports
+from .shown.units import is_in_function
+from .shown.ways import ShownWays
 
-Met = Literal["maybe", "branch", "late", "never"]
+Met = Literal["maybe", "branch", "late", "seldom", "unshown", "never"]
 """In some runs; after another failure, by a switch or by the file's path alone; behind a `spin` that Ctrl-C leaves;
-where nothing leads."""
+under several conditions at once; where nothing is shown to come; where nothing leads."""
 
 WHY: dict[Met, str] = {
     "branch": "; it runs only where its condition holds",
     "late": "; it stands behind `spin`, which Ctrl-C leaves by an exception of its own",
+    "seldom": "; it runs only where several conditions hold at once",
+    "unshown": "; nothing here shows that a program comes to this line",
     "never": "; nothing here leads to this function",
 }
 """What is said of a place that seldom or never runs."""
@@ -44,10 +48,30 @@ class ReachedPlaces:
     reached: ReachedModules
     uncalled: UncalledMethods
     definitions: ReachedDefinitions
+    shown: ShownWays
 
     def met(self, file: PythonFile, span: Span) -> Met:
         """Return when a place is come to that is not met at every start, as far as the package itself shows."""
-        return "never" if self.is_in_idle_function(file, span) else self.met_by_anybody(file, span)
+        return "never" if self.is_in_idle_function(file, span) else self.as_shown(file, span)
+
+    def as_shown(self, file: PythonFile, span: Span) -> Met:
+        """Return when a place is come to, "maybe" only where a way is shown on which one condition stands at most."""
+        met = self.met_by_anybody(file, span)
+        if met != "maybe":
+            return met
+        conditions = self.conditions(file, span)
+        return "unshown" if conditions is None else "seldom" if conditions > 1 else "maybe"
+
+    def conditions(self, file: PythonFile, span: Span) -> int | None:
+        """Return how many conditions stand on the shortest way that is shown to a place; None where none is shown.
+
+        Whoever uses a library imports its modules.
+        """
+        found = self.shown.conditions(file, span)
+        if found is None and not is_in_function(file, span) and self.reached.is_library:
+            is_started = self.installed.names.get(file.path) in self.reached.started
+            return self.shown.conditions_in_module(file, span) if is_started else None
+        return found
 
     def met_by_anybody(self, file: PythonFile, span: Span) -> Met:
         """Return when a place is come to; what a package without programs offers may be called by others."""
@@ -90,7 +114,10 @@ class ReachedPlaces:
         file = self.run.modules.at(path) if path.endswith(".py") else None
         if file is None:
             return ""
-        return UNWANTED if self.is_unwanted(file) else WHY.get(self.met_by_anybody(file, span), "")
+        if self.is_unwanted(file):
+            return UNWANTED
+        met = self.as_shown(file, span) if is_in_function(file, span) else self.met_by_anybody(file, span)
+        return WHY.get(met, "")
 
     def is_unwanted(self, file: PythonFile) -> bool:
         """Return whether only functions that no program leads to import a module."""

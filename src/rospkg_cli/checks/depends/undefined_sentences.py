@@ -9,6 +9,8 @@ ENDS = {
     "maybe": "the line raises NameError when it runs",
     "branch": "the line raises NameError where its condition holds",
     "late": "the line raises NameError where `spin` returns, which Ctrl-C leaves by an exception of its own",
+    "seldom": "the line raises NameError where several conditions hold at once",
+    "unshown": "the line raises NameError once a program comes to it, which nothing here shows",
     "aside": "the line raises NameError when somebody runs this file, which nothing installs",
     "never": "the line raises NameError once something calls it, which nothing here does",
 }

@@ -18,11 +18,12 @@ from ..module_attributes import AbsentAttribute, absent_attributes
 from ..reached_places import ReachedPlaces
 from ..run_imports import RunImports
 
-When = Literal["certainly", "maybe", "branch", "late", "never", "aside"]
+When = Literal["certainly", "maybe", "branch", "late", "seldom", "unshown", "never", "aside"]
 """When a name is used: at every start or import, in some runs, under a condition or after another failure, behind a
-`spin` that Ctrl-C leaves, where nothing leads, in what nothing installs."""
+`spin` that Ctrl-C leaves, under several conditions, where nothing is shown to come, where nothing leads, in what
+nothing installs."""
 
-ORDER: tuple[When, ...] = ("certainly", "maybe", "branch", "late", "never", "aside")
+ORDER: tuple[When, ...] = ("certainly", "maybe", "branch", "late", "seldom", "unshown", "never", "aside")
 OF_LAUNCH = frozenset({"generate_launch_description", "generate_test_description"})
 PYTHON_2 = frozenset(
     "unicode xrange raw_input basestring long unichr reduce file cmp execfile buffer reload apply intern".split()
@@ -108,8 +109,9 @@ class UndefinedUses:
         return any(each not in self.installed.sources or self.installed.offers(each, name) for each in modules)
 
     def when_in(self, role: Role, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
-        by_role: dict[Role, When] = {"test": "maybe", "aside": "aside"}
-        return by_role.get(role) or self.when(file, found, certain)
+        if role == "test":
+            return self.places.as_shown(file, found.span)
+        return "aside" if role == "aside" else self.when(file, found, certain)
 
     def when(self, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
         if found.span in certain and not (found.is_annotation or found.is_caught):

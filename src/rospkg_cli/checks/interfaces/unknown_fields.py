@@ -108,6 +108,26 @@ class FieldUses:
         """Return whether a use is in a branch of its function."""
         return self.places is not None and self.places.is_conditional(use.path, use.span)
 
+    def conditions(self, use: UnknownField) -> int | None:
+        """Return how many conditions stand on the shortest way that is shown to a use; None where none is shown."""
+        file = self.run.modules.at(use.path)
+        return self.places.conditions(file, use.span) if file is not None and self.places is not None else None
+
+    def is_unshown(self, use: UnknownField) -> bool:
+        return self.conditions(use) is None
+
+    def is_seldom(self, use: UnknownField) -> bool:
+        """Return whether several conditions stand on each way that is shown to a use, if one is."""
+        return self.is_under(use, 2)
+
+    def is_at_times(self, use: UnknownField) -> bool:
+        """Return whether a condition stands on each way."""
+        return self.is_under(use, 1)
+
+    def is_under(self, use: UnknownField, least: int) -> bool:
+        conditions = self.conditions(use)
+        return conditions is None or conditions >= least
+
     @cached_property
     def idle(self) -> IdleObjects:
         return IdleObjects(self.run)

@@ -54,9 +54,10 @@ WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
     over=UndefinedUses,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a function or a branch that may not run, in a test, in an annotation, or in a "
-        "program that nothing starts, beside others that are started",
-        Severity.INFO: "nothing in the package calls the function, imports the module, or installs the file, a switch "
+        Severity.WARNING: "it is in a function that a program is shown to come to, under one condition at most, in a "
+        "test, in an annotation, or in a program that nothing starts, beside others that are started",
+        Severity.INFO: "no program is shown to come to it, or under several conditions alone, nothing in the package "
+        "calls the function, imports the module, or installs the file, a switch "
         "turns it off that nothing throws, it stands behind `rclpy.spin`, an attribute is read under a "
         "condition, or the run ends before, at another fault",
     },
@@ -121,7 +122,7 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
 LEVELS = {
     "certainly": None,
     "maybe": Severity.WARNING,
-    **dict.fromkeys(("branch", "late", "never", "aside"), Severity.INFO),
+    **dict.fromkeys(("branch", "late", "seldom", "unshown", "never", "aside"), Severity.INFO),
 }
 
 

@@ -40,11 +40,11 @@ def main():
     over=UnknownRclpyNames,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a function that may not run, in a test, or in a program that nothing starts, "
-        "beside others that are started",
-        Severity.INFO: "it is under a condition (`__main__` of an entry point's module), behind "
-        "`rclpy.spin`, nothing in the package calls the function, or imports the module, or the run ends before, at "
-        "another fault",
+        Severity.WARNING: "it is in a function that a program is shown to come to, under one condition at most, in a "
+        "test, or in a program that nothing starts, beside others that are started",
+        Severity.INFO: "no program is shown to come to it, or under several conditions alone, it is under a condition "
+        "(`__main__` of an entry point's module), behind `rclpy.spin`, nothing in the package calls the function, or "
+        "imports the module, or the run ends before, at another fault",
     },
     examples=(
         Example(
@@ -84,11 +84,17 @@ def unknown_rclpy_name(names: UnknownRclpyNames) -> Iterator[Hit]:
 
 
 WHAT = {"rclpy": "`rclpy` has no", "self": "a node has no"}
-LEVELS = {"certainly": None, "maybe": Severity.WARNING, **dict.fromkeys(("branch", "late", "never"), Severity.INFO)}
+LEVELS = {
+    "certainly": None,
+    "maybe": Severity.WARNING,
+    **dict.fromkeys(("branch", "late", "seldom", "unshown", "never"), Severity.INFO),
+}
 ENDS = {
     "certainly": "the start ends here",
     "maybe": "the line ends",
     "branch": "the line ends, under its condition,",
     "late": "the line ends, where `spin` returns,",
+    "seldom": "the line ends, where several conditions hold at once,",
+    "unshown": "the line ends, once a program comes to it,",
     "never": "the line ends, once something calls it,",
 }

@@ -6,15 +6,16 @@ from collections.abc import Iterator, Sequence
 
 from ...checks.enumeration import in_ticks
 from ...checks.interfaces.field_faults import together
+from ...checks.interfaces.seldom_fields import NEVER, unrun
 from ...checks.interfaces.unknown_fields import FieldUses, UnknownField
-from ...checks.reached_places import WHY
-from ...example import Example, manifest
+from ...example import Example, manifest, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...package.file_role import role_of
 from ...rule import rule
 
+TALKS, LISTENS = (setup_py(scripts(f"{each} = my_pkg.{each}:main")) for each in ("talker", "listener"))
 DEPENDS = "  <exec_depend>rclpy</exec_depend>\n  <exec_depend>std_msgs</exec_depend>\n"
 NODE = """\
+import rclpy
 import rclpy.node
 from std_msgs.msg import String
 
@@ -26,27 +27,13 @@ class Listener(rclpy.node.Node):
 
     def hear(self, msg):
         self.get_logger().info(msg.{})
-"""
-TALKER = "from std_msgs.msg import String\n\n\ndef words():\n    msg = String()\n    msg.{} = 'hello'\n    return msg\n"
 
-LEFT, IN_TEST = "; nothing starts or imports this module", "; only a test runs it"
-UNCALLED, UNREACHED = "; nothing calls this method", "; nothing here leads to this function"
-OFF, BY_PATH = "; a switch turns it off that nothing throws", "; it runs only where the file is started by its path"
-REPLACED, UNUSED = "; the class is defined again below", "; its object is made and never used"
-NEVER = (LEFT, UNCALLED, UNREACHED, WHY["late"], WHY["branch"], BY_PATH, OFF, REPLACED, UNUSED)
-REASONS = (
-    (FieldUses.is_uncalled, UNCALLED),
-    (FieldUses.is_unreached, UNREACHED),
-    (FieldUses.is_late, WHY["late"]),
-    (FieldUses.is_by_path, BY_PATH),
-    (FieldUses.is_turned_off, OFF),
-    (FieldUses.is_in_handler, "; it runs after another exception alone"),
-    (FieldUses.is_called_with_care, "; who calls it catches that"),
-    (FieldUses.is_replaced, REPLACED),
-    (FieldUses.is_idle, UNUSED),
-    (FieldUses.is_conditional, WHY["branch"]),
-)
-"""Why a use seldom runs, where that is true of all places."""
+
+def main():
+    rclpy.init()
+    rclpy.spin(Listener())
+"""
+TALKER = "from std_msgs.msg import String\n\n\ndef main():\n    msg = String()\n    msg.{} = 'hello'\n    print(msg)\n"
 
 
 @rule(
@@ -55,22 +42,23 @@ REASONS = (
     over=FieldUses,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "nothing comes to the place as a rule, who calls it catches that, only a test runs it, it is "
+        Severity.WARNING: "a condition stands on the way to it, who calls it catches that, only a test runs it, it is "
         "in a program that nothing starts, beside others that are started, or a message is made with it and the pages "
         "do not say that the package is for Humble or older alone",
-        Severity.INFO: "it is in a branch of its function, nothing starts or imports the module, calls the method, or "
-        "leads to the function, it stands behind `rclpy.spin`, a switch turns it off, its object is never used, its "
-        "class is defined again, or a message is made with it and the pages name Jazzy or newer alone, or the run ends "
-        "before, at another fault",
+        Severity.INFO: "it is in a branch of its function, no way from a program to it is shown, or several conditions "
+        "stand on it, nothing starts or imports the module, calls the method, or leads to the function, it stands "
+        "behind `rclpy.spin`, a switch turns it off, its object is never used, its class is defined again, or a "
+        "message is made with it and the pages name Jazzy or newer alone, or the run ends before, at another fault",
     },
     examples=(
         Example(
-            bad={"package.xml": manifest(DEPENDS), "my_pkg/listener.py": NODE.format("«dat»")},
+            bad={"setup.py": LISTENS, "package.xml": manifest(DEPENDS), "my_pkg/listener.py": NODE.format("«dat»")},
             good={"my_pkg/listener.py": NODE.format("data")},
             fix=Safety.UNSAFE,
         ),
         Example(
             bad={
+                "setup.py": TALKS,
                 "package.xml": manifest(DEPENDS.replace("rclpy", "ament_index_python")),
                 "my_pkg/talker.py": TALKER.format("«datta»"),
             },
@@ -99,9 +87,10 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     `except` branch, in a function whose callers catch what it raises, and in a test is a warning. A module that no
     entry point and no other file of the package names or imports, beside others that start, is an info, and so is a
     function that no program leads to, what stands behind `rclpy.spin`, under the `__main__` of an entry point's module,
-    under a switch that nothing throws, or in a branch. What a message is made with (`Twist(liner=…)`) raises up to
-    Iron: where the pages, scripts and workflows of the repository name none after it, it is an error, where they name
-    Jazzy or newer alone, an info, and else a warning.
+    under a switch that nothing throws, in a branch, under several conditions on the way from a program, and where no
+    such way is shown. What a message is made with (`Twist(liner=…)`) raises up to Iron: where
+    the pages, scripts and workflows of the repository name none after it, it is an error, where they name Jazzy or
+    newer alone, an info, and else a warning.
 
     ## Fix safety
     The intended field is a guess.
@@ -123,13 +112,6 @@ def level_of(uses: FieldUses, places: Sequence[UnknownField], end: str) -> Sever
     if end in NEVER or levels == {"info"}:
         return Severity.INFO
     return Severity.WARNING if end or None not in levels else None
-
-
-def unrun(uses: FieldUses, places: Sequence[UnknownField]) -> str:
-    if uses.is_left(places[0].path):
-        return LEFT
-    why = (text for is_so, text in REASONS if all(is_so(uses, each) for each in places))
-    return next(why, IN_TEST if role_of(places[0].path) == "test" else "")
 
 
 def message(found: UnknownField, names: Sequence[str]) -> str:

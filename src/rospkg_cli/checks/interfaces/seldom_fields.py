@@ -1,0 +1,39 @@
+"""Why uses of unknown fields seldom or never run (IDL010)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...package.file_role import role_of
+from ..reached_places import WHY, Met
+from .unknown_fields import FieldUses, UnknownField
+
+LEFT, IN_TEST = "; nothing starts or imports this module", "; only a test runs it"
+UNCALLED, UNREACHED = "; nothing calls this method", "; nothing here leads to this function"
+OFF, BY_PATH = "; a switch turns it off that nothing throws", "; it runs only where the file is started by its path"
+REPLACED, UNUSED = "; the class is defined again below", "; its object is made and never used"
+OF_WAYS: tuple[Met, ...] = ("late", "branch", "unshown", "seldom")
+NEVER = (LEFT, UNCALLED, UNREACHED, BY_PATH, OFF, REPLACED, UNUSED, *(WHY[each] for each in OF_WAYS))
+REASONS = (
+    (FieldUses.is_uncalled, UNCALLED),
+    (FieldUses.is_unreached, UNREACHED),
+    (FieldUses.is_late, WHY["late"]),
+    (FieldUses.is_by_path, BY_PATH),
+    (FieldUses.is_turned_off, OFF),
+    (FieldUses.is_in_handler, "; it runs after another exception alone"),
+    (FieldUses.is_called_with_care, "; who calls it catches that"),
+    (FieldUses.is_replaced, REPLACED),
+    (FieldUses.is_idle, UNUSED),
+    (FieldUses.is_conditional, WHY["branch"]),
+    (FieldUses.is_unshown, WHY["unshown"]),
+    (FieldUses.is_seldom, WHY["seldom"]),
+    (FieldUses.is_at_times, "; a condition stands on the way to it"),
+)
+"""Why a use seldom runs, where that is true of all places."""
+
+
+def unrun(uses: FieldUses, places: Sequence[UnknownField]) -> str:
+    if uses.is_left(places[0].path):
+        return LEFT
+    why = (text for is_so, text in REASONS if all(is_so(uses, each) for each in places))
+    return next(why, IN_TEST if role_of(places[0].path) == "test" else "")
