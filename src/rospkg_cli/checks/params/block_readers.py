@@ -8,10 +8,10 @@ from ...ros.known_nodes import known_nodes
 from ...source import Span
 from ..yaml_elsewhere import is_named_elsewhere
 from .costmap_blocks import COSTMAPS, is_out_of_reach
+from .displaced_blocks import displaced_blocks
 from .handed_on import may_hand_on
 from .idle_nodes import may_start, start_of
 from .launch_parameters import LaunchParameters, NodeArguments
-from .launched_names import displaced_blocks
 from .mistyped_blocks import WILD, last
 from .parameter_file_use import ParameterFileUses
 

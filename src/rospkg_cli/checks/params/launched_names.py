@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.package_facts import PackageFacts
-from ...package.params.parameter_file import NodeBlock, ParameterFile
+from ...package.params.parameter_file import ParameterFile
 from ...package.workspace import Workspace
 from ...ros.known_nodes import KnownParameter, default_of, is_same_value
 from ...source import Span
@@ -17,7 +17,6 @@ from .declaring_packages import ENOUGH, is_its_own
 from .idle_nodes import Start, start_of
 from .known_given import GivenValue, KnownGroup, KnownNodes
 from .launch_parameters import LaunchParameters, NodeArguments
-from .mistyped_blocks import last
 
 SHORTEST, WORDY = 4, 6
 """Letters; a shorter name is near to too many others, or the last word of too many."""
@@ -220,28 +219,3 @@ def is_slip(word: str, right: str) -> bool:
         return True
     is_one = len(word.split("_")) == len(right.split("_")) and len(pairs) == 1
     return is_one and min(map(len, pairs[0])) >= SHORTEST and bool(near_names(*pairs[0][:1], pairs[0][1:], 2))
-
-
-def displaced_blocks(launched: LaunchParameters) -> Iterator[tuple[ParameterFile, NodeBlock, NodeArguments]]:
-    """Yield the blocks that a node does not read, as it is in another namespace than the block says.
-
-    `talker` is rcl's for `/talker`, and for no node in a namespace; launch_ros is milder with components.
-    """
-    for file in launched.files:
-        for block in file.blocks if is_only_here(launched, file) else ():
-            is_wild = any(sign in block.name for sign in "*$<{")
-            same = [each for each in launched.node_arguments if each.known_name == last(block) and not is_wild]
-            is_spaced = "/" in block.name.strip("/")
-            nodes = same if is_spaced else [each for each in same if file in each.files]
-            if is_spaced or all(each.node.kind != "composable_node" for each in nodes):
-                names = [each.full_name or "" for each in nodes]
-                if names and all(name and not f"/{block.name.strip('/')}".endswith(name) for name in names):
-                    yield file, block, nodes[0]
-
-
-def is_only_here(launched: LaunchParameters, file: ParameterFile) -> bool:
-    """Return whether only launch files name a file that give it to nodes, and each node's name is known."""
-    given = [each for each in launched.node_arguments if file in each.files]
-    name = file.path.rpartition("/")[2]
-    others = [launch for launch in launched.launches if all(each.launch is not launch for each in given)]
-    return bool(given) and all(each.known_name for each in given) and not any(name in one.source.text for one in others)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.params import displaced_blocks as displaced
 from ...checks.params.costmap_blocks import holds_defaults, told_of, unread_costmaps
-from ...checks.params.launched_names import displaced_blocks
 from ...checks.params.spawn_faults import spawn_faults
 from ...checks.params.unread_blocks import NodeBlocks, shown_readers
 from ...edits.fault_hits import hits
@@ -45,8 +45,8 @@ controller_manager:
     over=NodeBlocks,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "a default gives the node its name, nothing names the file, several nodes get it, or the launch "
-        "file that names it is not installed or never adds the node"
+        Severity.INFO: "a default gives the node its name, nothing names the file, several nodes get it, it is "
+        "one of several namespaces, or the launch file that names it is not installed or never adds the node"
     },
     examples=(
         Example(
@@ -97,7 +97,8 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     Blocks of nodes that any launch file here starts are left alone, and those of several whose name is like that of no
     node which lacks one: nodes that other packages start may read them. So are names that a launch file here holds, and
     those that differ by a number. Where the only launch files that give the file to a node are not installed, or
-    nothing adds the action that starts the node, it is an info; so is a costmap's block that holds its defaults alone.
+    nothing adds the action that starts the node, it is an info; so is a costmap's block that holds its defaults alone,
+    and one of several namespaces for a node's name: the launch file chooses.
 
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.
@@ -112,13 +113,11 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
         fix = renaming(file, block, names[0]) if len(names) == 1 else None
         message = f"no node is called `{block.key.text}`: {shown_readers(readers[0], names)}"
         yield Hit(file.path, block.key.span, message, level, where, fix)
-    for file, block, given in displaced_blocks(launched):
-        message = f"`{block.name}` is no node: the one that `{given.launch.path}` starts is `{given.full_name}`"
-        where = (Related(given.launch.path, given.node.span, "the node"),)
-        level = None if scope.readers.is_met(given) else Severity.INFO
-        yield Hit(file.path, block.key.span, f"{message}, which never reads the block", level, where)
-    for path, fault in spawn_faults(launched):
-        yield from hits(path, [fault])
+    for file, block, given in displaced.displaced_blocks(launched):
+        where, is_chosen = (Related(given.launch.path, given.node.span, "the node"),), displaced.is_chosen(file, block)
+        level = None if scope.readers.is_met(given) and not is_chosen else Severity.INFO
+        yield Hit(file.path, block.key.span, displaced.told_of(block, given, is_chosen=is_chosen), level, where)
+    yield from (hit for path, fault in spawn_faults(launched) for hit in hits(path, [fault]))
     for file, wrong in launched.mistyped():
         message = f"no node is called `{wrong.block.key.text}`: {wrong.owner} and runs with its defaults"
         level = Severity.INFO if scope.readers.is_unopened(file) else None

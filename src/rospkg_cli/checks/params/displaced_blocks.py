@@ -1,0 +1,46 @@
+"""Blocks of parameter files for a node that is started in another namespace than they say (PRM003)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...package.params.parameter_file import NodeBlock, ParameterFile
+from .launch_parameters import LaunchParameters, NodeArguments
+from .mistyped_blocks import last
+
+
+def displaced_blocks(launched: LaunchParameters) -> Iterator[tuple[ParameterFile, NodeBlock, NodeArguments]]:
+    """Yield the blocks that a node does not read, as it is in another namespace than the block says.
+
+    `talker` is rcl's for `/talker`, and for no node in a namespace; launch_ros is milder with components.
+    """
+    for file in launched.files:
+        for block in file.blocks if is_only_here(launched, file) else ():
+            is_wild = any(sign in block.name for sign in "*$<{")
+            same = [each for each in launched.node_arguments if each.known_name == last(block) and not is_wild]
+            is_spaced = "/" in block.name.strip("/")
+            nodes = same if is_spaced else [each for each in same if file in each.files]
+            if is_spaced or all(each.node.kind != "composable_node" for each in nodes):
+                names = [each.full_name or "" for each in nodes]
+                if names and all(name and not f"/{block.name.strip('/')}".endswith(name) for name in names):
+                    yield file, block, nodes[0]
+
+
+def is_only_here(launched: LaunchParameters, file: ParameterFile) -> bool:
+    """Return whether only launch files name a file that give it to nodes, and each node's name is known."""
+    given = [each for each in launched.node_arguments if file in each.files]
+    name = file.path.rpartition("/")[2]
+    others = [launch for launch in launched.launches if all(each.launch is not launch for each in given)]
+    return bool(given) and all(each.known_name for each in given) and not any(name in one.source.text for one in others)
+
+
+def is_chosen(file: ParameterFile, block: NodeBlock) -> bool:
+    """Return whether a file has the node's name in several namespaces: the launch file takes one."""
+    return any(last(each) == last(block) and each.name.strip("/") != block.name.strip("/") for each in file.blocks)
+
+
+def told_of(block: NodeBlock, given: NodeArguments, *, is_chosen: bool) -> str:
+    """Return what is wrong with a block that a node does not read."""
+    message = f"`{block.name}` is no node: the one that `{given.launch.path}` starts is `{given.full_name}`"
+    several = ", unless another of the namespaces in this file is chosen" if is_chosen else ""
+    return f"{message}, which never reads the block{several}"
