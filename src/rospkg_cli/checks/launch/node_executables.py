@@ -23,6 +23,7 @@ from .idle_actions import level_at
 from .missing_references import LaunchContext
 from .named_programs import named_programs
 from .one_cause import CausedPlace, told_at
+from .removed_arguments import is_taken_by_old_launch_alone
 
 PROGRAM = regex(r"[^.]+(\.(py|sh|bash|pl|rb|js))?")
 
@@ -146,6 +147,8 @@ class NodeExecutables:
                 level, why = milder(level_at(file, each.span), level_at(file, span))
                 if each.is_command and not level:
                     level, why = "warning", "and the launch goes on"
+                if not level and is_taken_by_old_launch_alone(file):
+                    level, why = "warning", "where launch_ros still takes the other arguments (up to Foxy)"
                 is_plain = file.source.slice(span) == name
                 yield ExecutableUse(file.path, span, name, is_plain, facts, level, why, is_command=each.is_command)
 

@@ -39,6 +39,11 @@ def removed_arguments(file: LaunchFile) -> Iterator[Fault]:
             yield removed(entity.attribute_spans["type"], "type", "exec", "exec" in entity.attributes)
 
 
+def is_taken_by_old_launch_alone(file: LaunchFile) -> bool:
+    """Return whether Python makes an action with a keyword that launch_ros has no more, where it raises."""
+    return file.python is not None and any(removed_arguments(file))
+
+
 def renamed(name: str) -> Mapping[str, str]:
     """Return what the keywords of a class of nodes are called now."""
     return {**RENAMED, **ROS1} if name in PROGRAMS else RENAMED

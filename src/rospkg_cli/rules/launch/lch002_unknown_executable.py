@@ -36,8 +36,8 @@ FILES = {
     over=NodeExecutables,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the condition is false by default, `ros2 run` starts it, or an old distribution had it, and "
-        "the repository is for later ones",
+        Severity.WARNING: "the condition is false by default, `ros2 run` starts it, the launch file is for Foxy, or an "
+        "old distribution had it, and the repository is for later ones",
         Severity.INFO: "the node is never added to the launch description, or an old distribution had it, and nothing "
         "shows that the repository is for later ones",
     },
