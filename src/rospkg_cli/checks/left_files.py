@@ -20,12 +20,15 @@ from ..package.workspace import Workspace
 from ..unreadable import READABLE
 from .depends.compiled_sources import sources_by_use
 from .home_path_texts import CPP, MARKUP, without_comments
+from .launch.left_launch_files import is_given_up
+from .pages_and_scripts import pages_and_scripts
 from .reached_definitions import is_collected
 from .reached_modules import NAMING, PAGES, SCRIPTS, ReachedModules
 from .setup.linked_build import build_texts
 from .unrun_tests import is_unregistered
 
 KINDS: tuple[InstallKind, ...] = ("executable", "share", "module", "other")
+XML = (".launch", ".xml")
 BESIDE = ("CMakeLists.txt", ".cmake", "Makefile")
 
 
@@ -45,12 +48,14 @@ class LeftFiles:
             return self.is_uncompiled(path)
         if role_of(path) == "test" and path.endswith(".py") and self.package.build_type != "ament_python":
             return is_unregistered(path, self.cmake) and not self.is_named(path)
-        if not path.endswith((".py", *MARKUP)) or path in ("setup.py", *self.entries) or is_collected(path):
+        is_launch = role_of(path) == "launch"
+        ends = (".py", *(XML if is_launch else MARKUP))
+        if not path.endswith(ends) or path in ("setup.py", *self.entries) or is_collected(path):
             return False
         if path.endswith(".py") and self.reached is not None and self.reached.is_left(path):
             return not self.is_for_others
-        is_forgotten = role_of(path) == "launch" and not self.installs_launch_files
-        is_left = (self.is_uninstalled(path) and not is_forgotten) or self.is_no_program(path)
+        is_left = self.is_uninstalled(path) and not (is_launch and self.are_launch_files_forgotten)
+        is_left = is_left or self.is_no_program(path) or self.is_given_up(path)
         return (is_left or self.is_no_more_than_data(path)) and not self.is_named(path)
 
     @cached_property
@@ -61,9 +66,12 @@ class LeftFiles:
         return frozenset(f"{module.replace('.', '/')}.py" for module in modules)
 
     @cached_property
-    def installs_launch_files(self) -> bool:
-        """Whether any launch file is installed: where none is, they are forgotten, and not left."""
-        return any(role_of(path) == "launch" for path in self.installed)
+    def are_launch_files_forgotten(self) -> bool:
+        """Whether no launch file is installed: they are forgotten, and not left, unless pages start the programs."""
+        if any(role_of(path) == "launch" for path in self.installed):
+            return False
+        started = re.compile(rf"ros2 +run +{re.escape(self.package.name)} ")
+        return not any(map(started.search, pages_and_scripts(self.files)))
 
     @cached_property
     def is_for_others(self) -> bool:
@@ -78,8 +86,10 @@ class LeftFiles:
         return known.is_known and bool(known.run) and path in known.paths and known.role(path) is None
 
     def is_uninstalled(self, path: str) -> bool:
+        """Return whether no rule installs a file; XML is no program, and launch looks into share directories alone."""
         table = self.table
-        return table is not None and all(map(table.knows, KINDS)) and path not in self.installed
+        installed = self.shared if path.endswith(XML) else self.installed
+        return table is not None and all(map(table.knows, KINDS)) and path not in installed
 
     def is_no_more_than_data(self, path: str) -> bool:
         """Return whether a script is at most a part of a folder of data, where `ros2 run` and imports find it not.
@@ -100,6 +110,17 @@ class LeftFiles:
     @cached_property
     def installed(self) -> frozenset[str]:
         return frozenset(row.source for row in self.table.rows) if self.table is not None else frozenset()
+
+    def is_given_up(self, path: str) -> bool:
+        """Return whether nobody means to start a launch file, and no other package includes one of its name."""
+        name, others = posixpath.basename(path), self.workspace.packages
+        summaries = (each for facts in others if facts.name != self.package.name for each in facts.launch_summaries)
+        return is_given_up(path, self.files) and not any(name in each.includes for each in summaries)
+
+    @cached_property
+    def shared(self) -> frozenset[str]:
+        rows = self.table.rows if self.table is not None else ()
+        return frozenset(row.source for row in rows if row.destination.startswith("share/"))
 
     def live(self, path: str) -> str:
         """Return what a file says: a page in all its text, any other file without comments."""

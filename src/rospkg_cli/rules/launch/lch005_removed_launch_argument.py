@@ -53,7 +53,7 @@ FILES = {
             fix=Safety.SAFE,
         ),
         Example(
-            bad={**FILES, "launch/talker.launch.xml": XML},
+            bad={**FILES, "launch/talker.launch.xml": XML, "README.md": "ros2 launch my_pkg talker.launch.xml\n"},
             good={"launch/talker.launch.xml": XML.replace("«type»", "exec")},
             fix=Safety.SAFE,
         ),

@@ -31,6 +31,7 @@ PARAM = """\
 FILES = {
     "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"),
     "maps/house.yaml": "image: house.pgm\n",
+    "README.md": "    ros2 launch my_pkg house.launch.xml\n",
 }
 
 
@@ -41,7 +42,7 @@ FILES = {
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "the whole file is one for ROS 1, and something for ROS 2 starts or includes it",
-        Severity.INFO: "it is, and nothing for ROS 2 does",
+        Severity.INFO: "nothing for ROS 2 does",
     },
     examples=(
         Example(
@@ -76,7 +77,8 @@ def ros1_launch_syntax(leftovers: Ros1Leftovers) -> Iterator[Hit]:
     A file that is for ROS 1 altogether is left alone where this package does not install it, is built with catkin, or
     names catkin in its manifest. So are all launch files of a package that catkin alone builds. It is an info where
     nothing for ROS 2 names the file together with its package: no `ros2 launch my_pkg old.launch` of a page or a
-    script, no code, no launch file.
+    script, no code, no launch file. So it is in a file that was ported in part, with `type=`, `$(find …)` or `$(arg …)`
+    left, which nothing names.
     """
     scope = leftovers.scope
     if scope.package.is_for_ros1:

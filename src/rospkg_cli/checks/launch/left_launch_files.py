@@ -1,0 +1,31 @@
+"""Launch files that nobody means to start, by their names and by what they say, where nothing names them."""
+
+from __future__ import annotations
+
+from ...files import PackageFiles
+from ...package.file_role import is_set_aside, role_of
+from ...package.launch.live_text import OF_ROS1
+from ...package.launch.text import uncommented
+
+MARKUP = (".launch", ".xml")
+
+
+def is_given_up(path: str, files: PackageFiles) -> bool:
+    """Return whether a launch file is a copy of another, or was never ported to ROS 2 as a whole."""
+    return role_of(path) == "launch" and (is_copy(path, files) or is_unported(path, files))
+
+
+def is_copy(path: str, files: PackageFiles) -> bool:
+    """Return whether the name of a launch file says that it is an older one: `a_old.launch.py`, or `a.py` beside
+    `a.launch.py`.
+    """
+    stem = path.removesuffix(".py")
+    is_bare = stem != path and not stem.endswith("launch")
+    beside = (f"{stem}.launch.py", f"{stem}_launch.py") if is_bare else ()
+    return is_set_aside(path) or any(map(files.has_file, beside))
+
+
+def is_unported(path: str, files: PackageFiles) -> bool:
+    """Return whether a launch file still has nodes by `type=`, `$(find …)` or `$(arg …)`, at which ROS 2 refuses it."""
+    text = files.readable_text(path) if path.endswith(MARKUP) else ""
+    return OF_ROS1.search(uncommented(".launch", text)) is not None
