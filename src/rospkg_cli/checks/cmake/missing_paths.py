@@ -15,6 +15,7 @@ from ...suggest import near_names
 from .distro_guards import guarded_commands
 from .mistyped_links import differ_in_long_words, digits
 from .refused_arguments import FOREIGN
+from .switched_off import SwitchedOff
 
 ASKED_FOR = regex(r"EXISTS|IS_DIRECTORY|ROS_VERSION|ROS1|CATKIN|catkin|ROS_DISTRO")
 """What a condition tests for before it names what is not always there: the path itself, or ROS 1."""
@@ -60,6 +61,10 @@ class MissingPaths:
     def of_other_systems(self) -> frozenset[int]:
         """The commands inside an `if` that tests for Windows, macOS or the like."""
         return frozenset(id(each) for file in self.cmake.files for each in guarded_commands(file.body, OTHER_SYSTEMS))
+
+    @cached_property
+    def off(self) -> SwitchedOff:
+        return SwitchedOff(self.cmake)
 
     @cached_property
     def asked_for(self) -> frozenset[int]:

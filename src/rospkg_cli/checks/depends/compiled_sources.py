@@ -10,9 +10,14 @@ from ...languages.cpp.file import CppFile, IncludeDirective
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.file_role import Role, role_of
+from ..cmake.switched_off import SwitchedOff
 from ..fault import Level
 
 HEADERS = (".hpp", ".h", ".hh", ".hxx", ".ipp", ".tpp", ".inl", ".cuh")
+
+LISTING = frozenset(
+    {"add_executable", "add_library", "file", "install", "list", "set", "source_group", "target_sources"}
+)
 
 
 class SourcesByUse:
@@ -24,6 +29,8 @@ class SourcesByUse:
         including = Inclusions(files)
         named = {testing: named_sources(cmake, files, testing) for testing in (False, True)}
         self.own = including.reached(named[False])
+        on = named_sources(cmake, files, False, asked=False) | named_sources(cmake, files, True, asked=False)
+        self.likely = including.reached(on)
         self.certain = including.reached(named_sources(cmake, files, False, maybe=False))
         headers = (path for path in files if path.endswith(HEADERS) and not cmake.only_tests)
         public = {path for path in headers if "include/" in path}
@@ -70,12 +77,15 @@ def own_compiled(cmake: CMake, sources: Iterable[CppFile]) -> set[str] | None:
 def harm_in(cmake: CMake, sources: Iterable[CppFile], path: str) -> Level:
     """Return how bad it is that a file can't be compiled: an error where the package's own build certainly does it.
 
-    What is compiled on demand, for tests, or by others alone is a warning, a leftover beside what is compiled an info.
+    What is compiled on demand, for tests, or by others alone is a warning, a leftover beside what is compiled an info,
+    and so is what only a switch that is off or a target that nobody asks for has.
     Where nothing is compiled, or it is not known what is, so is a header that is not handed out, and a source of which
     no CMake file has the name.
     """
     known, _ = sources_by_use(cmake, sources)
     if path in known.own | known.tests:
+        if known.is_known and path not in known.likely:
+            return "info"
         return "error" if known.is_known and path in known.certain else "warning"
     if known.is_known and known.own:
         return "info"
@@ -203,23 +213,36 @@ class Inclusions:
         return found
 
 
-def named_sources(cmake: CMake, files: Collection[str], testing: bool, *, maybe: bool = True) -> set[str]:
+def named_sources(
+    cmake: CMake, files: Collection[str], testing: bool, *, maybe: bool = True, asked: bool = True
+) -> set[str]:
     """Return the files that any command names: one that is run for tests alone, or one that always is.
 
-    Without `maybe`, commands and words under a condition that may not hold are left out, and commands that compile
-    nothing by themselves.
+    Without `asked`, those are left out that nobody here asks for (`SwitchedOff`). Without `maybe`, commands and words
+    under a condition that may not hold are left out, and commands that compile nothing by themselves. A header among
+    the sources of a target is left out: the compiler opens it where a source includes it, but for Qt's moc, which reads
+    what is listed.
     """
     bases: set[str] = set()
+    off = None if asked else SwitchedOff(cmake)
+    has_moc = any("AUTOMOC" in text for call in cmake.calls for text in call.texts)
     for target in cmake.targets:
         base = path_in_package(target.folder.text, target.call.folder) if target.folder is not None else None
         if base is not None and target.call.testing is testing and (maybe or not target.call.maybe):
             bases.add(f"{base}/")
     found = {path for path in files if path.startswith(tuple(bases))} if bases else set()
     for call in cmake.calls:
-        if call.testing is testing and (maybe or not (call.maybe or is_idle(call))):
+        is_left = off is not None and (is_idle(call) or off.has(call))
+        if call.testing is testing and not is_left and (maybe or not (call.maybe or is_idle(call))):
             paths = (path_in_package(word.text, call.folder) for word in call.words if maybe or not word.maybe)
-            found |= {path for path in paths if path is not None and path in files}
+            idle = () if has_moc or not lists_headers(call) else HEADERS
+            found |= {path for path in paths if path is not None and path in files and not path.endswith(idle)}
     return found
+
+
+def lists_headers(call: EvaluatedCommand) -> bool:
+    """Return whether a command may be given headers for an editor's sake, or to copy them, and opens none itself."""
+    return call.name in LISTING or call.name.startswith(("ament_add_", "ament_auto_add_"))
 
 
 def is_idle(call: EvaluatedCommand) -> bool:

@@ -89,7 +89,8 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     out. Inside `if(EXISTS …)`, for what is installed inside any condition that can't be evaluated, and with OPTIONAL. A
     folder with FILES_MATCHING stops nothing: an info, or a warning where another one is called nearly so. Where CMake
     chooses between ament and catkin and all sources are of ROS 1, it is an info; so is what is named inside
-    `if(WIN32)` or the like.
+    `if(WIN32)` or the like, and inside a branch that asks for a switch which is off: an option without `ON`, or a
+    variable that nothing sets, and that no page or script of the repository has.
     """
     missing = MissingPaths(package.cmake)
     for (named, for_everyone), *others in together(package.cmake, missing.all()):
@@ -101,7 +102,8 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
         level = None if for_everyone else Severity.WARNING
         if named.use == "matching":
             level = Severity.WARNING if near else Severity.INFO
-        level = Severity.INFO if is_built_for_ros1(package.cmake) or missing.is_elsewhere(named) else level
+        is_idle = is_built_for_ros1(package.cmake) or missing.is_elsewhere(named) or missing.off.has(named.call)
+        level = Severity.INFO if is_idle else level
         yield Hit(named.word.path, named.word.span, message, level, related=related)
     for each in ReferencedPaths(package.cmake).ignored():
         start = f"`{each.path}` does not exist, and git ignores it: on a fresh clone the build stops at the end"
