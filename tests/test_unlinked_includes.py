@@ -189,3 +189,26 @@ def test_libraries_that_are_given_in_vain(more: str, count: int) -> None:
     lines = f"find_package(yaml-cpp REQUIRED)\n{NODE}ament_target_dependencies(node rclcpp yaml-cpp)\n{more}"
     assert told(lines, "#include <yaml-cpp/yaml.h>\n") == [("info", "ament_target_dependencies")] * count
     assert told(lines, "#include <rclcpp/rclcpp.hpp>\n") == []
+
+
+INTERFACES = 'rosidl_generate_interfaces(my_pkg "msg/A.msg" DEPENDENCIES {})\n'
+TELLS_NODE = 'rosidl_target_interfaces(node my_pkg "rosidl_typesupport_cpp")\n'
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        (f"{INTERFACES.format('sensor_msgs')}{NODE}{TELLS_NODE}", []),
+        (f"{INTERFACES.format('sensor_msgs')}{NODE}target_link_libraries(node my_pkg__rosidl_typesupport_cpp)\n", []),
+        (f"{INTERFACES.format('${NAMES}')}{NODE}{TELLS_NODE}", []),
+        (f"{INTERFACES.format('std_msgs')}{NODE}{TELLS_NODE}", [("warning", "sensor_msgs/msg/image.hpp")]),
+        (f"{INTERFACES.format('sensor_msgs')}{NODE}", [("warning", "sensor_msgs/msg/image.hpp")]),
+    ],
+)
+def test_own_interfaces_bring_what_they_depend_on(lines: str, expected: list[tuple[str, str]]) -> None:
+    assert told(lines, **{"msg/A.msg": "sensor_msgs/Image image\n"}) == expected
+
+
+def test_a_header_among_the_sources_is_not_compiled() -> None:
+    node = "add_executable(node src/node.cpp src/idle.hpp)\n"
+    assert not told(node, "int main() {return 0;}\n", **{"src/idle.hpp": IMAGE})

@@ -20,9 +20,10 @@ from ...source import Span
 from ..cmake.missing_export_dependencies import BY_MACRO
 from ..older_distribution import OlderDistribution
 from .brought_by_links import BEFORE_JAZZY, SOMEWHERE, BroughtByLinks, is_of_interfaces
-from .compiled_sources import Inclusions
+from .compiled_sources import Inclusions, sources_by_use
 from .header_folders import HeaderFolders
 from .linked_at_run_time import VARIABLE
+from .own_typesupport import with_own_interfaces
 from .undeclared_includes import IncludeDependencies
 
 PLAIN = frozenset({"add_executable", "add_library"})
@@ -100,7 +101,9 @@ class UnlinkedIncludes:
         sources = target.call.words[1:] if target.call.name in OF_TESTS else target.sources
         words = (word for word in sources if word.is_known and not word.maybe)
         paths = {path_in_package(word.text, target.call.folder) for word in words}
-        for path in sorted(self.inclusions.reached(path for path in paths if path in self.files)):
+        known, _ = sources_by_use(self.includes.cmake, self.includes.sources)
+        opened = paths & (known.own | known.tests)
+        for path in sorted(self.inclusions.reached(path for path in opened if path in self.files)):
             for each in self.files[path].includes:
                 slash = "/" in each.path
                 if slash and not each.is_conditional and not self.includes.is_own(each.path):
@@ -152,9 +155,10 @@ class UnlinkedIncludes:
                 continue
             seen.add(target)
             made, folders = self.includes.cmake.target(target), self.folders.of_target(target)
-            if folders is None:
+            generated = with_own_interfaces(self.includes.cmake, target, self.links.of(target))
+            if folders is None or generated is None:
                 return None
-            found.update(folders)
+            found.update(folders, generated)
             found |= BY_MACRO.get(made.call.name, frozenset()) if made else frozenset()
             for link in self.links.of(target):
                 if is_first or link.is_public:

@@ -63,6 +63,7 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     at the latest the linker misses the symbols.
 
     ## When it is quiet
+    The package's own interfaces bring what `rosidl_generate_interfaces()` is given as DEPENDENCIES.
     What a target is linked with brings what it passes on itself, as far as package.xml tells, and the CMake of a
     package of the workspace (what it is linked with as PRIVATE stays there), and so do the folders of
     a package (`${tf2_INCLUDE_DIRS}`); where one link or folder is not known, nothing is said of the target, and where
