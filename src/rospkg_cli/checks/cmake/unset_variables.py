@@ -52,6 +52,8 @@ NAMING = ("target_include_directories", "target_link_libraries", "target_link_di
 NAMED = 1
 ADDING = ("include_directories", "link_libraries", "link_directories", *NAMING)
 """Commands to which an empty argument more is nothing."""
+FLAGS = ("CMAKE_CXX_FLAGS", "CMAKE_C_FLAGS")
+"""What is mostly empty, but for what a user gives."""
 SAME = {"Boost_INCLUDE_DIRS": "Boost_INCLUDE_DIR"}
 """Variable → another one that CMake's own module gives the same value."""
 PROJECT = "PROJECT_NAME"
@@ -73,6 +75,13 @@ class UnsetVariable:
     """The argument as it is written."""
     after: str
     """The argument without the variable."""
+
+    @property
+    def is_told_by_build(self) -> bool:
+        """Whether a folder or a library is lost, without which the build of a target that needs it does not end."""
+        target = self.call.command.arguments[:1] if self.call.name in NAMING else []
+        is_target = any(word.inner.start <= self.span.start < word.inner.end for word in target)
+        return self.call.name in ADDING and self.call.name != "set" and not is_target
 
     @property
     def beside(self) -> str:
@@ -125,6 +134,12 @@ class UnsetVariables:
         adding = (call for call in self.cmake.named(*ADDING) if call is not each.call)
         arguments = (argument.text for call in adding for argument in call.command.arguments[1:])
         return is_linked or any(f"${{{each.near}}}" in text for text in arguments)
+
+    def is_harmless(self, each: UnsetVariable) -> bool:
+        """Return whether flags are to be kept, and the package has set none before."""
+        sets = (call for call in self.cmake.named("set") if call.texts[:1] == (each.near,))
+        is_kept = each.call.name == "set" and each.near in FLAGS
+        return is_kept and next(sets, each.call).command is each.call.command
 
     def of_the_project(self) -> Iterator[UnsetVariable]:
         """Yield slips of PROJECT_NAME in what is installed; no file of the package has the name elsewhere."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.dead_branches import DeadBranches
+from ...checks.cmake.switched_off import SwitchedOff
 from ...checks.cmake.unread_lists import UnreadLists
 from ...checks.cmake.unread_twins import UnreadTwins
 from ...checks.cmake.unset_variables import UnsetVariable, UnsetVariables
@@ -33,7 +34,8 @@ def cmake(lines: str) -> str:
     levels={
         Severity.ERROR: "it says what is installed, or where",
         Severity.INFO: "it would name targets to install, and no other variable is near; or the intended one stands "
-        "beside it, or targets get the package by its name; or a branch reads it that is not taken",
+        "beside it, or a target is given a folder or a library by it, which the build itself tells where it is needed; "
+        "or a branch reads it that is not taken",
     },
     examples=(
         Example(
@@ -67,17 +69,20 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     a macro of another one is called; where `find_library()` and its like look for something below them, or the file
     reads `$ENV{…}` of the same name: the user gives them. In `message()`. Under an unknown condition only names near to
     those of CMake are told, as warnings; where a file is included that can't be read, those near to PROJECT_NAME in
-    `install()`, and those beside a variable that nothing reads. A variable of a package in other letters is an info
-    where the right one stands in the same command, as nothing is lost, where it is a folder of headers, without which
-    the build tells of itself, and where targets get the package by its name or by the right one; so is what is read
-    where a package is found (`if(OpenMP_FOUND)`) that nothing looks for. What packages set that are not built with
-    ament (`octomap`) is known of none.
+    `install()`, and those beside a variable that nothing reads. It is an info where the right one stands in the same
+    command, as nothing is lost; where targets get a folder or a library by it, for the build tells where they need it;
+    where flags are kept that nothing sets before; and so is what is read where a package is found
+    (`if(OpenMP_FOUND)`) that nothing looks for. What packages set that are not built with ament (`octomap`) is known of
+    none.
     """
-    dead = DeadBranches(variables.cmake)
+    dead, off = DeadBranches(variables.cmake), SwitchedOff(variables.cmake)
     for each in (*variables.all(), *UnreadTwins(variables).all()):
         is_sure = each.call.name == "install" and not each.call.maybe and not variables.cmake.reads_unknown_files
-        is_mild = (not each.near and each.call.name == "install") or bool(dead.package_of(each.call))
-        is_mild = is_mild or bool(each.beside) or variables.brings(each)
+        is_mild = (
+            (not each.near and each.call.name == "install") or bool(dead.package_of(each.call)) or off.has(each.call)
+        )
+        is_mild = is_mild or bool(each.beside) or each.is_told_by_build
+        is_mild = is_mild or variables.brings(each) or variables.is_harmless(each)
         level = Severity.INFO if is_mild else Severity.ERROR if is_sure else None
         yield Hit(each.call.path, each.span, message(each), level)
     for lost in UnreadLists(variables.cmake).all():
