@@ -14,6 +14,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import CopiedFile, copied_files
 from ...package.cmake.install_rules import InstallRule
+from ...package.workspace import Workspace
 from ...ros.share_layout import LAUNCH
 from .left_out_nodes import USES_ROS, is_last, is_left_out, is_node
 from .module_imports import dotted_imports, is_only_imported
@@ -48,6 +49,7 @@ def is_copied(rule: InstallRule) -> bool:
 @dataclass(frozen=True)
 class InstalledScripts:
     package: CMakePackage
+    workspace: Workspace
 
     @cached_property
     def copies(self) -> tuple[CopiedFile, ...]:
@@ -126,8 +128,10 @@ class InstalledScripts:
         return any(each.lstrip(".").rpartition(".")[2] == name for each in imported)
 
     def is_wanted(self, path: str) -> bool:
-        """Return whether a launch file names a script, or a README starts it with `ros2 run`."""
+        """Return whether a launch file of the workspace starts a script, or a README does so with `ros2 run`."""
         name, files = posixpath.basename(path), self.package.cmake.package_files
+        if self.workspace.having("started_nodes", self.package.facts.name, name):
+            return True
         started = re.compile(rf"\bros2 run {re.escape(self.package.facts.name)} {re.escape(name)}(?![.-]?\w)")
         texts = (*self.texts, *(files.readable_text(each) for each in files.paths if is_readme(each)))
         return any(name in text for text in self.launch_texts) or any(started.search(text) for text in texts)

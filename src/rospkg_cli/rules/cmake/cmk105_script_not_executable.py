@@ -7,6 +7,7 @@ from itertools import chain
 
 from ...checks.cmake.installed_scripts import BrokenScript, InstalledScripts
 from ...checks.cmake.script_sentences import message, title
+from ...checks.cmake.swept_scripts import is_swept_along
 from ...edits.cmake_scripts import make_executable
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -14,6 +15,7 @@ from ...rule import rule
 from ...source import Span
 
 BARE = "print('hello')\n"
+LISTS = "import os\n\nos.system('ros2 topic list')\n"
 SHEBANG = "#!/usr/bin/env python3\n"
 FILES = "install(FILES «scripts/hello.py» DESTINATION lib/${PROJECT_NAME})\n"
 PROGRAMS = FILES.replace("FILES", "PROGRAMS")
@@ -33,7 +35,8 @@ def cmake(lines: str) -> str:
     levels={
         Severity.WARNING: "only its executable bit is missing: it can't be run after `colcon build --symlink-install`; "
         "or it has no word of ROS, and nothing starts it",
-        Severity.INFO: "it has no bit, and another file of its folder imports it: it may be a module",
+        Severity.INFO: "it has no bit, and another file of its folder imports it: it may be a module; or it came with "
+        "its folder, nothing starts it, and a file imports it, a comment names it, or it has no word of ROS",
     },
     examples=(
         Example(
@@ -43,7 +46,7 @@ def cmake(lines: str) -> str:
             fix=Safety.SAFE,
         ),
         Example(
-            bad={"CMakeLists.txt": cmake(FOLDER), "scripts/hello.py": SHEBANG + BARE},
+            bad={"CMakeLists.txt": cmake(FOLDER), "scripts/hello.py": SHEBANG + LISTS},
             good={"CMakeLists.txt": cmake(KEPT)},
             on="ament_cmake",
             fix=Safety.SAFE,
@@ -73,14 +76,16 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     or a macro in a .cmake file of the package to whom it calls, and that CMake gives to `chmod` by name. For what is
     installed under a condition that can't be evaluated, or for tests. A file without the bit that another Python file
     of its folder imports may be a module: an info, unless a launch file names it or a README starts it.
-    A file without `#!` that has no word of ROS, and that neither does, is a warning.
+    A file without `#!` that has no word of ROS, and that neither does, is a warning. What a rule takes along with its
+    folder is an info where neither does so and any file of the package imports it, a comment of CMake names it (its
+    line was taken out), or it has no word of ROS.
     """
     if not scripts.package.is_ament:
         return
     for script, *others in together(scripts):
         mild = script.wrong == "no bit" or (script.wrong in ("directory", "neither") and scripts.uses_programs)
         mild = mild or scripts.is_tool(script)
-        level = Severity.INFO if scripts.is_module(script) else Severity.WARNING if mild else None
+        level = Severity.INFO if is_idle(scripts, script) else Severity.WARNING if mild else None
         related = tuple(Related(other.copy.source, Span(0, 0), "the same") for other in others)
         operations = [make_executable(scripts, each) for each in (script, *others)]
         fix = Fix(title(script, others), tuple(dict.fromkeys(chain(*operations)))) if all(operations) else None
@@ -92,6 +97,11 @@ def together(scripts: InstalledScripts) -> Iterable[list[BrokenScript]]:
     calls: dict[tuple[str, int, str, bool, bool], list[BrokenScript]] = {}
     for script in scripts.broken():
         call = script.copy.rule.call
-        key = (call.path, call.command.span.start, script.wrong, scripts.is_module(script), scripts.is_tool(script))
+        key = (call.path, call.command.span.start, script.wrong, is_idle(scripts, script), scripts.is_tool(script))
         calls.setdefault(key, []).append(script)
     return calls.values()
+
+
+def is_idle(scripts: InstalledScripts, script: BrokenScript) -> bool:
+    """Return whether nobody is shown to run a script."""
+    return scripts.is_module(script) or is_swept_along(scripts, script)

@@ -1,0 +1,39 @@
+"""Scripts that a rule takes along with their folder, and that nobody is shown to run (CMK105)."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+
+from .installed_scripts import BrokenScript, InstalledScripts
+from .left_out_nodes import USES_ROS
+from .module_imports import dotted_imports
+
+COMMENT = r"^[ \t]*#[^\n]*(?<![\w.-])"
+"""The start of a comment that goes on to a word."""
+
+
+def is_swept_along(scripts: InstalledScripts, script: BrokenScript) -> bool:
+    """Return whether a script only came with its folder: it is imported, has no word of ROS, or a comment names it.
+
+    What a launch file, a page or a rule names by itself is meant to be run.
+    """
+    path = script.copy.source
+    if script.copy.rule.kind != "DIRECTORY" or scripts.is_wanted(path):
+        return False
+    text = scripts.package.cmake.package_files.readable_text(path)
+    return USES_ROS.search(text) is None or is_imported(scripts, path) or is_left_out(scripts, path)
+
+
+def is_imported(scripts: InstalledScripts, path: str) -> bool:
+    """Return whether another Python file of the package imports a module of that name."""
+    files, name = scripts.package.cmake.package_files, posixpath.basename(path).removesuffix(".py")
+    others = (files.readable_text(each) for each in files.paths if each.endswith(".py") and each != path)
+    found = dotted_imports(text for text in others if name in text)
+    return path.endswith(".py") and any(each.lstrip(".").rpartition(".")[2] == name for each in found)
+
+
+def is_left_out(scripts: InstalledScripts, path: str) -> bool:
+    """Return whether a comment of a CMake file names it, as a line does that was taken out of a rule."""
+    named = re.compile(rf"{COMMENT}{re.escape(posixpath.basename(path))}(?![\w.-])", re.MULTILINE)
+    return any(named.search(file.source.text) for file in scripts.package.cmake.files)
