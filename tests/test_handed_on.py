@@ -9,6 +9,14 @@ from rospkg_cli.testing import lint_files
 
 CPP = existing_files(BACKDROPS["ament_cmake"])
 REQUIRED = "find_package(std_msgs REQUIRED)\n"
+USER = {
+    "user/package.xml": manifest("  <depend>my_pkg</depend>\n", "ament_cmake").replace("<name>my_pkg", "<name>user"),
+    "user/CMakeLists.txt": CMAKE.replace("my_pkg", "user").replace(
+        "ament_package", "add_library(a a.cpp)\nament_package"
+    ),
+    "user/a.cpp": "int a;\n",
+}
+"""A package that is built with the one that is told of."""
 
 
 def said(
@@ -21,8 +29,9 @@ def said(
 ) -> list:
     cmake = CMAKE.replace("ament_package()", f"ament_package({call})")
     files = {**CPP, "CMakeLists.txt": cmake, path: extras, "package.xml": manifest(depends, "ament_cmake")}
-    files |= {"tracks.yaml": "tracks: {}\n"} if released else {}
-    found = lint_files(files, ["DEP111"]).findings
+    beside = {f"my_pkg/{path}": text for path, text in files.items()} | USER
+    beside |= {"tracks.yaml": "tracks: {}\n"} if released else {}
+    found = lint_files(beside, ["DEP111"]).findings
     return [(f.message.split("`")[1], f.severity.value) for f in found]
 
 

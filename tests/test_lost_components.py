@@ -90,14 +90,14 @@ ament_export_dependencies(Boost)
 @pytest.mark.parametrize(
     ("asked", "link", "expected"),
     [
-        ("filesystem", "target_link_libraries(node PUBLIC Boost::filesystem)", ["warning node"]),
-        ("filesystem", "target_link_libraries(node Boost::filesystem)", ["warning node"]),
+        ("filesystem", "target_link_libraries(node PUBLIC Boost::filesystem)", ["info node"]),
+        ("filesystem", "target_link_libraries(node Boost::filesystem)", ["info node"]),
         ("filesystem", "target_link_libraries(node ${Boost_LIBRARIES})", ["info node"]),
         ("filesystem", "ament_target_dependencies(node Boost)", ["info node"]),
         ("", "ament_target_dependencies(node Boost)", []),
         ("filesystem", "target_link_libraries(node PRIVATE Boost::filesystem)", []),
         ("filesystem", "target_link_libraries(node PUBLIC Boost::boost)", []),
-        ("filesystem", "target_link_libraries(node PUBLIC Boost::filesystem)\n# CONFIG_EXTRAS", ["warning node"]),
+        ("filesystem", "target_link_libraries(node PUBLIC Boost::filesystem)\n# CONFIG_EXTRAS", ["info node"]),
     ],
 )
 def test_components_that_users_do_not_find(asked: str, link: str, expected: list[str]) -> None:

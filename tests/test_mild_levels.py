@@ -127,9 +127,9 @@ def exporting(link: str, exported: str, **more: str) -> dict[str, str]:
 @pytest.mark.parametrize(
     ("link", "exported", "expected"),
     [
-        ("${std_msgs_TARGETS}", "rclcpp", ["warning"]),
-        ("std_msgs::std_msgs", "rclcpp", ["warning"]),
-        ("std_msgs::std_msgs", "rclcpp Eigen3", ["warning"]),
+        ("${std_msgs_TARGETS}", "rclcpp", ["info"]),
+        ("std_msgs::std_msgs", "rclcpp", ["info"]),
+        ("std_msgs::std_msgs", "rclcpp Eigen3", ["info"]),
         ("${std_msgs_LIBRARIES}", "rclcpp", []),
         ("std_msgs::std_msgs", "rclcpp rmf_traffic", []),
         ("std_msgs::std_msgs", "rclcpp vision_msgs", []),

@@ -24,9 +24,9 @@ def told(lines: str, files: dict[str, str]) -> list[str]:
 @pytest.mark.parametrize(
     ("lines", "files", "expected"),
     [
-        (f'{PLAIN}"*.h")', HEADERS, ["CMK129 warning"]),
-        (f'{PLAIN}"*.h" PATTERN ".svn" EXCLUDE)', HEADERS, ["CMK129 warning"]),
-        (f'{PLAIN}"*.h")\nament_export_include_directories(include)', HEADERS, ["CMK129 warning"]),
+        (f'{PLAIN}"*.h")', HEADERS, ["CMK129 info"]),
+        (f'{PLAIN}"*.h" PATTERN ".svn" EXCLUDE)', HEADERS, ["CMK129 info"]),
+        (f'{PLAIN}"*.h")\nament_export_include_directories(include)', HEADERS, ["CMK129 info"]),
         (f'{PLAIN}"*.h")\ninstall(DIRECTORY include/ DESTINATION include)', HEADERS, ["CMK129 info"]),
         (f'{PLAIN}"*.h")\n{PLAIN}"*.hpp")', HEADERS, []),
         (f'{PLAIN}"*.h" PATTERN "*.hpp")', HEADERS, []),

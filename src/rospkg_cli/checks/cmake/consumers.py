@@ -47,11 +47,13 @@ class Consumers:
     def lacking(self, name: str) -> Iterator[PackageFacts]:
         """Yield those that include a header, and certainly find a package in no other way than by this one."""
         wanted = {name, name.lower(), *keys_for_cmake(name)}
-        for each in self.including:
-            needs = {need.name for need in each.dependencies if need.tag in BUILDS} - {self.facts.name}
-            there, known = found_with(needs, self.workspace)
-            if known and wanted.isdisjoint(there):
-                yield each
+        yield from (each for each in self.including if self.lacks(each, wanted))
+
+    def lacks(self, user: PackageFacts, names: Collection[str]) -> bool:
+        """Return whether a package certainly finds none of some others by what it declares beside this one."""
+        needs = {need.name for need in user.dependencies if need.tag in BUILDS} - {self.facts.name}
+        there, known = found_with(needs, self.workspace)
+        return known and there.isdisjoint(names)
 
     def lack_any(self, names: Collection[str]) -> bool:
         """Return whether one of them lacks a package that this one does not hand on."""
@@ -59,13 +61,9 @@ class Consumers:
 
     @cached_property
     def are_elsewhere(self) -> bool:
-        """Whether the package is plainly a library for others, and nobody here is built against it.
-
-        It is released and its pages say how to use it, or all packages of its repository are libraries.
-        """
-        if self.builders or not self.is_library(self.facts):
-            return False
-        return all(map(self.is_library, self.release.neighbours)) or (self.release.is_made and self.is_shown)
+        """Whether nobody here is built against the package, and others are told to be: it is a library without
+        programs, it is released, and its pages say how to use it."""
+        return not self.builders and self.is_library(self.facts) and self.release.is_made and self.is_shown
 
     def is_library(self, facts: PackageFacts) -> bool:
         """Return whether a package has nothing that is started."""

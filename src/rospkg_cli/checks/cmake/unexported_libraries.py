@@ -69,16 +69,17 @@ class UnexportedLibraries:
         return any(each.path in ends for file in files for each in file.includes)
 
     def is_unused(self, found: UnexportedSet) -> bool:
-        """Return whether nobody links the libraries of a set: they are plugins, or there are no headers for users.
+        """Return whether nobody is shown who links the libraries of a set.
 
-        A package of the workspace that is built with this one may link them all the same.
+        A package of the workspace that includes a header of this one does, and who follows the pages of a release, but
+        for plugins, and where there are no headers for users.
         """
         cmake = self.headers.package.cmake
         has_unseen = any(text in UNSEEN for call in cmake.calls for text in call.texts)
         is_known = self.headers.table.knows("header") and not has_unseen and not cmake.interface_targets
         has_none = is_known and not self.headers.installed and found.is_built
-        is_idle = (found.is_of_plugins or has_none) and not self.exported.is_built_against
-        return is_idle or not (self.exported.are_needed or self.exported.consumers.are_elsewhere)
+        is_told = self.exported.consumers.are_elsewhere and not (found.is_of_plugins or has_none)
+        return not (self.exported.are_needed or is_told)
 
     @property
     def is_needed(self) -> bool:

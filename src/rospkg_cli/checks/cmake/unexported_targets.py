@@ -59,9 +59,15 @@ class UnexportedTargets:
             if name not in named:
                 linked = [each for _, each in words if not self.is_plugin(each)]
                 first = (linked or [each for _, each in words])[0]
-                shown = f"{cmake.project_name}::{cmake.export_names.get(first.name, first.name)}"
+                project = self.project_around(words[0][0].path)
+                shown = f"{project}::{cmake.export_names.get(first.name, first.name)}"
                 handed_on = bool(cmake.named("ament_export_libraries"))
                 yield UnexportedSet(words[0][0], shown, handed_on, not linked, all(each.is_built for _, each in words))
+
+    def project_around(self, path: str) -> str:
+        """Return the name of the project that a CMakeLists.txt is part of: its own, or the one around it."""
+        own = [call.words[0] for call in self.package.cmake.named("project") if call.path == path and call.words]
+        return own[-1].text if own and own[-1].is_known else self.package.cmake.project_name
 
     def filled(self) -> dict[str, list[tuple[Word, Target]]]:
         """Name of a set → the libraries in it that others may link, with where their rule names the set."""

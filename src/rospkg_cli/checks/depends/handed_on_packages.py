@@ -48,9 +48,8 @@ class HandedOnPackages:
     consumers: Consumers
 
     def stops(self, names: Collection[str]) -> bool:
-        """Return whether a package is built against this one that does not declare the missing one itself."""
-        users = ({need.name for need in each.dependencies} for each in self.consumers.builders)
-        return any(needs.isdisjoint(names) for needs in users)
+        """Return whether a package is built against this one, and nothing that it declares brings the missing one."""
+        return any(self.consumers.lacks(each, names) for each in self.consumers.builders)
 
     def is_installed(self, names: Collection[str]) -> bool:
         """Return whether this package declares what is missing for itself, or another of the repository does.

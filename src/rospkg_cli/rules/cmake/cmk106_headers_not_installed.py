@@ -75,8 +75,8 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     Where an install rule or CMake itself can't be evaluated, in `ament_auto_package()`, for a package that exports only
     plugins as targets, and as soon as one header is installed, but for one that another package includes and that has
     no CMake file that looks elsewhere. It is a warning where a package of the workspace includes one of the headers and
-    has no copy of it, or where this one is plainly a library for others, and no one of plugins: all packages of the
-    repository are libraries, or it is released and its pages tell how to use it. It is an info elsewhere.
+    has no copy of it, or where this one is a library for others, and no one of plugins: it is released and its pages
+    tell how to use it. It is an info elsewhere.
     """
     cmake = exported.headers.package.cmake
     if not exported.headers.package.is_ament:

@@ -72,8 +72,8 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     that is of the system (`yaml-cpp::yaml-cpp`). What comes with a package that is named is left alone. Where Boost is
     exported, it also finds components (`Boost::filesystem`): `ament_export_dependencies(Boost)` asks for none.
     It is a warning where a package of the workspace includes a header and certainly finds what is missing in no other
-    way, or where this one is plainly a library for others (all packages of the repository are, or it is released and
-    its pages tell how to use it) and links it where it is not only loaded, as plugins are; an info elsewhere.
+    way, or where this one is a library for others (it is released and its pages tell how to use it) and links it where
+    it is not only loaded, as plugins are; an info elsewhere.
 
     ## Why is this bad?
     This package builds. Another one that links the library stops with "the target was not found", or at the first

@@ -87,8 +87,8 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     rosdep key has, that package.xml declares (DEP001 judges these), or that nothing known is near to. Near are only
     packages that CMake finds or package.xml declares; what `find_package()` looks for is compared with those declared
     that are not found otherwise. Under a condition that can't be evaluated. What is exported is an info where no
-    package of the workspace is built with this one, unless it is plainly a library for others: all packages of the
-    repository are, or it is released and its pages tell how to use it.
+    package of the workspace is built with this one, unless it is a library for others, which is released and whose
+    pages tell how to use it.
 
     ## Fix safety
     The nearest name may not be the one that was intended.

@@ -67,19 +67,20 @@ def unknown_exported_library(exported: ExportedLibraries) -> Iterator[Hit]:
     ## When it is quiet
     For other names, which may be libraries of the system, for those that a command of another package is given, and
     where a file that can't be read is included. Under a condition that can't be evaluated. It is an info where no
-    package of the workspace is built with this one, unless it is plainly a library for others: all packages of the
-    repository are, or it is released and its pages tell how to use it.
+    package of the workspace is built with this one, unless it is a library for others, which is released and whose
+    pages tell how to use it.
 
     ## Fix safety
     The nearest library may not be the one that was intended.
     """
-    is_needed = bool(exported.consumers.builders)
+    consumers = exported.consumers
     for each in exported.wrong():
+        is_needed = bool(consumers.including if each.kind == "unknown" else consumers.builders)
         fix = None
         if each.near and exported.package.cmake.source_text(each.word).strip('"') == each.word.text:
             fix = Fix(f"write `{each.near}`", (Edit(each.word.path, each.word.span, each.near),), Safety.UNSAFE)
         level = Severity.ERROR if is_needed and each.kind != "unknown" else None
-        level = level if is_needed or exported.consumers.are_elsewhere else Severity.INFO
+        level = level if is_needed or consumers.are_elsewhere else Severity.INFO
         yield Hit(each.word.path, each.word.span, message(exported, each), level, fix=fix)
 
 

@@ -75,13 +75,12 @@ def unexported_targets(unexported: UnexportedLibraries) -> Iterator[Hit]:
 
     ## When it is quiet
     Where any other command is given the name of the set, where a macro of another package or a file that can't be read
-    may export it, and for sets of executables, registered classes and components alone, which nothing links. Sets of
-    other plugins (tree nodes, what a description names) and of a package that installs no headers are infos, where no
-    package here is built with this one, and so are all of which no package here includes a header, unless the package
-    is plainly a library for others: all packages of the repository are, or it is released and its pages tell how to use
-    it. A library that is in no set may be for this package's programs alone: an info, where no package here includes
-    one of its headers. It is left alone where a CMake or pkg-config file of the package may
-    tell others of it.
+    may export it, and for sets of executables, registered classes and components alone, which nothing links. It is an
+    info where no package of the workspace is built with this one and includes a header of it, unless it is a library
+    for others, which is released and whose pages tell how to use it: then sets of other plugins (tree nodes, what a
+    description names) and of a package that installs no headers are infos, and a library that is in no set, which may
+    be for this package's programs alone. It is left alone where a CMake or pkg-config file of the package may tell
+    others of it.
     """
     for found in unexported.sets.all():
         name = found.word.text

@@ -55,7 +55,7 @@ def unexported_find_package(packages: HandedOnPackages) -> Iterator[Hit]:
     ## When it is quiet
     What comes with a package that is handed on is there; where that is not known of each of them, it is an info. Calls
     in blocks (`if`, functions, macros) and without REQUIRED are left alone. It is an info, too, where no package of the
-    workspace is built with this one and lacks what is missing, unless it is plainly a library for others. `rosdep
+    workspace is built with this one and lacks what is missing, unless it is a library for others. `rosdep
     install` installs what the packages of a repository declare for their own builds, too: such a requirement is a
     warning only where the repository is visibly released, or where the package required lies in the workspace itself.
 
