@@ -62,7 +62,7 @@ def test_the_library_of_a_component_where_files_are_unknown(target: str, expecte
 
 @pytest.mark.parametrize(
     "words, expected",
-    [("base arm.xml", ["CMK202 warning"]), ("base arm.cpp", []), ("base arm", []), ("base arm.xmlx", [])],
+    [("base arm.xml", ["CMK202 info"]), ("base arm.cpp", []), ("base arm", []), ("base arm.xmlx", [])],
 )
 def test_a_source_whose_description_is_named(words: str, expected: list[str]) -> None:
     lines = f"add_library(other SHARED other.cpp)\npluginlib_export_plugin_description_file({words})\n"

@@ -179,7 +179,9 @@ def test_a_file_whose_header_is_compiled(lines: str, files: dict[str, str], leve
     assert [each.severity.value for each in found] == [level] * bool(level)
 
 
-def test_a_description_that_cmake_hands_out_names_the_class() -> None:
+def test_a_description_offers_a_class_and_loads_none() -> None:
     description = {"plugins.xml": '<class type="my_pkg::Part"/>\n', "src/spare.cpp": PLUGIN}
     files = {**package("pluginlib_export_plugin_description_file(nav2_core plugins.xml)"), **description}
+    assert [each.severity.value for each in lint_files(files, ["CMK202"]).findings] == ["info"]
+    files |= {"config/parts.yaml": "loader:\n  ros__parameters:\n    part: my_pkg::Part\n"}
     assert [each.severity.value for each in lint_files(files, ["CMK202"]).findings] == ["warning"]

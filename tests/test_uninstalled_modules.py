@@ -52,7 +52,7 @@ def test_a_module_beside_a_script(lines: str, code: str, count: int) -> None:
 @pytest.mark.parametrize(
     ("lines", "expected"),
     [
-        (PYTHON, [Severity.WARNING]),
+        (PYTHON, [Severity.INFO]),
         ("", []),
         (f"if(SOMETHING_ELSE)\n{PYTHON}endif()\n", []),
         (f"{PYTHON}ament_python_install_package(my_pkg)\n", []),

@@ -16,6 +16,12 @@ from ...package.cmake.cmake_project import CMake
 from ...ros.read_table import words
 from ...source import Span
 
+EVERYWHERE = frozenset(
+    "find_package find_library find_path get_filename_component include include_directories install list message set "
+    "set_property set_target_properties string target_link_libraries".split()
+)
+"""What the files of nearly all packages call that CMake finds."""
+
 
 @dataclass(frozen=True)
 class RedefinedCommand:
@@ -24,6 +30,8 @@ class RedefinedCommand:
     span: Span
     calls_itself: bool
     """Whether its body calls the command, which is then itself, without end."""
+    is_called: bool
+    """Whether the package calls it, or files do that any package finds."""
 
 
 OF_QT = regex(r"qt\d?_\w+")
@@ -64,7 +72,12 @@ class RedefinedCommands:
             is_wrapper = bool(OF_QT.fullmatch(name)) and any(OF_QT.fullmatch(each) for each in called)
             is_copy = is_definer(file.path, name)
             if name in self.known and f"_{name}" not in called and not is_wrapper and not is_copy:
-                yield RedefinedCommand(name, file.path, argument.span, name in called)
+                yield RedefinedCommand(name, file.path, argument.span, name in called, self.is_called(name, block))
+
+    def is_called(self, name: str, block: Block) -> bool:
+        """Return whether a command is run besides in its own definition, which calls nothing by itself."""
+        own = {id(each) for each in inside(block)}
+        return name in EVERYWHERE or any(id(call.command) not in own for call in self.cmake.named(name))
 
     @cached_property
     def known(self) -> frozenset[str]:

@@ -33,8 +33,10 @@ ASIDE = frozenset(
 )
 PAGES = (".md", ".rst", ".sh", ".txt")
 """Files that tell, or do, what is to be started."""
-DESCRIPTIONS = (".xml", ".yaml", ".yml")
+LOADING = (".xml", ".yaml", ".yml", ".py", ".urdf", ".xacro")
 """Files that name classes to be loaded."""
+OFFERS = "<class"
+"""What stands in a description of plugins, which offers classes and loads none."""
 SPARE = frozenset("template templates new tmp wip unused".split())
 """Words of a file's name that say that it is not built."""
 WORD = regex(r"[A-Za-z]+")
@@ -83,7 +85,7 @@ class UncompiledSources:
             return is_started or any(map(started.search, self.texts(PAGES)))
         is_loaded = any((package, name) in facts.loaded_components for facts in self.workspace.packages)
         return is_loaded or any(
-            name in text for path, text in self.named_texts(DESCRIPTIONS) if self.is_handed_out(path)
+            name in text and OFFERS not in text for path, text in self.named_texts(LOADING) if self.is_handed_out(path)
         )
 
     def beside(self, source: UncompiledSource) -> str:

@@ -34,8 +34,9 @@ BODY = "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n"
     over=PythonPackages,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a module next to a script, which a build with --symlink-install finds; only data, or "
-        "nothing in the package, imports it; or interfaces take its name"
+        Severity.WARNING: "a module next to a script, which a build with --symlink-install finds; only data "
+        "imports it; or interfaces take its name",
+        Severity.INFO: "nothing in the package imports it",
     },
     examples=(
         Example(
@@ -99,7 +100,7 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
         start = f"the Python package `{name}` is not installed, though CMake looks for ament_cmake_python"
         message = f"{start}: no one can import it; {repair(packages, name)}"
         fix = installing(packages, name)
-        yield Hit(ends[-1].path, ends[-1].command.span, message, Severity.WARNING, fix=fix)
+        yield Hit(ends[-1].path, ends[-1].command.span, message, Severity.INFO, fix=fix)
     for left in modules_left_behind(packages):
         yield beside(packages, left)
 

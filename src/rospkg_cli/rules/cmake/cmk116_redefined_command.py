@@ -26,7 +26,10 @@ def cmake(lines: str) -> str:
     "redefined-command",
     over=CMakePackage,
     severity=Severity.WARNING,
-    levels={Severity.ERROR: "its body calls the command, and so itself"},
+    levels={
+        Severity.ERROR: "its body calls the command, and so itself",
+        Severity.INFO: "the package does not call it, and it is none that nearly all packages call",
+    },
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake(TELL)},
@@ -52,9 +55,11 @@ def redefined_command(package: CMakePackage) -> Iterator[Hit]:
     itself: CMake stops with "Maximum recursion depth of 1000 exceeded".
 
     ## When it is quiet
-    Inside of an `if`, which may ask whether the command exists, and where the body calls the former command by the name
-    that CMake keeps for it (`_install`). In a copy of the file in which CMake or ament defines the command
-    (`GoogleTest.cmake`). Commands of others, such as pybind11, Qt or rosidl, are none of these.
+    It is an info where the package does not call it and it is no command that the files of nearly all packages call
+    (`message`, `install`). It is quiet inside of an `if`, which may ask whether the command exists, and where the body
+    calls the former command by the name that CMake keeps for it (`_install`). In a copy of the file in which CMake or
+    ament defines the command (`GoogleTest.cmake`). Commands of others, such as pybind11, Qt or rosidl, are none of
+    these.
     """
     for each in RedefinedCommands(package.cmake).all():
         start = f"`{each.name}` is a command of CMake or ament, and is defined anew here"
@@ -63,4 +68,5 @@ def redefined_command(package: CMakePackage) -> Iterator[Hit]:
         else:
             whose = "every later call in the build of this package runs this one, in files that it finds too"
             message = f"{start}: {whose}; give it another name"
-        yield Hit(each.path, each.span, message, Severity.ERROR if each.calls_itself else None)
+        level = Severity.ERROR if each.calls_itself else None
+        yield Hit(each.path, each.span, message, level if each.is_called else Severity.INFO)

@@ -21,7 +21,8 @@ MAIN = "\n\ndef main():\n    print(GREETING)\n"
     levels={
         Severity.WARNING: "it is in a function or a branch, which may not be run, or in a program that nothing starts, "
         "beside others that are started",
-        Severity.INFO: "nothing leads to the function, or it stands behind `rclpy.spin`",
+        Severity.INFO: "nothing leads to the function, it stands behind `rclpy.spin`, or the package has no program, "
+        "and no package of the workspace depends on it",
     },
     examples=(
         Example(
@@ -50,6 +51,7 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     ## Fix safety
     A file that is also started by its path needs its package installed from then on.
     """
+    is_offered = imports.reached.is_library and not imports.workspace.needing(imports.facts.name)
     doing = "the import" if imports.reached.is_library else "`ros2 run`"
     for file, each, full in imports.neighbours():
         is_installed = full in imports.installed.sources
@@ -62,5 +64,5 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
             fix = Fix(f"write `{full}`", (Edit(file.path, each.span, full),), Safety.UNSAFE)
         why = imports.places.why_seldom(file.path, each.span)
         is_mild = each.is_local or imports.places.is_conditional(file.path, each.span)
-        level = Severity.INFO if why else Severity.WARNING if is_mild else None
+        level = Severity.INFO if why or is_offered else Severity.WARNING if is_mild else None
         yield Hit(file.path, each.span, f"{message}{why}", level, fix=fix)
