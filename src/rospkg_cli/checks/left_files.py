@@ -112,10 +112,12 @@ class LeftFiles:
         return frozenset(row.source for row in self.table.rows) if self.table is not None else frozenset()
 
     def is_given_up(self, path: str) -> bool:
-        """Return whether nobody means to start a launch file, and no other package includes one of its name."""
+        """Return whether nobody means to start a launch file, no file names it, and no other package includes one."""
+        if not is_given_up(path, self.files) or any(True for _ in self.having(naming(path), path)):
+            return False
         name, others = posixpath.basename(path), self.workspace.packages
         summaries = (each for facts in others if facts.name != self.package.name for each in facts.launch_summaries)
-        return is_given_up(path, self.files) and not any(name in each.includes for each in summaries)
+        return not any(name in each.includes for each in summaries)
 
     @cached_property
     def shared(self) -> frozenset[str]:

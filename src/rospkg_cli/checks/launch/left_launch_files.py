@@ -8,6 +8,8 @@ from ...package.launch.live_text import OF_ROS1
 from ...package.launch.text import uncommented
 
 MARKUP = (".launch", ".xml")
+OF_ROS2 = (".launch.xml", "_launch.xml")
+"""How the names of launch files for ROS 2 end, which those for ROS 1 do not."""
 
 
 def is_given_up(path: str, files: PackageFiles) -> bool:
@@ -26,6 +28,11 @@ def is_copy(path: str, files: PackageFiles) -> bool:
 
 
 def is_unported(path: str, files: PackageFiles) -> bool:
-    """Return whether a launch file still has nodes by `type=`, `$(find …)` or `$(arg …)`, at which ROS 2 refuses it."""
-    text = files.readable_text(path) if path.endswith(MARKUP) else ""
+    """Return whether a launch file still has nodes by `type=`, `$(find …)` or `$(arg …)`, at which ROS 2 refuses it.
+
+    The only one of a package is meant to start it, and so is one that is named for ROS 2.
+    """
+    others = [each for each in files.paths if role_of(each) == "launch" and each != path]
+    is_old = path.endswith(MARKUP) and not path.endswith(OF_ROS2) and bool(others)
+    text = files.readable_text(path) if is_old else ""
     return OF_ROS1.search(uncommented(".launch", text)) is not None
