@@ -12,6 +12,7 @@ from ...package.file_role import Role
 from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_TESTS, LAUNCH, implied_by
 from ...source import Span
+from ..other_interpreters import is_for_another_interpreter
 from ..reached_modules import ReachedModules
 from ..reached_places import ReachedPlaces
 from ..ros1_import import ROS1, ros1_import
@@ -31,6 +32,7 @@ BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catk
 
 UNSTARTED = "; nothing here starts this script, as it does other programs of the package"
 TOOL = "; this is a tool beside the programs of the package"
+HOSTED = "; another interpreter than that of ROS runs this file"
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,11 +91,20 @@ class ImportDependencies:
         return reached is not None and all(reached.is_left(path) for path in {each.path for each in places})
 
     def why_unstarted(self, places: Iterable[ImportUse]) -> str:
-        """Return what is said of scripts that nothing starts beside programs that are, and of tools; "" for others."""
+        """Return what is said of files for other interpreters, of scripts that nothing starts beside programs that are,
+        and of tools; "" for others.
+        """
         programs, paths = self.programs, {each.path for each in places}
+        if paths <= self.hosted:
+            return HOSTED
         if programs is None:
             return ""
         return UNSTARTED if all(map(programs.has_script, paths)) else TOOL if all(map(programs.is_tool, paths)) else ""
+
+    @cached_property
+    def hosted(self) -> set[str]:
+        """The files that another interpreter runs: one inside of a program, or on a microcontroller."""
+        return {each.path for each in self.python.files if is_for_another_interpreter(each.imports)}
 
     def why_seldom(self, uses: Iterable[ImportUse]) -> str:
         """Return what is said where all places seldom or never run, beside what is said of modules; "" for others."""
