@@ -37,11 +37,14 @@ class EarlierFaults:
     def milder(self, every: Sequence[Finding | RuleCrash]) -> list[Finding | RuleCrash]:
         """Return results with an info for each fault of a file that its program does not come to."""
         loud = [each for each in every if isinstance(each, Finding) and each.severity is not Severity.INFO]
+        mild = [each for each in every if isinstance(each, Finding) and is_mild_stop(each)]
         found: dict[int, Finding] = {}
         failing = self.failing_imports(loud)
         for path in {each.location.path for each in loud if each.code in AT_RUN}:
             file = self.modules.at(path.removeprefix(f"{self.files.folder}/" if self.files.folder else ""))
-            found |= self.in_file(path, file, loud, failing.get(file.path, ())) if file is not None else {}
+            if file is not None:
+                spans = (at.span for each in mild for at in self.stops(each, path, file))
+                found |= self.in_file(path, file, loud, (*failing.get(file.path, ()), *spans))
         return [found.get(id(each), each) for each in every]
 
     def failing_imports(self, loud: Sequence[Finding]) -> Mapping[str, Sequence[Span]]:
@@ -104,6 +107,11 @@ class EarlierFaults:
         module = re.compile(rf"(?<!\w){re.escape(file.path.rpartition('/')[2].removesuffix('.py'))}(?!\w)")
         others = (each for each in self.files.paths if each.endswith(".py") and each != file.path)
         return [text for each in others if module.search(text := self.files.readable_text(each))]
+
+
+def is_mild_stop(each: Finding) -> bool:
+    """Return whether an info tells of a place that is seldom come to, and then ends the run."""
+    return each.severity is Severity.INFO and each.code in AT_RUN
 
 
 def is_in(name: str, texts: Sequence[str]) -> bool:

@@ -13,7 +13,8 @@ from .finding_builder import AT_RUN
 def milder_behind(results: list[Finding | RuleCrash], inputs: Callable[[type], list[Any]]) -> list[Finding | RuleCrash]:
     """Return results with an info for each fault that nobody meets as long as another one raises before."""
     loud = [each for each in results if isinstance(each, Finding) and each.severity is not Severity.INFO]
-    if not loud[1:] or not any(each.code in AT_RUN for each in loud):
+    at_run = [each for each in results if isinstance(each, Finding) and each.code in AT_RUN]
+    if not (loud[1:] or at_run[1:]) or all(each.severity is Severity.INFO for each in at_run):
         return results
     from .earlier_faults import EarlierFaults
 
