@@ -22,6 +22,7 @@ from .share_lookups import CATCHES, LOOKUPS, ShareLookups, literal_of
 
 NAME = regex(r"[a-z][a-z0-9_]+")
 LEFT, UNCOMPILED = "; nothing starts or imports this module", "; no target compiles this file"
+UNSTARTED = "; nothing here starts this program, as it does others of the package"
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +44,10 @@ class LookedUpPackages:
     @property
     def declared(self) -> DeclaredDependencies:
         return self.imports.declared
+
+    def is_unstarted(self, path: str) -> bool:
+        """Return whether a file is of programs that nothing starts, beside others that are started."""
+        return self.imports.programs is not None and self.imports.programs.has(path)
 
     def undeclared(self) -> dict[str, list[LookUp]]:
         """Return each package with its places, but for what is imported, included or launched as well.
@@ -72,6 +77,7 @@ class LookedUpPackages:
                 if name is not None:
                     span = file.span(name)
                     why = LEFT if self.lookups.is_left(file.path) else self.lookups.why_seldom(file.path, span)
+                    why = why or (UNSTARTED if self.is_unstarted(file.path) else "")
                     yield str(name.value), LookUp(file.path, span, id(call) in chosen, why)
         for source in self.lookups.sources:
             why = UNCOMPILED if self.lookups.is_uncompiled(source.path) else ""

@@ -37,6 +37,7 @@ from .reached_places import ReachedPlaces
 from .run_imports import RunImports
 from .unread_paths import UnreadPaths
 from .unrun_tests import is_never_run
+from .wrong_calls import wrong_lookup
 
 LOOKUPS = SHARE | {"get_package_prefix"}
 CATCHES = frozenset({"PackageNotFoundError", "KeyError", "LookupError", "Exception", "BaseException"})
@@ -205,7 +206,9 @@ class ShareLookups:
 
 
 def literal_of(call: ast.Call) -> ast.Constant | None:
-    """Return the package's name where a lookup is given a plain string."""
+    """Return the package's name where a lookup is given a plain string, and not more than it takes."""
+    if wrong_lookup(call):
+        return None
     given = call.args[0] if call.args else next((each.value for each in call.keywords), None)
     plain = isinstance(given, ast.Constant) and isinstance(given.value, str) and given.value.isidentifier()
     return given if plain and isinstance(given, ast.Constant) else None

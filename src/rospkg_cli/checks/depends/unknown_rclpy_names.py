@@ -12,6 +12,7 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
 from ...languages.python.unreached_places import is_unreached
 from ...light_dataclasses import dataclass
+from ...package.file_role import Role
 from ...ros.rclpy_names import OF_ROSPY, members_of_nodes, names_of_rclpy
 from ...source import Span
 from ...suggest import near_names
@@ -42,11 +43,16 @@ class UnknownName:
 class UnknownRclpyNames:
     uses: UndefinedUses
 
+    @property
+    def files(self) -> Iterator[tuple[Role, PythonFile]]:
+        """The files that use rclpy, and whose names are all to be seen."""
+        for role, file in self.uses.run.files:
+            if role != "aside" and "rclpy" in file.source.text and not file.has_dynamic_names:
+                yield role, file
+
     def all(self) -> Iterator[UnknownName]:
         """Yield each name once a file."""
-        for role, file in self.uses.run.files:
-            if role == "aside" or "rclpy" not in file.source.text or file.has_dynamic_names:
-                continue
+        for role, file in self.files:
             seen: set[str] = set()
             for node, owner, better in (*of_module(file), *self.of_nodes(file)):
                 if node.attr not in seen and not is_unreached(file, file.span(node)):
@@ -63,13 +69,8 @@ class UnknownRclpyNames:
 
     def of_nodes(self, file: PythonFile) -> Iterator[tuple[ast.Attribute, str, str]]:
         """Yield calls of methods that a class of a node does not have, and nearly has."""
-        if any(word in file.source.text for word in DYNAMIC):
-            return
-        names = {name for each in file.imports if each.module in HOMES for name in each.names} & NODES
         known = members_of_nodes()
-        for owner in nodes_of_kind(file.tree, ast.ClassDef):
-            if not owner.bases or not all(is_node(base, names) for base in owner.bases):
-                continue
+        for owner in self.node_classes(file):
             for call in nodes_of_kind(owner, ast.Call):
                 method = call.func
                 if is_of_self(method):
@@ -79,6 +80,15 @@ class UnknownRclpyNames:
                     if near:
                         yield method, "self", OF_ROSPY.get(name, f"self.{near[0]}")
             yield from self.uncalled(owner)
+
+    def node_classes(self, file: PythonFile) -> Iterator[ast.ClassDef]:
+        """Yield the classes that have rclpy's nodes for bases alone, unless the file gives names to objects."""
+        if any(word in file.source.text for word in DYNAMIC):
+            return
+        names = {name for each in file.imports if each.module in HOMES for name in each.names} & NODES
+        for owner in nodes_of_kind(file.tree, ast.ClassDef):
+            if owner.bases and all(is_node(base, names) for base in owner.bases):
+                yield owner
 
     def uncalled(self, owner: ast.ClassDef) -> Iterator[tuple[ast.Attribute, str, str]]:
         """Yield what a class takes from a method of nodes as if that were no method: `self.get_logger.info`."""

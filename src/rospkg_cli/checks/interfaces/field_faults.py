@@ -18,6 +18,6 @@ def together(uses: Iterable[UnknownField]) -> Iterable[Sequence[Sequence[Unknown
     faults: dict[object, list[list[UnknownField]]] = {}
     for field in fields.values():
         first = field[0]
-        how = (first.near, first.is_keyword, first.is_ros1)
+        how = (first.near, first.is_keyword, first.is_ros1, first.is_by_place)
         faults.setdefault((first.path, first.message, *how), []).append(field)
     return faults.values()

@@ -10,12 +10,15 @@ from functools import cached_property
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
 from ...ros.interfaces import KINDS
+from ...ros.python_calls import REEXPORTED
 
 PARTS = {
     "srv": {"Request": "_Request", "Response": "_Response"},
     "action": {"Goal": "_Goal", "Result": "_Result", "Feedback": "_Feedback"},
 }
 """The attributes of a service's or an action's class that are messages."""
+SHARING = frozenset(each.rpartition("/")[0] for each in REEXPORTED)
+"""Modules from which messages of other packages are taken."""
 
 
 class MessageClasses:
@@ -54,6 +57,8 @@ class MessageClasses:
         if isinstance(node.value, ast.Name) and f"{node.value.id}.{node.attr}" in self.modules and node.attr in KINDS:
             return f"{node.value.id}/{node.attr}" if not self.names.get(node.value.id) else ""
         outer = self.named(node.value)
+        if outer in SHARING:
+            return REEXPORTED.get(f"{outer}/{node.attr}", "")
         if outer.count("/") == 1:
             return f"{outer}/{node.attr}"
         kind = outer.split("/")[1] if outer.count("/") == len(("package", "name")) else ""
@@ -91,14 +96,15 @@ def bound_names(file: PythonFile) -> Iterator[tuple[str, str]]:
         package, _, kind = (each.module or "").partition(".") if not each.level else ("", "", "")
         for alias in each.names:
             found = f"{package}/{kind}/{alias.name}" if kind in KINDS else ""
-            if package and not kind and alias.name in KINDS:
+            if package and not kind and (alias.name in KINDS or f"{package}/{alias.name}" in SHARING):
                 found = f"{package}/{alias.name}"
+            found = found or REEXPORTED.get(f"{package}/{kind}/{alias.name}", "")
             yield alias.asname or alias.name, found
     for plain in nodes_of_kind(tree, ast.Import):
         for alias in plain.names:
             package, _, kind = alias.name.partition(".")
             if alias.asname:
-                yield alias.asname, f"{package}/{kind}" if kind in KINDS else ""
+                yield alias.asname, f"{package}/{kind}" if kind in KINDS or f"{package}/{kind}" in SHARING else ""
     yield from ((node.name, "") for node in nodes_of_kind(tree, ast.FunctionDef))
     yield from ((node.name, "") for node in nodes_of_kind(tree, ast.AsyncFunctionDef))
     yield from ((node.name, "") for node in nodes_of_kind(tree, ast.ClassDef))

@@ -20,6 +20,7 @@ from ..reached_definitions import ReachedDefinitions
 from ..reached_modules import ReachedModules
 from ..reached_places import ReachedPlaces
 from ..run_imports import RunImports
+from ..wrong_calls import CATCHES as TYPE_ERROR
 from .idle_objects import IdleObjects
 from .known_interfaces import KnownInterfaces
 from .message_classes import MessageClasses, names_interfaces
@@ -44,6 +45,8 @@ class UnknownField:
     is_keyword: bool
     """Whether it is passed to the constructor."""
     is_ros1: bool
+    is_by_place: bool = False
+    """Whether it is passed to the constructor without a name, which is then empty: that takes none so."""
 
 
 @dataclass(frozen=True)
@@ -160,6 +163,7 @@ class FieldUses:
     ) -> Iterator[UnknownField]:
         passed_over = set(guarded_nodes((node for node in body.nodes if isinstance(node, ast.Try)), CATCHES))
         passed_over.update(unreached_nodes(body.nodes, file.constants))
+        caught = frozenset(guarded_nodes((node for node in body.nodes if isinstance(node, ast.Try)), TYPE_ERROR))
         for node in body.nodes:
             if id(node) in passed_over:
                 continue
@@ -173,11 +177,19 @@ class FieldUses:
                     is_set = isinstance(node.ctx, ast.Store)
                     yield from self.judged(file.path, span, message, node.attr, is_set=is_set)
             elif isinstance(node, ast.Call) and (message := classes.message(node.func)):
+                if id(node) not in caught and "rospy" not in file.source.text:
+                    yield from self.by_place(file, node, message)
                 for keyword in node.keywords:
                     if keyword.arg is not None:
                         start = file.span(keyword).start
                         span = Span(start, start + len(keyword.arg))
                         yield from self.judged(file.path, span, message, keyword.arg, is_set=True, is_keyword=True)
+
+    def by_place(self, file: PythonFile, call: ast.Call, message: str) -> Iterator[UnknownField]:
+        """Yield the first argument that a message is made with by its position."""
+        given = next((each for each in call.args if not isinstance(each, ast.Starred)), None)
+        if given is not None and self.known.fields(message) is not None:
+            yield UnknownField(file.path, file.span(given), message, "", None, False, False, is_by_place=True)
 
     def judged(
         self, path: str, span: Span, message: str, name: str, *, is_set: bool, is_keyword: bool = False

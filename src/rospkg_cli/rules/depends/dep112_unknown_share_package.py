@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.share_lookups import ShareLookups
+from ...checks.wrong_lookups import wrong_lookups
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...light_dataclasses import replace
 from ...rule import rule
 
 MODULE = """\
@@ -38,7 +40,8 @@ NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend
     over=ShareLookups,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a branch of a function, or no target certainly compiles the file",
+        Severity.WARNING: "it is in a branch of a function, in a program that nothing starts, beside others that are "
+        "started, or no target certainly compiles the file",
         Severity.INFO: "nothing starts or imports the module or leads to the function, a switch turns it off, or it "
         "stands behind `rclpy.spin`",
     },
@@ -59,10 +62,11 @@ NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend
 def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     """
     ## What it does
-    Finds Python modules and C++ that look for the share directory or the prefix of a misspelt package.
+    Finds Python modules and C++ that look for the share directory or the prefix of a misspelt package, and look-ups in
+    Python with more arguments than they take, as where a parenthesis of `os.path.join()` is misplaced.
 
     ## Why is this bad?
-    The build is green, and the node ends with PackageNotFoundError.
+    The build is green, and the node ends with PackageNotFoundError or TypeError.
 
     ## When it is quiet
     Where the name is near none of the workspace, of the dependencies and of the known packages; where a submodule or a
@@ -77,10 +81,16 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     for found in lookups.unknown_packages():
         message = f"there is no package `{found.name}`: this raises PackageNotFoundError; did you mean `{found.near}`?"
         fix = Fix(f"write `{found.near}`", (Edit(found.path, found.span, found.near),), Safety.UNSAFE)
-        is_certain = lookups.is_run(found.path) and not lookups.is_conditional(found.path, found.span)
-        level = None if is_certain else Severity.WARNING
-        if lookups.is_left(found.path):
-            level, message = Severity.INFO, f"{message}; nothing starts or imports this module"
-        elif why := lookups.why_seldom(found.path, found.span):
-            level, message = Severity.INFO, f"{message}{why}"
-        yield Hit(found.path, found.span, message, level, fix=fix)
+        yield weighed(lookups, Hit(found.path, found.span, message, fix=fix))
+    for wrong in wrong_lookups(lookups):
+        yield weighed(lookups, Hit(wrong.path, wrong.span, f"`{wrong.name}` {wrong.why}: this raises TypeError"))
+
+
+def weighed(lookups: ShareLookups, hit: Hit) -> Hit:
+    """Return a hit with its level, and what is said of a place that seldom runs."""
+    if lookups.is_left(hit.path):
+        return replace(hit, level=Severity.INFO, message=f"{hit.message}; nothing starts or imports this module")
+    if why := lookups.why_seldom(hit.path, hit.span):
+        return replace(hit, level=Severity.INFO, message=f"{hit.message}{why}")
+    is_certain = lookups.is_run(hit.path) and not lookups.is_conditional(hit.path, hit.span)
+    return hit if is_certain else replace(hit, level=Severity.WARNING)

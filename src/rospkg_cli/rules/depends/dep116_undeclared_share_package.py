@@ -26,7 +26,8 @@ NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "a dependency brings or may bring it, another package of an unreleased repository declares "
-        "it, package.xml has it in a comment, an `if` chooses it, or nothing leads to the place"
+        "it, package.xml has it in a comment, an `if` chooses it, nothing leads to the place, or nothing "
+        "starts the program"
     },
     examples=(
         Example(
@@ -51,9 +52,9 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     nobody knows where a repository is listed and not here; else those are DEP112's. What is imported, included or
     launched as well is told by DEP101, DEP105 and DEP103. Code that catches the exception, tests, and files that
     nothing installs are left alone. What an `if` chooses, whose other branch looks for another package, is an info, and
-    so is what stands in a module that nothing starts or imports, in a function that nothing calls, or in a source that
-    no target compiles, beside others, and what another package of the repository declares where nothing shows a
-    release.
+    so is what stands in a module that nothing starts or imports, in a program that nothing starts beside others that
+    are started, in a function that nothing calls, or in a source that no target compiles, beside others, and what
+    another package of the repository declares where nothing shows a release.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.unknown_rclpy_names import UnknownRclpyNames
+from ...checks.depends.wrong_rclpy_calls import WrongRclpyCalls
 from ...example import Example, manifest, scripts, setup_py
 from ...finding import Hit, Severity
 from ...ros.rclpy_names import OF_ROSPY
@@ -63,14 +64,16 @@ def unknown_rclpy_name(names: UnknownRclpyNames) -> Iterator[Hit]:
     Finds names that code takes from rclpy or from its own node, and that these do not have.
     It tells a name that is a letter or two from one that exists (`rclpy.spinn`, `self.create_publishr`), those of
     rospy (`rclpy.Rate`, `rclpy.loginfo`), and those taken from `self.get_logger` and `self.get_clock` without the call.
+    Calls with what no distribution takes are told, too: `rclpy.init(sys.argv)`, which takes its `args` by name alone,
+    and `self.create_publisher(String, 'words')` without a depth.
 
     ## Why is this bad?
-    Nothing looks before the line runs: the build is green, and the node ends with AttributeError.
+    Nothing looks before the line runs: the build is green, and the node ends with AttributeError or TypeError.
 
     ## When it is quiet
     For any other name, as a newer rclpy may have it; for classes that have other bases than rclpy's nodes, for methods
-    that any class of the package has, in files that bind `rclpy` themselves or set names by `setattr`, and under what
-    never holds on Linux.
+    that any class of the package has, in files that bind `rclpy` themselves or set names by `setattr`, for calls with
+    `*` or `**` that may be right or whose TypeError is caught, and under what never holds on Linux.
 
     ## References
     The names of all branches of ros2/rclpy from Foxy on.
@@ -81,6 +84,10 @@ def unknown_rclpy_name(names: UnknownRclpyNames) -> Iterator[Hit]:
         advice = f"rospy has it; write `{each.better}`" if is_of_rospy else f"did you mean `{each.better}`?"
         message = f"{what} `{each.name}`: {ENDS[each.when]} with AttributeError; {advice}"
         yield Hit(each.file.path, each.span, message, LEVELS[each.when])
+    for wrong in WrongRclpyCalls(names).all():
+        called = wrong.called
+        message = f"`{called.owner}.{called.name}` {wrong.why}: {ENDS[called.when]} with TypeError"
+        yield Hit(called.file.path, called.span, message, LEVELS[called.when])
 
 
 WHAT = {"rclpy": "`rclpy` has no", "self": "a node has no"}

@@ -70,7 +70,8 @@ TALKER = "from std_msgs.msg import String\n\n\ndef main():\n    msg = String()\n
 def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     """
     ## What it does
-    Finds fields that Python code sets or reads and that the message does not have.
+    Finds fields that Python code sets or reads and that the message does not have, and messages that are made with
+    values without names (`Point(1.0, 2.0)`), as only ROS 1 took them.
     The message of a variable is known by its assignments (`msg = Twist()`, `Drive.Feedback()`), its annotation, or the
     `create_subscription` and `create_service` that a function is registered by.
 
@@ -79,18 +80,18 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     arrives.
 
     ## When it is quiet
-    Where a variable may hold something else, or its type or attributes are asked for; where an AttributeError is
-    caught; for what an action client is handed, a message around the feedback or result (`.feedback`); for packages
-    outside of the workspace, unless the name is near a field or was one in ROS 1; under a condition that is for ROS 1
-    (`ROS_VERSION == 1`); in files that nothing installs. A method of an object that is bound to a name which nothing
-    reads is an info, unless its construction comes to it, as is one of a class that is defined again below. A use in an
-    `except` branch, in a function whose callers catch what it raises, and in a test is a warning. A module that no
-    entry point and no other file of the package names or imports, beside others that start, is an info, and so is a
-    function that no program leads to, what stands behind `rclpy.spin`, under the `__main__` of an entry point's module,
-    under a switch that nothing throws, in a branch, under several conditions on the way from a program, and where no
-    such way is shown. What a message is made with (`Twist(liner=…)`) raises up to Iron: where
-    the pages, scripts and workflows of the repository name none after it, it is an error, where they name Jazzy or
-    newer alone, an info, and else a warning.
+    Where a variable may hold something else, or its type or attributes are asked for; where an AttributeError or
+    TypeError is caught; for what an action client is handed, a message around the feedback or result (`.feedback`); for
+    packages outside of the workspace, unless the name is near a field or was one in ROS 1; under a condition that is
+    for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A method of an object that is bound to a name which
+    nothing reads is an info, unless its construction comes to it, as is one of a class that is defined again below. A
+    use in an `except` branch, in a function whose callers catch what it raises, and in a test is a warning. A module
+    that no entry point and no other file of the package names or imports, beside others that start, is an info, and so
+    is a function that no program leads to, what stands behind `rclpy.spin`, under the `__main__` of an entry point's
+    module, under a switch that nothing throws, in a branch, under several conditions on the way from a program, and
+    where no such way is shown. What a message is made with (`Twist(liner=…)`) raises up to Iron: where the pages,
+    scripts and workflows of the repository name none after it, it is an error, where they name Jazzy or newer alone, an
+    info, and else a warning.
 
     ## Fix safety
     The intended field is a guess.
@@ -115,6 +116,8 @@ def level_of(uses: FieldUses, places: Sequence[UnknownField], end: str) -> Sever
 
 
 def message(found: UnknownField, names: Sequence[str]) -> str:
+    if found.is_by_place:
+        return f"`{found.message}` takes its fields by name alone: this raises TypeError"
     start = f"`{found.message}` has no field{'s' if len(names) > 1 else ''} {in_ticks(names)}"
     end = f"; did you mean `{found.near}`?" if found.near else ""
     if found.is_keyword:

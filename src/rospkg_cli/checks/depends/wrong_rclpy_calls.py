@@ -1,0 +1,56 @@
+"""Calls of rclpy and of a node's own methods with arguments that these do not take (DEP120)."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from ...languages.python.attributes import is_of_self
+from ...languages.python.file import PythonFile
+from ...languages.python.guarded_nodes import guarded_nodes
+from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.unreached_places import is_unreached
+from ...light_dataclasses import dataclass
+from ...ros.python_calls import OF_NODES, OF_RCLPY
+from ..wrong_calls import CATCHES, wrong_call
+from .unknown_rclpy_names import UnknownName, UnknownRclpyNames, rebinds
+
+
+@dataclass(frozen=True, slots=True)
+class WrongRclpyCall:
+    called: UnknownName
+    """What is called; it is known, and there is nothing better."""
+    why: str
+
+
+@dataclass(frozen=True)
+class WrongRclpyCalls:
+    names: UnknownRclpyNames
+
+    def all(self) -> Iterator[WrongRclpyCall]:
+        """Yield each wrong call of a file once for each function and each fault of it."""
+        for role, file in self.names.files:
+            caught = frozenset(guarded_nodes(file.tree.body, CATCHES))
+            told: set[tuple[str, str]] = set()
+            for call, method, why in (*of_module(file), *self.of_nodes(file)):
+                is_met = id(call) not in caught and not is_unreached(file, file.span(call))
+                if why and is_met and (method.attr, why) not in told:
+                    told.add((method.attr, why))
+                    owner = ast.unparse(method.value)
+                    yield WrongRclpyCall(self.names.unknown(file, method, owner, "", is_test=role == "test"), why)
+
+    def of_nodes(self, file: PythonFile) -> Iterator[tuple[ast.Call, ast.Attribute, str]]:
+        for owner in self.names.node_classes(file):
+            for call in nodes_of_kind(owner, ast.Call):
+                method = call.func
+                if is_of_self(method) and method.attr in OF_NODES and method.attr not in self.names.defined:
+                    yield call, method, wrong_call(call, OF_NODES[method.attr])
+
+
+def of_module(file: PythonFile) -> Iterator[tuple[ast.Call, ast.Attribute, str]]:
+    if not any(each.module == "rclpy" and not each.names for each in file.imports) or rebinds(file):
+        return
+    for call in nodes_of_kind(file.tree, ast.Call):
+        match call.func:
+            case ast.Attribute(value=ast.Name(id="rclpy"), attr=name) as method if name in OF_RCLPY:
+                yield call, method, wrong_call(call, OF_RCLPY[name])
