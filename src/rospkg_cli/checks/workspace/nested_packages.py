@@ -19,12 +19,14 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from .built_places import is_built_from
 from .carried_folders import is_carried
+from .wanted_packages import WantedPackages
 
 MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 COPIES = frozenset("fixtures resource resources example examples thirdparty 3rdparty external extern".split())
 """Folders of packages that are there to be read or copied."""
-Way = Literal["built", "started", "carried", "none"]
+Way = Literal["built", "started", "carried", "idle", "none"]
 COMPILES = ("add_executable", "add_library", "target_sources", "target_include_directories")
+FOR_ROS2 = regex(r"<build_type>\s*(?:ament_\w+|cmake)\b")
 NAME = regex(r"<name>\s*([\w-]+)")
 
 
@@ -68,14 +70,37 @@ class NestedPackages:
         is_copy = name is not None and name[1] in self.workspace.names
         return not is_for_ros1 and not is_copy and not any(part.startswith(".") for part in path.split("/"))
 
+    def ways(self) -> dict[Way, list[str]]:
+        """Return the packages by the way in which they get built; those that nobody misses stand behind one that
+        somebody does."""
+        found: dict[Way, list[str]] = {}
+        for path in self.manifests():
+            found.setdefault(self.way_of(path), []).append(path)
+        if "none" in found:
+            found["none"] += found.pop("idle", [])
+        return found
+
     def way_of(self, path: str) -> Way:
-        """Return how a package gets built: by the outer one, or where pages start colcon below it, or bring it."""
+        """Return how a package gets built: by the outer one, or where pages start colcon below it, or bring it; of
+        others, whether somebody wants it (none) or nobody does (idle)."""
         folder = posixpath.dirname(path)
         if self.is_built_here(path):
             return "built"
         if is_built_from(self.files, folder):
             return "started"
-        return "carried" if is_carried(self.files, folder) else "none"
+        if is_carried(self.files, folder):
+            return "carried"
+        return "none" if self.may_be_meant(path) and self.is_wanted(path) else "idle"
+
+    def is_wanted(self, path: str) -> bool:
+        """Return whether a package of ROS 2 is depended on, used, built or run by its name."""
+        text = self.files.readable_text(path)
+        name = NAME.search(text)
+        return bool(FOR_ROS2.search(text)) and name is not None and self.wanted.has(name[1])
+
+    @cached_property
+    def wanted(self) -> WantedPackages:
+        return WantedPackages(self.files, self.workspace)
 
     def is_built_here(self, path: str) -> bool:
         """Return whether the CMake of the outer package builds the folder of a package.xml, or one inside of it."""

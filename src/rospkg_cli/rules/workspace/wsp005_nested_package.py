@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.workspace.nested_packages import NestedPackages
+from ...checks.workspace.nested_packages import NestedPackages, Way
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
 from ...rule import rule
 from ...source import Span
 
 INNER = manifest().replace("<name>my_pkg</name>", "<name>my_driver</name>")
-SENTENCES = {
+SENTENCES: dict[Way, str] = {
     "none": ": colcon does not look there, and never builds it; move it next to `{0}`, or remove its package.xml",
+    "idle": ": colcon does not look there, and never builds it, which nobody here is shown to miss: nothing depends on "
+    "it, uses it in code, or builds or runs it by its name; move it next to `{0}`, or remove its package.xml",
     "started": ": colcon finds it only where it is started below `{0}`, as a page or a script does here; move it next "
     "to `{0}`",
     "carried": ": colcon finds it only where it is linked, copied or named on its own, as a page or a script does "
@@ -29,12 +31,13 @@ SENTENCES = {
     over=NestedPackages,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "all of them are for ROS 1, in a hidden folder, or built by the outer one, so that nobody means "
-        "colcon to build them, or a README has it started below the outer one, or brings them to another place"
+        Severity.INFO: "nothing depends on one of them, or builds, runs, imports or looks for it by its name; all of "
+        "them are for ROS 1, in a hidden folder, or built by the outer one; or a README has colcon started below the "
+        "outer one, or brings them to another place"
     },
     examples=(
         Example(
-            bad={"driver/package.xml": "«»" + INNER},
+            bad={"driver/package.xml": "«»" + INNER, "README.md": "`ros2 run my_driver driver`\n"},
             good={"driver/package.xml": None},
         ),
     ),
@@ -50,8 +53,10 @@ def nested_package(nested: NestedPackages) -> Iterator[Hit]:
 
     ## When it is quiet
     Folders with an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE), those that git ignores, those of tests,
-    templates, examples and third parties, and a package.xml that is installed as data, are left alone. Packages for
-    ROS 1, those in hidden folders, and those whose name a package has that colcon finds are an info. So are those that
+    templates, examples and third parties, and a package.xml that is installed as data, are left alone. Those that
+    nobody is shown to want are an info: no package depends on one, no launch file, code or CMake names it, and no page
+    or script builds or runs it (`ros2 run my_driver`, `--packages-select my_driver`). So are packages for ROS 1, those
+    in hidden folders, and those whose name a package has that colcon finds. So are those that
     colcon finds where a README or a script starts it (`cd driver && colcon build`), those that one links, copies or
     mounts into a workspace (`ln -s`, `cp -r`, `COPY`), and those that the outer package builds itself
     (`add_subdirectory`, `ExternalProject_Add`, a target with their sources): only their package.xml is not read.
@@ -59,13 +64,11 @@ def nested_package(nested: NestedPackages) -> Iterator[Hit]:
     ## References
     colcon/colcon-recursive-crawl: package_discovery/recursive_crawl.py
     """
-    found: dict[str, list[str]] = {}
-    for path in nested.manifests():
-        found.setdefault(nested.way_of(path), []).append(path)
-    for way in (each for each in SENTENCES if each in found):
-        message = f"is a package inside of `{nested.package.name}`{SENTENCES[way].format(nested.package.name)}"
-        is_lost = way == "none" and any(map(nested.may_be_meant, found[way]))
-        yield of_all(found[way], message, None if is_lost else Severity.INFO)
+    found = nested.ways()
+    for way, sentence in SENTENCES.items():
+        if way in found:
+            message = f"is a package inside of `{nested.package.name}`{sentence.format(nested.package.name)}"
+            yield of_all(found[way], message, None if way == "none" else Severity.INFO)
 
 
 def of_all(found: list[str], message: str, level: Severity | None) -> Hit:

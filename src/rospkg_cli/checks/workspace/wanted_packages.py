@@ -1,0 +1,63 @@
+"""Whether anybody wants a package that colcon does not find: it is depended on, used, built or run by its name."""
+
+from __future__ import annotations
+
+import re
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...light_dataclasses import dataclass
+from ...package.launch.live_text import live_text
+from ...package.package_facts import PackageFacts
+from ...package.workspace import Workspace
+from .carried_folders import CONTINUED, every_text
+
+COMPILED = (".cpp", ".cc", ".cxx", ".hpp", ".h")
+USING = (*COMPILED, ".py", ".xml", ".launch", ".yaml", ".yml", "CMakeLists.txt", ".cmake", ".xacro", ".urdf")
+USES = r"""
+    ^[ \t]*(?:from|import)[ \t]+{0}\b
+  | ^[ \t]*\#[ \t]*include[ \t]*[<"]{0}/
+  | (?i:\bfind_package\s*\(\s*){0}[\s)]
+  | \b\w*[pP]ackage\w*\s*\(\s*(?:package\s*=\s*)?["']{0}["']
+  | \$\(find(?:-pkg-\w+)?[ ]{0}\)
+  | \b(?:package|pkg)\s*[=:]\s*["']?{0}\b
+  | \bpackage://{0}/
+"""
+"""How code, launch files and robots name a package that they need: an import, a header, a look-up, a node."""
+COMMANDS = r"\bros2[ \t]+(?:run|launch)[ \t]+{0}\b|--packages-(?:select|up-to)(?![\w-])[^\n;&|]*[\s=]{0}(?![\w-])"
+"""How pages and scripts build and start one."""
+
+
+@dataclass(frozen=True)
+class WantedPackages:
+    files: PackageFiles
+    workspace: Workspace
+
+    def has(self, name: str) -> bool:
+        """Return whether a package is missed where it is not built."""
+        needed = self.workspace.is_needed(name) or any(is_used(name, each) for each in self.workspace.packages)
+        uses = re.compile(USES.format(re.escape(name)), re.VERBOSE | re.MULTILINE)
+        return needed or any(map(uses.search, self.code)) or self.is_commanded(name)
+
+    def is_commanded(self, name: str) -> bool:
+        commands = re.compile(COMMANDS.format(re.escape(name)))
+        return any(map(commands.search, self.pages))
+
+    @cached_property
+    def code(self) -> tuple[str, ...]:
+        """What the outer package itself says, without comments."""
+        paths = [path for path in self.files.paths if path.endswith(USING)]
+        compiled = (self.files.readable_text(path) for path in paths if path.endswith(COMPILED))
+        return (*compiled, *(live_text(self.files, path) for path in paths if not path.endswith(COMPILED)))
+
+    @cached_property
+    def pages(self) -> tuple[str, ...]:
+        return tuple(CONTINUED.sub(" ", text) for text in every_text(self.files))
+
+
+def is_used(name: str, facts: PackageFacts) -> bool:
+    """Return whether another package starts, loads, imports or includes something of one."""
+    pairs = (*facts.started_nodes, *facts.loaded_components, *((each[0], each[1]) for each in facts.robot_includes))
+    modules = {module.partition(".")[0] for module, _ in facts.taken_names}
+    headers = {header.partition("/")[0] for header in facts.included_headers}
+    return name in {package for package, _ in pairs} | modules | headers | facts.typed_with

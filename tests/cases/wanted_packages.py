@@ -1,0 +1,49 @@
+"""Packages inside of one: who misses what colcon never builds (WSP005)."""
+
+from __future__ import annotations
+
+from rospkg_cli.example import CMAKE, Example, manifest
+
+INNER = {"arm/package.xml": manifest("", "ament_cmake", "arm"), "arm/CMakeLists.txt": CMAKE.replace("my_pkg", "arm")}
+CATKIN = {"arm/package.xml": manifest("", "catkin", "arm")}
+OUTER = {"package.xml": manifest("", "ament_cmake")}
+NEEDING = manifest("  <depend>arm</depend>\n", "ament_cmake")
+LAUNCHED = "from launch_ros.actions import Node\nNODE = Node(package='arm', executable='a')\n"
+
+USES = (
+    {},
+    {"package.xml": NEEDING},
+    {"../user/package.xml": NEEDING.replace("my_pkg", "user")},
+    {"README.md": "ros2 run arm talker\n"},
+    {"README.md": "ros2 run army talker\n"},
+    {"README.md": "colcon build --packages-select leg arm\n"},
+    {"README.md": "colcon build \\\n  --packages-up-to arm\n"},
+    {"README.md": "colcon build --packages-skip arm\n"},
+    {"README.md": "The `arm` is described in arm/package.xml.\n"},
+    {"build.sh": "ros2 launch arm a.launch.py\n"},
+    {"launch/a.launch.py": LAUNCHED},
+    {"launch/a.launch.py": "# Node(package='arm')\n"},
+    {"launch/a.launch.xml": '<launch><include file="$(find-pkg-share arm)/a.launch.xml"/></launch>\n'},
+    {"scripts/a.py": "import arm\n"},
+    {"scripts/a.py": "import arm_of_robot\nPATH = get_package_share_directory('arm')\n"},
+    {"scripts/a.py": "import arm_of_robot\n"},
+    {"src/a.cpp": '#include "arm/arm.hpp"\n'},
+    {"CMakeLists.txt": CMAKE.replace("ament_package", "find_package(arm REQUIRED)\nament_package")},
+    {"urdf/a.urdf": '<robot name="a"><mesh filename="package://arm/a.stl"/></robot>\n'},
+)
+
+
+def beside(files: dict[str, str]) -> dict[str, str]:
+    """Return files with the outer package in a folder, as one may lie beside it."""
+    return {path.removeprefix("../") if path.startswith("../") else f"outer/{path}": text
+            for path, text in files.items()}  # fmt: skip
+
+
+CASES = {
+    "WSP005": (
+        *(Example(bad=beside({**OUTER, **INNER, **use}), good={}, on="") for use in USES),
+        Example(bad={**OUTER, **CATKIN, "README.md": "ros2 run arm talker\n"}, good={}, on=""),
+        Example(bad={**OUTER, **INNER, "b/package.xml": manifest("", "cmake", "b"),
+                     "README.md": "ros2 run b b\n"}, good={}, on=""),
+    ),
+}  # fmt: skip
