@@ -7,6 +7,7 @@ from itertools import takewhile
 from typing import Any, Literal, TypeVar, cast
 
 from ..light_dataclasses import dataclass, replace
+from ..ros.config_files import is_cased
 from ..ros.distros import Distro, Targets
 from ..ros.imports import providers
 from ..ros.manifest import BUILDS
@@ -230,6 +231,11 @@ class Workspace:
     def is_available(self, name: str) -> bool:
         """Return whether a package is around, or installed on this machine."""
         return name in self._by_name or name in self.prefix_names
+
+    def is_cased(self, name: str) -> bool:
+        """Return whether CMake certainly finds a package by no other spelling of the case: ament's `<Name>Config`."""
+        facts = self.named(name)
+        return is_cased(name) or (facts is not None and facts.build_type == "ament_cmake")
 
     def folder_of_project(self, name: str) -> str:
         """Return where a plain CMake project lies; "" where none has the name."""

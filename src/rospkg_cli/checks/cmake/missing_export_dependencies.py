@@ -13,6 +13,7 @@ from ...package.cmake.installed_headers import INCLUDES, PLUGINS, PublicHeaders
 from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...package.workspace import Workspace
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
+from ...ros.config_files import in_other_case
 from ...ros.link_targets import MESSAGES
 from ...ros.read_table import rows
 from .consumers import Consumers
@@ -70,12 +71,17 @@ class ExportedDependencies:
             included = package in self.needed
             is_target = self.is_target(package, link) or self.is_library(package, link)
             needed = included or (link.target in self.targets and is_target)
-            if passed and needed and package not in self.there[0] | seen | self.of_families:
+            if passed and needed and package not in seen and not self.is_there(package):
                 seen.add(package)
                 loads = plugins or link.target in components or self.registers_classes(link.target)
                 is_hidden = link.target not in self.targets and not tells_of_any(cmake)
                 loaded = is_hidden or loads or not included
                 yield MissingExportDependency(package, link.word, link, link.target in self.targets, loaded)
+
+    def is_there(self, package: str) -> bool:
+        """Return whether a package is exported, maybe in other letters, or most likely with one of its family."""
+        in_letters = in_other_case(package, self.there[0]) and not self.workspace.is_cased(package)
+        return package in self.there[0] | self.of_families or bool(in_letters)
 
     def is_target(self, package: str, link: TargetLink) -> bool:
         """Return whether a link hands a target of a package on, which CMake looks for wherever the library is linked.

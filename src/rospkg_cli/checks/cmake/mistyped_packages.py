@@ -14,11 +14,13 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.set_variables import SetVariables
 from ...package.workspace import Workspace
 from ...ros.aliases import keys_for_cmake
+from ...ros.config_files import in_other_case
 from ...ros.link_targets import ROS_NAME
 from ...ros.names import NameKind
 from ...suggest import slips
 from .consumers import Consumers
 from .foreign_targets import TAKING, ForeignTargets, foreign_targets
+from .found_elsewhere import may_be_found_elsewhere
 from .mistyped_links import nearest
 
 EXPORTED, HANDED = "ament_export_dependencies", "ament_target_dependencies"
@@ -103,6 +105,8 @@ class MistypedPackages:
         if self.is_known(word.text):
             written = self.in_other_case(word.text) if call.name == HANDED else None
             return MistypedPackage(word, call, "case", written) if written is not None else None
+        if call.name != HANDED and self.is_found_in_other_case(word.text):
+            return None
         if call.name not in TAKING:
             return self.misspelt_search(word, call) if self.is_looked_for_in_vain(word.text) else None
         if word.text in self.found | self.found_in_capitals or keys_for_cmake(word.text):
@@ -115,6 +119,11 @@ class MistypedPackages:
             return MistypedPackage(word, call, "misspelt", alike)
         return MistypedPackage(word, call, "nowhere") if self.is_nowhere(word, call) else None
 
+    def may_be_elsewhere(self, each: MistypedPackage) -> bool:
+        """Return whether what is looked for under a name that is near to another one may be a package of its own."""
+        is_guess = each.kind == "misspelt" and each.call.name != HANDED
+        return is_guess and may_be_found_elsewhere(each.word.text, self.package.cmake, self.workspace)
+
     def alike(self, name: str) -> str | None:
         """Return the one package found whose name differs in case and underscores, or is one of a vendor without the
         words before it."""
@@ -123,6 +132,13 @@ class MistypedPackages:
         vendors = {each for each in self.found if each.endswith("_vendor") and is_end(each, name)}
         near = same or vendors
         return near.pop() if len(near) == 1 else None
+
+    def is_found_in_other_case(self, name: str) -> bool:
+        """Return whether a known package differs in case alone, which CMake may find by this spelling, too."""
+        small = name.lower()
+        known = self.found | self.declared | self.workspace.names
+        same = {*in_other_case(name, known), *((small,) if self.workspace.index.is_package(small) else ())} - {name}
+        return bool(same) and not all(map(self.workspace.is_cased, same))
 
     def in_other_case(self, name: str) -> str | None:
         """Return the library that CMake finds in other letters (`PCL` for `pcl`), where no package is called as it is

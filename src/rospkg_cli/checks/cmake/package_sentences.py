@@ -11,6 +11,9 @@ STOPS = {
     EXPORT: "packages that build against this one stop, since they look for it in vain",
 }
 
+ELSEWHERE = ", unless what is not here brings it"
+"""What is added where a package that nobody here knows may be there all the same."""
+
 
 def message(each: MistypedPackage) -> str:
     name, stops = each.word.text, STOPS.get(each.call.name)

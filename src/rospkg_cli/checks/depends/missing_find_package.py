@@ -9,6 +9,7 @@ from ...languages.cmake.values import UNKNOWN
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.cmake.target_links import TargetLinks
+from ...ros.config_files import in_other_case
 from ...ros.manifest import BUILDS
 from ...ros.names import NameKind
 from ...source import Span
@@ -97,7 +98,9 @@ class MissingFindPackages:
 
     @cached_property
     def found(self) -> frozenset[str]:
-        return frozenset(each.name for each in self.includes.cmake.packages)
+        names = frozenset(each.name for each in self.includes.cmake.packages)
+        declared = (each for each in self.declared.names if not self.declared.workspace.is_cased(each))
+        return names.union(each for each in declared if in_other_case(each, names))
 
     def has_another_name(self, name: str) -> bool:
         """Return whether something is found that may be the same by CMake's name: `realsense2` for `librealsense2`."""

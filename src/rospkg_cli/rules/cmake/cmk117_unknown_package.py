@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.cmake.foreign_targets import ForeignTargets
 from ...checks.cmake.mistyped_packages import MistypedPackages
-from ...checks.cmake.package_sentences import EXPORT, STOPS, message
+from ...checks.cmake.package_sentences import ELSEWHERE, EXPORT, STOPS, message
 from ...checks.enumeration import in_ticks
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
@@ -43,7 +43,7 @@ def cmake_handed(keyword: str) -> str:
         "build; or it is found in other letters; or a target is looked for and not required; or it is exported by a "
         "library for others",
         Severity.INFO: "it is exported, no package of the workspace is built with this one, and it is no library for "
-        "others",
+        "others; or what is not here may bring it: a repository that is listed, a folder or project outside",
     },
     examples=(
         Example(
@@ -84,11 +84,14 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a package that is found and not released may find one that a target is given. For names that a package or a
-    rosdep key has, that package.xml declares (DEP001 judges these), or that nothing known is near to. Near are only
+    rosdep key has, that package.xml declares (DEP001 judges these), or that nothing known is near to; nor for those
+    that differ from a known one in case alone, unless that is certainly found as `<Name>Config.cmake` (ament's are):
+    CMake finds `<name>-config.cmake` by any. Near are only
     packages that CMake finds or package.xml declares; what `find_package()` looks for is compared with those declared
     that are not found otherwise. Under a condition that can't be evaluated. What is exported is an info where no
     package of the workspace is built with this one, unless it is a library for others, which is released and whose
-    pages tell how to use it.
+    pages tell how to use it. So is a name near to another one where a list names repositories that are not here, where
+    CMake looks in folders outside of the package (`CMAKE_MODULE_PATH`), or fetches a project of that name.
 
     ## Fix safety
     The nearest name may not be the one that was intended.
@@ -103,7 +106,9 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
         is_asked = each.kind == "imported" and "REQUIRED" not in each.call.texts
         level = Severity.WARNING if is_asked or each.kind in ("own", "nowhere", "case") else None
         level = met_by(packages, level) if each.call.name == EXPORT else level
-        yield Hit(each.word.path, each.word.span, message(each), level, fix=fix)
+        is_open = packages.may_be_elsewhere(each)
+        text = message(each) + (ELSEWHERE if is_open else "")
+        yield Hit(each.word.path, each.word.span, text, Severity.INFO if is_open else level, fix=fix)
     for given in packages.foreign():
         if (given.words[0].path, given.words[0].span) not in told:
             yield given_targets(packages, given)
