@@ -134,7 +134,8 @@ def test_a_script_that_cmake_installs(line: str, level: str) -> None:
 )
 def test_interfaces_that_are_left_out_on_purpose(comment: str, name: str, level: str) -> None:
     text = INTERFACES_CMAKE.replace("rosidl_generate", LEFT_OUT.format(comment), 1) if comment else INTERFACES_CMAKE
-    (found,) = lint_files({**INTERFACES, "CMakeLists.txt": text, f"msg/{name}.msg": "int8 a\n"}, ["IDL005"]).findings
+    files = {**INTERFACES, "CMakeLists.txt": text, f"msg/{name}.msg": "int8 a\n", "README.md": "my_pkg/msg/Zone\n"}
+    (found,) = lint_files(files, ["IDL005"]).findings
     assert (found.severity.value, found.fix is None) == (level, level == "info")
 
 

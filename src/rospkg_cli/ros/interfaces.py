@@ -7,6 +7,7 @@ the C++20 and Python 3 keyword lists, ros2/rosidl_python#96 and ros2/rosidl#272 
 from __future__ import annotations
 
 import keyword
+from functools import lru_cache
 
 from ..lazy_regex import regex
 from .read_table import pairs, words
@@ -75,3 +76,12 @@ GENERATORS = ("rosidl_default_generators", "rosidl_core_generators")
 """What such a package builds with: the first for all, the second for those that the first is built on."""
 
 RUNTIMES = ("rosidl_default_runtime", "rosidl_core_runtime")
+
+
+WORD_START, WORD_END = regex(r"(.)([A-Z][a-z]+)"), regex(r"([a-z0-9])([A-Z])")
+
+
+@lru_cache(maxsize=4096)
+def header_name(name: str) -> str:
+    """Return the name of the header that rosidl generates for an interface: `set_mode` for `SetMode`."""
+    return WORD_END.sub(r"\1_\2", WORD_START.sub(r"\1_\2", name)).lower()

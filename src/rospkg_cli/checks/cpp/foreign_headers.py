@@ -11,7 +11,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.made_headers import HEADERS
 from ...ros.headers import LIBRARIES, SHARED
-from ...ros.interfaces import KINDS
+from ...ros.interfaces import KINDS, header_name
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...source import Span
@@ -20,7 +20,6 @@ from ..cmake.mistyped_links import digits
 from ..depends.compiled_sources import compiled_sources
 from ..fault import Level
 from ..interfaces.known_interfaces import KnownInterfaces
-from .interfaces_in_cpp import lower
 from .missing_headers import MissingHeaders
 
 FOLDER = regex(r"[a-z][a-z0-9_]{4,}")
@@ -97,7 +96,7 @@ class ForeignHeaders:
             return None
         package, name = old.groups()
         kinds = [kind for kind, names in (self.interfaces.of(package) or {}).items() if name in names]
-        return f"{package}/{kinds[0]}/{lower(name)}.hpp" if kinds else None
+        return f"{package}/{kinds[0]}/{header_name(name)}.hpp" if kinds else None
 
     def in_right_folder(self, header: str) -> str | None:
         """Return the header in the folder of the one package that is near and has it; None where there is none."""
@@ -127,7 +126,7 @@ class ForeignHeaders:
         """Return whether a package certainly has a header in the folder of its name."""
         kind, _, name = rest.partition("/")
         if kind in KINDS and (known := self.interfaces.of(package)) is not None:
-            return name.partition(".")[0] in map(lower, known.get(kind, ()))
+            return name.partition(".")[0] in map(header_name, known.get(kind, ()))
         return self.headers.is_there(f"{package}/{rest}") or package in self.used
 
     @cached_property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Set
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.cpp.code_text import code_text
@@ -12,6 +12,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
 from ...package.interfaces.generated_types import generated_types
+from ...ros.interfaces import header_name
 from ...ros.link_targets import MESSAGES
 from ...source import Span
 from ...suggest import near_names
@@ -23,7 +24,6 @@ from .installed_headers import is_installed_header
 HEADER = regex(r"([a-z]\w*)/(msg|srv|action)/(\w+)\.(?:hpp|h)")
 TYPE = regex(r"(?<!\w)(?<!\w::)([a-z]\w*)::(msg|srv|action)::([A-Z]\w*)")
 # Linear: each looks at two or three letters; these are the two steps of rosidl's own conversion.
-WORD_START, WORD_END = regex(r"(.)([A-Z][a-z]+)"), regex(r"([a-z0-9])([A-Z])")
 NAME = regex(r"[/:]")
 DEFINED = r"\b(?:class|struct|enum|using)\s+"
 
@@ -47,7 +47,7 @@ class WrongInterface:
     @property
     def header_name(self) -> str:
         """What the header of the interface is called, which its type has as well: `set_mode`."""
-        return lower(NAME.split(self.text.partition(".")[0])[-1])
+        return header_name(NAME.split(self.text.partition(".")[0])[-1])
 
 
 @dataclass(frozen=True)
@@ -94,12 +94,12 @@ class InterfacesInCpp:
     def lowered(self, package: str, kind: str) -> Mapping[str, str]:
         """Return the interfaces of a kind that a package has, by the names of their headers."""
         if (package, kind) not in self._lowered:
-            self._lowered[package, kind] = {lower(known): known for known in self.names(package, kind)}
+            self._lowered[package, kind] = {header_name(known): known for known in self.names(package, kind)}
         return self._lowered[package, kind]
 
     def as_generated(self, package: str, name: str, lowered: Mapping[str, str], path: str) -> list[str]:
         """Return the header of a class by whose own name it is included: rosidl writes no capital letter."""
-        header = lower(name)
+        header = header_name(name)
         if header == name:
             return []
         is_of_messages = MESSAGES.fullmatch(package) is not None and not self.known.is_here(package)
@@ -145,9 +145,3 @@ class InterfacesInCpp:
     def hit(self, source: CppFile, span: Span, text: str, package: str, kind: str, meant: str) -> WrongInterface:
         level = harm_in(self.cmake, self.sources, source.path)
         return WrongInterface(source.path, span, text, package, kind, meant, level)
-
-
-@lru_cache(maxsize=4096)
-def lower(name: str) -> str:
-    """Return the name of the header that rosidl generates for an interface: `set_mode` for `SetMode`."""
-    return WORD_END.sub(r"\1_\2", WORD_START.sub(r"\1_\2", name)).lower()
