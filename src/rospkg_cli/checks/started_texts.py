@@ -33,8 +33,20 @@ class StartedTexts:
         module = re.compile(rf"\.{stem}\b|\b{stem}\.py\b{quoted}|\b(?:import|from)\b[^\n]*\b{stem}\b")
         for each in others:
             named = module if each.endswith(BINDING) else word
-            if each != path and named.search(self.code(each)):
+            if each != path and named.search(self.code(each)) and not self.is_of_another_folder(path, each):
                 yield each
+
+    def is_of_another_folder(self, path: str, setup: str) -> bool:
+        """Return whether setup.py or setup.cfg has the name of a module as that of another package: `my_pkg.talker` is
+        no `tools/talker.py`."""
+        folder, _, name = path.rpartition("/")
+        text = self.code(setup) if setup in ("setup.py", "setup.cfg") else ""
+        if not folder or not text or "package_dir" in text:
+            return False
+        word = rf"(?<![\w-]){re.escape(name.partition('.')[0])}(?![\w-]|\s*=)"
+        before = [text[: found.start()] for found in re.finditer(word, text)]
+        dotted = [re.search(r"(\w+)\.\Z", each) for each in before]
+        return bool(dotted) and all(each is not None and each[1] != folder.rpartition("/")[2] for each in dotted)
 
     def code(self, path: str) -> str:
         """Return a text without what is said in it: comments, and strings of Python that stand alone."""

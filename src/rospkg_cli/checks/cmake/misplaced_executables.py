@@ -18,6 +18,7 @@ from ...package.file_role import role_of
 from ...ros.share_layout import LAUNCH
 from .left_out_nodes import is_node
 from .node_programs import NodePrograms
+from .side_programs import has_side_name
 
 PAGES = (".md", ".rst", ".sh", ".service", ".bash")
 IMPORTS_ROS = regex(r"^[ \t]*(?:import|from)\s+rclpy\b", re.MULTILINE)
@@ -35,7 +36,8 @@ class MisplacedExecutable:
     is_node: bool
     """Whether it is a node, as far as that is known."""
     is_tool: bool = False
-    """Whether it lies in bin/ on purpose: it runs no node, or others of its kind go to lib/<package>."""
+    """Whether it lies in bin/ on purpose: it runs no node, or others of its kind go to lib/<package>; or it is a test
+    or a demonstration by its name, and others go there."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +70,9 @@ class MisplacedExecutables:
                     is_meant = is_meant or self.is_named_with(posixpath.basename(place or ""), name)
                     if self.is_wrong(place) and not is_meant:
                         ros = self.programs.uses_ros(target.name) and self.programs.may_be_node(target)
-                        tool = place == "bin" and (self.has_others or not self.programs.runs_node(target))
+                        is_other = place == "bin" or has_side_name(name)
+                        tool = self.has_others and is_other
+                        tool = tool or (place == "bin" and not self.programs.runs_node(target))
                         yield MisplacedExecutable(word, name, place or "", rule, self.starts(name), ros, tool)
             if rule.kind == "PROGRAMS" and rule.destination is not None and self.is_wrong(rule.destination):
                 yield from self.scripts(rule, rule.destination)

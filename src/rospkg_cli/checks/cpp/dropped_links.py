@@ -11,6 +11,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.target_links import TargetLinks
 from ...package.cmake.uninstalled_targets import UninstalledTarget
+from ...package.workspace import Workspace
 from ..cmake.misplaced_libraries import MisplacedLibraries, MisplacedLibrary, is_wrong
 from ..cmake.source_targets import SourceTargets
 from ..depends.compiled_sources import HEADERS, Inclusions
@@ -23,6 +24,7 @@ OTHERWISE = regex(r"no-as-needed|(?i:precompile_headers|(?<![\w-])-include\b)")
 class DroppedLinks:
     package: CMakePackage
     sources: tuple[CppFile, ...]
+    workspace: Workspace
 
     def has(self, found: MisplacedLibrary) -> bool:
         """Return whether it is not certain that anything needs a library that is installed elsewhere."""

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...checks.cmake.doubled_names import DoubledNames
 from ...checks.cmake.misplaced_libraries import MisplacedLibraries
 from ...checks.cmake.node_programs import NodePrograms
+from ...checks.cmake.side_programs import is_side_program
 from ...checks.cmake.target_references import TargetReferences
 from ...checks.cmake.uninstalled_sentences import said_twice, uninstalled
 from ...checks.cpp.dropped_links import DroppedLinks
@@ -62,8 +63,8 @@ def cmake(lines: str) -> str:
     levels={
         Severity.ERROR: "an exported target needs it: CMake stops",
         Severity.INFO: "an executable is no node: its sources leave ROS alone, and nothing starts it by `ros2 run`; or "
-        "a comment has its `install()`, or a page starts it where it is built; or it is not certain that a program "
-        "needs a library",
+        "a comment has its `install()`, a page starts it where it is built, or it is a test or demonstration by its "
+        "name beside programs that are installed; or it is not certain that a program needs a library",
     },
     examples=(
         Example(
@@ -99,7 +100,8 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
     is linked where the RPATH of what is installed names the build folder. A library is an info where what is linked
     with it does not surely include a header of it, or compiles its sources itself: the linker leaves it out
     (`--as-needed`); and one in another folder where that is a MODULE, or lies beside it: a host loads these. So is
-    a program that a README starts as `./talker`.
+    a program that a README starts as `./talker`, and one that is a test or a demonstration by its name, which no
+    launch file or page starts (`sensor_test`), beside another program that is installed.
     """
     package = dropped.package
     if not package.is_ament:
@@ -113,7 +115,7 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
         fix = only_plain_names(Fix(f"install `{word.text}`", (edit(package, forgotten),)), word.text)
         told.add(word.text)
         why_idle = dropped.why_idle(forgotten)
-        text, worth = uninstalled(package, forgotten, why_idle=why_idle), level(forgotten, programs)
+        text, worth = uninstalled(package, forgotten, why_idle=why_idle), level(forgotten, programs, dropped)
         yield Hit(word.path, word.span, text, Severity.INFO if why_idle else worth, fix=fix)
     for each in DoubledNames(package.cmake).all():
         if each.target.name not in told:
@@ -126,8 +128,11 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
         yield Hit(word.path, word.span, text, Severity.INFO if idle else None)
 
 
-def level(forgotten: UninstalledTarget, programs: NodePrograms) -> Severity | None:
-    if is_idle_program(programs, forgotten.target):
+def level(forgotten: UninstalledTarget, programs: NodePrograms, dropped: DroppedLinks) -> Severity | None:
+    target = forgotten.target
+    is_side = target.is_executable and target.name not in programs.started
+    is_side = is_side and is_side_program(programs.package, target, dropped.workspace)
+    if is_side or is_idle_program(programs, target):
         return Severity.INFO
     return Severity.ERROR if forgotten.stops else None
 
