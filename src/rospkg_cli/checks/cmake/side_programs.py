@@ -9,6 +9,7 @@ from ...lazy_regex import regex
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.workspace import Workspace
 from ..pages_and_scripts import pages_and_scripts
+from .node_programs import NodePrograms
 
 SIDE = frozenset(
     "test tests tester testing demo demos example examples sample samples bench benchmark debug tool tools".split()
@@ -16,12 +17,14 @@ SIDE = frozenset(
 WORDS = regex(r"[A-Z]?[a-z]+")
 
 
-def is_side_program(package: CMakePackage, target: Target, workspace: Workspace) -> bool:
+def is_side_program(programs: NodePrograms, target: Target, workspace: Workspace) -> bool:
     """Return whether a program is a test or a demonstration by its name, and no launch file or page starts it.
 
     Another program of the package has to be installed: where none is, they were all forgotten.
     """
-    if not has_side_name(target.name) or not has_installed(package, target.name):
+    package, name = programs.package, target.name
+    is_side = target.is_executable and has_side_name(name) and name not in programs.started
+    if not is_side or not has_installed(package, name):
         return False
     is_launched = bool(workspace.having("started_nodes", package.facts.name, target.name))
     run = re.compile(rf"\bros2[ \t]+run[ \t]+{re.escape(package.facts.name)}[ \t]+{re.escape(target.name)}(?![\w-])")

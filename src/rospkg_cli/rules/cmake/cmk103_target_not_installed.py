@@ -99,9 +99,8 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
     folders of tests, benchmarks, examples or third parties. For static libraries, with EXCLUDE_FROM_ALL, and for what
     is linked where the RPATH of what is installed names the build folder. A library is an info where what is linked
     with it does not surely include a header of it, or compiles its sources itself: the linker leaves it out
-    (`--as-needed`); and one in another folder where that is a MODULE, or lies beside it: a host loads these. So is
-    a program that a README starts as `./talker`, and one that is a test or a demonstration by its name, which no
-    launch file or page starts (`sensor_test`), beside another program that is installed.
+    (`--as-needed`); and one in another folder where that is a MODULE, or lies beside it: a host loads these. So are
+    programs that a README starts as `./talker`, and tests by their names that nothing starts, beside installed ones.
     """
     package = dropped.package
     if not package.is_ament:
@@ -129,10 +128,7 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
 
 
 def level(forgotten: UninstalledTarget, programs: NodePrograms, dropped: DroppedLinks) -> Severity | None:
-    target = forgotten.target
-    is_side = target.is_executable and target.name not in programs.started
-    is_side = is_side and is_side_program(programs.package, target, dropped.workspace)
-    if is_side or is_idle_program(programs, target):
+    if is_idle_program(programs, forgotten.target) or is_side_program(programs, forgotten.target, dropped.workspace):
         return Severity.INFO
     return Severity.ERROR if forgotten.stops else None
 
@@ -140,5 +136,5 @@ def level(forgotten: UninstalledTarget, programs: NodePrograms, dropped: Dropped
 def edit(package: CMakePackage, forgotten: UninstalledTarget) -> Edit:
     if forgotten.target.is_executable:
         return install_executable(package.cmake, forgotten.target)
-    exports = [rule.export.text for rule in package.cmake.installs if rule.export is not None and forgotten.stops]
-    return install_library(package.cmake, forgotten.target, exports[0] if exports else "")
+    exports = (rule.export.text for rule in package.cmake.installs if rule.export is not None and forgotten.stops)
+    return install_library(package.cmake, forgotten.target, next(exports, ""))

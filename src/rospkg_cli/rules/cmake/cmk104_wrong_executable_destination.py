@@ -47,8 +47,8 @@ def cmake(lines: str) -> str:
     levels={
         Severity.WARNING: "neither a launch file nor the README starts the node, and it goes to bin/, or is a script",
         Severity.INFO: "nothing shows that it is a node, it lies in bin/ on purpose or is a test or demonstration "
-        "beside others, a script is installed as another file, any file beside the packages' folders in lib/ or share/, "
-        "or a folder in one of its own name",
+        "beside others, a script is installed as another file, any file beside the packages' folders in lib/ or "
+        "share/, or a folder in one of its own name",
     },
     examples=(
         Example(
