@@ -79,11 +79,10 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     import under `try` … `except ImportError` alone; so is an import in a function that no program leads to, behind
     `rclpy.spin`, or under the `__main__` of an entry point's module, what `ros2 launch` brings, where only launch files
     import the module, and a library that a requirements.txt, a Dockerfile, a script or a page of the repository has pip
-    install, or a page tells to install by hand, or what another interpreter runs: that of Blender, Isaac Sim, Webots,
-    or a microcontroller. Left out are optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a
-    condition on the machine, or one that asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and
-    branches that never run. So are files that nothing installs, and the package's own modules, and libraries of which
-    rosdep has keys for older releases of Ubuntu alone.
+    install, or a page tells to install by hand, or what Blender, Isaac Sim, Webots or a microcontroller runs. Left out
+    are optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that
+    asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files that
+    nothing installs, the package's own modules, and libraries that rosdep has for older releases of Ubuntu alone.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, where no released package has the name, or where a comment of

@@ -62,8 +62,9 @@ NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend
 def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     """
     ## What it does
-    Finds Python modules and C++ that look for the share directory or the prefix of a misspelt package, and look-ups in
-    Python with more arguments than they take, as where a parenthesis of `os.path.join()` is misplaced.
+    Finds Python modules and C++ that look for the share directory or the prefix of a misspelt package.
+    Look-ups in Python with more arguments than they take, as where a parenthesis of `os.path.join()` is misplaced, are
+    told too.
 
     ## Why is this bad?
     The build is green, and the node ends with PackageNotFoundError or TypeError.

@@ -70,8 +70,8 @@ TALKER = "from std_msgs.msg import String\n\n\ndef main():\n    msg = String()\n
 def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     """
     ## What it does
-    Finds fields that Python code sets or reads and that the message does not have, and messages that are made with
-    values without names (`Point(1.0, 2.0)`), as only ROS 1 took them.
+    Finds fields that Python code sets or reads and that the message does not have.
+    Messages that are made with values without names (`Point(1.0, 2.0)`), as only ROS 1 took them, are told too.
     The message of a variable is known by its assignments (`msg = Twist()`, `Drive.Feedback()`), its annotation, or the
     `create_subscription` and `create_service` that a function is registered by.
 
