@@ -94,9 +94,10 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     is said. So it is where the releases of a well-known package differ; what Humble does not declare yet is an info,
     unless pages name newer distributions alone. Where pages and scripts name Foxy alone, which takes any type, only
     what well-known packages declare is told, as an info. Where nothing names the file, nothing adds the action that
-    starts the node, no node that is started with the file reads the block, and where only the name of a block tells
-    which well-known package is meant, it is an info; nav2's nodes are known by several blocks together. Launch files
-    that ROS 2 refuses for what they have of ROS 1 (LCH006) are left alone.
+    starts the node, no node that is started with the file reads the block, code declares what only ends so
+    (`prefix + '.x'`), and where only the name of a block tells which well-known package is meant, it is an info; nav2's
+    nodes are known by several blocks together. Launch files that ROS 2 refuses for what they have of ROS 1 (LCH006) are
+    left alone.
     """
     told, is_old = set(), scope.distribution.is_named_alone
     for group in () if is_old else scope.given.groups():
@@ -107,7 +108,8 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
                 fix = as_double(group.file.path, parameter) if (given, wanted[0]) in INTEGERS else None
                 what = f"{message}: {article(given)} stops the node when it starts; write {article(wanted[0])}"
                 told.add((group.file.path, parameter.value.span))
-                level = Severity.INFO if scope.readers.is_idle(group.file.path, parameter.value.span) else None
+                is_idle = scope.readers.is_idle(group.file.path, parameter.value.span)
+                level = Severity.INFO if is_idle or wanted[1].tail else None
                 yield Hit(group.file.path, parameter.value.span, what, level, fix=fix)
     for each in mistyped_known(scope.known):
         if (each.path, each.value.value) not in told:
