@@ -53,28 +53,28 @@ SETUP = "from setuptools import setup\n\nsetup(name='my_pkg', version='0.1.0', p
         ("", "true", "error"),
         (", condition=IfCondition(sim)", "true", "error"),
         (", condition=IfCondition(sim)", "True", "error"),
-        (", condition=IfCondition(sim)", "false", "warning"),
-        (", condition=IfCondition(sim)", "0", "warning"),
+        (", condition=IfCondition(sim)", "false", "info"),
+        (", condition=IfCondition(sim)", "0", "info"),
         (", condition=IfCondition(sim)", "1", "error"),
-        (", condition=UnlessCondition(sim)", "1", "warning"),
+        (", condition=UnlessCondition(sim)", "1", "info"),
         (", condition=UnlessCondition(sim)", "false", "error"),
-        (", condition=IfCondition('false')", "true", "warning"),
+        (", condition=IfCondition('false')", "true", "info"),
         (", condition=None", "false", "error"),
         (""", condition=IfCondition(PythonExpression(["'", sim, "' == 'gz'"]))""", "gz", "error"),
-        (""", condition=IfCondition(PythonExpression(["'", sim, "' == 'gz'"]))""", "real", "warning"),
-        (""", condition=IfCondition(PythonExpression(["'", sim, "' != 'gz'"]))""", "gz", "warning"),
+        (""", condition=IfCondition(PythonExpression(["'", sim, "' == 'gz'"]))""", "real", "info"),
+        (""", condition=IfCondition(PythonExpression(["'", sim, "' != 'gz'"]))""", "gz", "info"),
         (""", condition=IfCondition(PythonExpression(["'", sim, "' != 'gz'"]))""", "real", "error"),
-        (""", condition=UnlessCondition(PythonExpression(["'", sim, "' == 'gz'"]))""", "gz", "warning"),
+        (""", condition=UnlessCondition(PythonExpression(["'", sim, "' == 'gz'"]))""", "gz", "info"),
         (", condition=IfCondition(PythonExpression(['not ', sim]))", "false", "error"),
-        (", condition=IfCondition(PythonExpression(['not ', sim]))", "true", "warning"),
+        (", condition=IfCondition(PythonExpression(['not ', sim]))", "true", "info"),
     ],
 )
 def test_a_condition_counts_with_the_defaults(condition: str, default: str, level: str) -> None:
     ((found, message),) = levels(PYTHON.format(condition=condition, default=default, added="node,"))
     assert found == level
     assert message.endswith(HINT)
-    assert (f", {OFF}; it" in message) is (level == "warning")
-    assert "the launch stops with" in message
+    assert (f", {OFF}; it" in message) is (level == "info")
+    assert ("the launch stops with" in message) is (level == "error")
 
 
 @pytest.mark.parametrize(
@@ -95,7 +95,7 @@ def test_a_condition_that_is_not_known_is_one(condition: str) -> None:
     assert f", {CONDITIONAL}; it" in message
 
 
-@pytest.mark.parametrize(("sim", "level"), [("true", "error"), ("false", "warning")])
+@pytest.mark.parametrize(("sim", "level"), [("true", "error"), ("false", "info")])
 def test_the_condition_of_a_group_is_one_of_its_actions(sim: str, level: str) -> None:
     group = "GroupAction([node], condition=IfCondition(sim)),"
     text = PYTHON.format(condition="", default=sim, added=group).replace("DeclareLaunchArgument, ", "GroupAction, ", 1)
@@ -106,11 +106,11 @@ def test_the_condition_of_a_group_is_one_of_its_actions(sim: str, level: str) ->
     "condition, default, level",
     [
         ("", "true", "error"),
-        ('if="$(var sim)"', "false", "warning"),
+        ('if="$(var sim)"', "false", "info"),
         ('if="$(var sim)"', "true", "error"),
-        ('unless="$(var sim)"', "true", "warning"),
+        ('unless="$(var sim)"', "true", "info"),
         ('unless=" $(var sim) "', "false", "error"),
-        ('if="false"', "true", "warning"),
+        ('if="false"', "true", "info"),
         ('if="$(var sim) and more"', "false", "warning"),
         ('if="$(var other)"', "false", "warning"),
     ],
@@ -171,7 +171,7 @@ INCLUDE = PYTHON.replace("Node(package='my_pkg', executable='missing'{condition}
     [
         ("IncludeLaunchDescription({})", "node,", "b.launch.py", ["launch/a.launch.py"], "error"),
         ("IncludeLaunchDescription({})", "node,", "b.launch.py", [], "warning"),
-        ("IncludeLaunchDescription({}, condition=IfCondition(sim))", "node,", "b.launch.py", [], "warning"),
+        ("IncludeLaunchDescription({}, condition=IfCondition(sim))", "node,", "b.launch.py", [], "info"),
         ("IncludeLaunchDescription({})", "", "b.launch.py", [], "info"),
         ("Node(package='rviz2', arguments=['-d', {}])", "node,", "b.rviz", ["launch/a.launch.py"], "warning"),
     ],

@@ -212,7 +212,12 @@ CASES = {
         below(PAGES[0], {"launch/a.launch.xml": OLD_XML}),
         below("Jazzy.\n", {"launch/a.launch.py": NEVER_ADDED}),
         *(below(each, {"launch/a.launch.py": LOADS}) for each in ("Any.\n", PAGES[0], *GALACTIC)),
-        below("Jazzy.\n", {"launch/a.launch.py": LOADS.replace("'arm'])", "'arm'], condition=IfCondition('0'))")}),
+        *(
+            below(
+                "Jazzy.\n", {"launch/a.launch.py": LOADS.replace("'arm'])", f"'arm'], condition=IfCondition({each}))")}
+            )
+            for each in ("'0'", "unknown()")
+        ),
         below("", {"launch/a.launch.py": OLD.replace("    return", "    if os.environ.get('OLD'):\n        return")}),
         below(PAGES[0], {"launch/a.launch.py": OLD.replace("node_executable", "type")}),
         Example(

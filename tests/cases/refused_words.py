@@ -18,6 +18,7 @@ SPAWN = "Node(package='ros_gz_sim', executable='create', arguments=[{}])"
 CASES = {
     "LCH022": (
         python(NODE.format(", condition=IfCondition('false')")),
+        python(NODE.format(", condition=IfCondition(LaunchConfiguration('fixed'))")),
         *(python(SPAWN.format(words)) for words in CREATES),
         python(f"{SPAWN.format(CREATES[1])}  # launch_testing"),
         Example(

@@ -47,7 +47,7 @@ def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
         return "warning", NO_ENTRY
     conditions = [each.holds for each in conditional(file) if each.guards(span)]
     if conditions:
-        return "warning", OFF if False in conditions else CONDITIONAL
+        return ("info", OFF) if False in conditions else ("warning", CONDITIONAL)
     if any(each.contains(span) for each in in_branches(file)):
         return "warning", IN_BRANCH
     return None, ""

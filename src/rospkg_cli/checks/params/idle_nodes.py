@@ -8,7 +8,7 @@ from typing import Protocol, TypeVar
 from ...package.launch.launch_file import LaunchedNode, LaunchFile
 from ...source import Span
 from ..fault import Level
-from ..launch.idle_actions import level_at
+from ..launch.idle_actions import OFF, level_at
 
 Start = tuple[LaunchFile, Span]
 """A launch file, and where it starts a node."""
@@ -38,7 +38,8 @@ def level_of(start: Start | None) -> tuple[Level | None, str]:
 
 def may_start(start: Start | None) -> bool:
     """Return whether something may start a node: nothing does where its action is never added."""
-    return level_of(start)[0] != "info"
+    level, why = level_of(start)
+    return level != "info" or why.endswith(OFF)
 
 
 def hardest(found: Iterable[tuple[Hashable, GivenT]]) -> Iterable[GivenT]:

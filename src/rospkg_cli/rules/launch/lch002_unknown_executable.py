@@ -36,10 +36,10 @@ FILES = {
     over=NodeExecutables,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the condition is false by default, `ros2 run` starts it, the launch file is for Foxy, or an "
+        Severity.WARNING: "its condition can't be evaluated, `ros2 run` starts it, the launch file is for Foxy, or an "
         "old distribution had it, and the repository is for later ones",
-        Severity.INFO: "the node is never added to the launch description, or an old distribution had it, and nothing "
-        "shows that the repository is for later ones",
+        Severity.INFO: "the node is off by default or never added to the launch description, or an old distribution "
+        "had it, and nothing shows that the repository is for later ones",
     },
     examples=(
         Example(
@@ -69,13 +69,13 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     ## When it is quiet
     Packages whose executables are not all known, or whose build may write the file, are left alone, and so are launch
     files of tests that CMake does not run, and paths that begin at the root or where the launch file is: launch starts
-    them as they are. A node whose condition is false by default, or that Python makes in a branch alone, or in a file
-    without `generate_launch_description`, is a warning; one that nothing adds to the launch description, or that a
-    function makes which nothing calls, an info. So is what was there in Foxy or Galactic, unless the run checks for a
-    distribution (`--target`), or pages, scripts and workflows name Humble or later ones alone; and it is one where a
-    folder around is called after an old one, or parameters of the package name plugins of that time
-    (`nav2_recoveries/Spin`). Where no README, script or workflow names one, other pages, launch files, docstrings and
-    names of files are asked; where several are named, the package's own description is. It is an info,
+    them as they are. A node whose condition can't be evaluated, or that Python makes in a branch alone, or in a file
+    without `generate_launch_description`, is a warning; one that is off by default, that nothing adds to the launch
+    description, or that a function makes which nothing calls, an info. So is what was there in Foxy or Galactic, unless
+    the run checks for a distribution (`--target`), or pages, scripts and workflows name Humble or later ones alone;
+    and it is one where a folder around is called after an old one, or parameters of the package name plugins of that
+    time (`nav2_recoveries/Spin`). Where no README, script or workflow names one, other pages, launch files,
+    docstrings and names of files are asked; where several are named, the package's own description is. It is an info,
     too, where package.xml declares a sister of the package that no distribution has: a fork may have it.
 
     ## Fix safety

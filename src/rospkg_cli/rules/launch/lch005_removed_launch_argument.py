@@ -42,9 +42,9 @@ FILES = {
     over=RemovedWords,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "its condition is false by default, or it stands in a branch that is not always taken",
-        Severity.INFO: "the action is never added to the launch description, something else here loads the controller, "
-        "or nothing shows that the repository is for later distributions than those that had it",
+        Severity.WARNING: "its condition is not known, or it stands in a branch that is not always taken",
+        Severity.INFO: "the action is off by default or never added to the launch description, something else here "
+        "loads the controller, or nothing shows that the repository is for later distributions than those that had it",
     },
     examples=(
         Example(

@@ -40,8 +40,8 @@ def generate_launch_description():
     over=LaunchFile,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the default of an argument makes an expression fail, or the action is off by default",
-        Severity.INFO: "the action with the expression is never added to the launch description",
+        Severity.WARNING: "the default of an argument makes an expression fail, or its condition is not known",
+        Severity.INFO: "the action with the expression is off by default or never added to the launch description",
     },
     examples=(
         Example(

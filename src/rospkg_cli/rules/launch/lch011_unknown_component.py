@@ -47,10 +47,10 @@ FILES = {
     over=LoadedComponents,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "its container is off by default, or an old distribution had the name, and the repository is "
-        "for later ones",
-        Severity.INFO: "its container is never added to the launch, or an old distribution had the name, and nothing "
-        "shows that the repository is for later ones",
+        Severity.WARNING: "the condition of its container is not known, or an old distribution had the name, and the "
+        "repository is for later ones",
+        Severity.INFO: "its container is off by default or never added, or an old distribution had the name, and "
+        "nothing shows that the repository is for later ones",
     },
     examples=(
         Example(
@@ -77,8 +77,8 @@ def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
 
     ## When it is quiet
     Packages whose components are not all known are left alone. Where this package's source registers the class and
-    CMake names another, CMK108 reports it there. A component whose container is off by default is a warning, one that
-    is never added an info. So is what Foxy or Galactic had, unless the run checks for a distribution (`--target`), or
+    CMake names another, CMK108 reports it there. A component whose container is off by default or never added is an
+    info. So is what Foxy or Galactic had, unless the run checks for a distribution (`--target`), or
     pages and scripts name Humble or later ones alone, and a name of a package that is meant in a fork: package.xml
     declares a sister of it that no distribution has.
 
