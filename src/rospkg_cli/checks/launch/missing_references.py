@@ -24,7 +24,6 @@ from ...suggest import slips
 from ...unreadable import UnreadableError
 from ..closest_path import closest_path
 from .open_paths import fits_nothing, meant
-from .unset_configurations import LaunchConfigurations
 
 DOUBLED = regex(r"((?:\.[a-z][a-z0-9]*)+)\1(?=(?:\.[a-z]+)?$)")
 """An extension, or a part before one, that stands twice, which no file is given on purpose."""
@@ -104,15 +103,6 @@ class LaunchContext:
         alone = self.package.build_type.startswith("ament") and "catkin" not in manifest.lower()
         alone = alone and not self.files.holds("CMakeLists.txt", b"catkin_package")
         return self.file.is_ros1 and not is_named_ros1(self.file.path) and bool(self.places) and alone
-
-    @cached_property
-    def unread_defaults(self) -> tuple[Span, ...]:
-        """The defaults of the arguments that nothing uses."""
-        return tuple(defaults_of(LaunchConfigurations(self.workspace, self.file).unused()))
-
-    def is_unread(self, missing: MissingReference) -> bool:
-        """Return whether every place that names a file is the default of an argument that nothing uses."""
-        return is_within(missing, self.unread_defaults)
 
     @cached_property
     def overwritten_defaults(self) -> tuple[Span, ...]:

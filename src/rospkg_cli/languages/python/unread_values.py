@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
 from typing import cast
 
 from ...source import Span
@@ -40,6 +41,35 @@ def unread_values(file: PythonFile) -> Iterator[Span]:
         waiting = [(names, value) for names, value in waiting if value not in lost]
 
 
+def only_read_in(file: PythonFile, spans: Iterable[Span]) -> Iterator[Span]:
+    """Yield the values of names that are bound once, and that only what stands in some spans, or in these, reads."""
+    lost = list(spans)
+    loads = [node for node in nodes_of_kind(file.tree, ast.Name) if not is_stored(node)]
+    stored = Counter(node.id for node in nodes_of_kind(file.tree, ast.Name) if is_stored(node))
+    waiting = [(names[0], value) for names, value in bound_values(file) if len(names) == 1 and stored[names[0]] == 1]
+    if any(node.id in ("locals", "globals") for node in loads):
+        return
+    while True:
+        loads = [each for each in loads if not any(span.contains(file.span(each)) for span in lost)]
+        read = {each.id for each in loads}
+        lost = [file.span(value) for name, value in waiting if name not in read]
+        waiting = [(name, value) for name, value in waiting if name in read]
+        yield from lost
+        if not lost:
+            return
+
+
+def bound_values(file: PythonFile) -> Iterator[tuple[list[str], ast.expr]]:
+    """Yield what functions and the module bind to plain names, with these."""
+    yield from local_values(file)
+    for node in file.tree.body:
+        match node:
+            case ast.Assign(targets=[ast.Name(id=name)], value=value):
+                yield [name], value
+            case ast.AnnAssign(target=ast.Name(id=name), value=ast.expr() as value):
+                yield [name], value
+
+
 def local_values(file: PythonFile) -> Iterator[tuple[list[str], ast.expr]]:
     """Yield what functions bind to plain names, with these."""
     for function in nodes_of_kind(file.tree, ast.FunctionDef):
@@ -48,6 +78,8 @@ def local_values(file: PythonFile) -> Iterator[tuple[list[str], ast.expr]]:
                 names = [target.id for target in node.targets if isinstance(target, ast.Name)]
                 if len(names) == len(node.targets):
                     yield names, node.value
+            elif isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name) and node.value is not None:
+                yield [node.target.id], node.value
 
 
 def loads_for_itself(file: PythonFile) -> Iterator[ast.Name]:

@@ -43,6 +43,22 @@ class IncludedArguments:
             self.known[key] = self.all_taken(key)
         return self.known[key]
 
+    def foreign_in(self, package: str, source: str) -> tuple[frozenset[Key], bool]:
+        """Return what a file and its includes that are here include of other packages, and whether one may take more.
+
+        An included file is a package and a path there.
+        """
+        queue, found, is_open = [(package, source)], set[Key](), False
+        seen = {*queue}
+        while queue:
+            key = queue.pop()
+            own, signature = self.by_source[key]
+            is_open = is_open or signature.may_take_others
+            found |= {each for each in signature.includes if each[0] and self.find(own, *each) is None}
+            queue += self.included_by(key)[0] - seen
+            seen |= self.included_by(key)[0]
+        return frozenset(found), is_open
+
     def all_taken(self, start: Key) -> tuple[frozenset[str], bool]:
         names: set[str] = set()
         seen, queue, is_complete = {start}, [start], True

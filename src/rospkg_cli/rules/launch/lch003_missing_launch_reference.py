@@ -52,9 +52,9 @@ NODE = {
     levels={
         Severity.WARNING: "a process that is started opens it, it is the default of an argument or in the current "
         "directory, its action has a condition, or the launch file is not installed",
-        Severity.INFO: "the action is never added to the launch description, the argument or value never used, the "
-        "file itself gives the argument another value, an included one takes no such argument, the node gets other "
-        "parameters too, or its code declares none of that name",
+        Severity.INFO: "the action is off by default or never added to the launch description, the argument or value "
+        "never used, the file itself gives the argument another value, an included one takes no such argument, the "
+        "node gets other parameters too, or its code declares none of that name",
     },
     examples=(
         Example(
@@ -92,11 +92,11 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     None`), that the build or the package's Python code writes, that git ignores or that lie in a submodule that is not
     checked out; so are packages whose installed files are not all known (a CMake macro of another package may install
     some), launch files of tests that CMake does not run, and files that a package inside of one of its name has itself
-    (WSP005). Where the action has a condition that the defaults of the arguments do not make true, it is a warning,
-    where nothing adds the action, uses the value or calls the function, an info, and so is the default of an argument
-    that the file itself gives another value (`context.launch_configurations['x'] = …`). A parameter file of a node that
-    gets other files or values as well is an info, and so is the value of a parameter that no code of the node's
-    package, which is here, declares or gets.
+    (WSP005). Where the action has a condition that can't be evaluated, it is a warning, where the defaults of the
+    arguments make it false, nothing adds the action, uses the value or calls the function, an info, and so is the
+    default of an argument that neither the file nor one that it includes uses, or that the file itself gives another
+    value (`context.launch_configurations['x'] = …`). A parameter file of a node that gets other files or values as well
+    is an info, and so is the value of a parameter that no code of the node's package, which is here, declares or gets.
     """
     for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ...checks.launch.idle_actions import level_at
 from ...checks.launch.missing_references import MissingReference
 from ...checks.launch.reference_install import InstalledReferences, ReferenceInstall
+from ...checks.launch.softened_references import softened
 from ...edits.install_file import install_for_cmake, install_for_setup
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -32,7 +32,9 @@ BOTH = ONE.replace("robot.launch.xml", "robot.launch.xml launch/wheels.launch.xm
     levels={
         Severity.WARNING: "a process that is started opens it, the path is or holds the default of an argument, or its "
         "action has a condition",
-        Severity.INFO: "it is the default of an argument that nothing uses, or nothing adds its action",
+        Severity.INFO: "nothing uses the argument or value, adds its action or calls the function, the file itself "
+        "gives the argument another value, an included one takes no such argument, or the node declares "
+        "none of that name",
     },
     examples=(
         Example(
@@ -63,27 +65,25 @@ def reference_not_installed(package: InstalledReferences) -> Iterator[Hit]:
     Where nothing of the folder is installed, or setup.py leaves it out, SET206, SET207 or CMK101 reports it alone.
     Paths that are checked first, that the build writes, and packages whose install rules are not all known, are left
     alone. RViz starts with its default view where its config is missing, and a node with its defaults: what the launch
-    itself does not open is a warning, as in an action with a condition.
+    itself does not open is a warning, as in an action with a condition. The default of an argument that neither the
+    file nor one that it includes uses is an info, and so is what nothing adds, calls or declares.
     """
     for found in package.missing():
-        (files, missing), *others = sorted(found, key=lambda each: level_of(*each).rank, reverse=True)
+        (files, missing), *others = sorted(found, key=lambda each: level_of(*each)[0].rank, reverse=True)
         edits = repair(files, missing) if missing.state == "not installed" else ()
         fix = Fix(f"install {missing.path}", edits) if edits else None
-        level = level_of(files, missing)
+        level, why = level_of(files, missing)
         places = [Related(files.scope.file.path, span, "here too") for span in missing.other_spans]
         places += [Related(file.scope.file.path, each.span, f"`{each.path}` too") for file, each in others]
         row = files.rule_of(missing)
         places += [Related(row.path, row.span, "installed here")] if row is not None else []
-        yield Hit(files.scope.file.path, missing.span, message(missing, others), level, tuple(places), fix)
+        yield Hit(files.scope.file.path, missing.span, message(missing, others, why), level, tuple(places), fix)
 
 
-def level_of(files: ReferenceInstall, missing: MissingReference) -> Severity:
-    if softer := level_at(files.scope.file, missing.span)[0]:
-        return Severity(softer)
-    if missing.stops_launch:
-        return Severity.ERROR
-    is_unread = missing.use == "default" and files.scope.is_unread(missing)
-    return Severity.INFO if is_unread else Severity.WARNING
+def level_of(files: ReferenceInstall, missing: MissingReference) -> tuple[Severity, str]:
+    softer, why = softened(files.scope, missing)
+    own = Severity.ERROR if missing.stops_launch else Severity.WARNING
+    return (Severity(softer) if softer else own), f"{why and ', '}{why}"
 
 
 def repair(files: ReferenceInstall, missing: MissingReference) -> tuple[Edit, ...]:
@@ -94,13 +94,15 @@ def repair(files: ReferenceInstall, missing: MissingReference) -> tuple[Edit, ..
     return install_for_setup(files.setup, files.name, missing.path) if files.setup is not None else ()
 
 
-def message(missing: MissingReference, others: Sequence[tuple[ReferenceInstall, MissingReference]]) -> str:
+def message(missing: MissingReference, others: Sequence[tuple[ReferenceInstall, MissingReference]], why: str) -> str:
     if missing.state != "elsewhere":
         return (
             f"`{missing.path}` is there, but `{missing.package}` does not install it: the build is green, and the "
-            f"launch does not find it; install it"
+            f"launch does not find it{why}; install it"
         )
     names = {each.path for _, each in others} - {missing.path}
     what = f"`{missing.path}` and {len(names)} more go" if names else f"`{missing.path}` goes"
     place = f"`share/{missing.package}/{missing.path}`"
-    return f"{what} to `{missing.better_path}`, and {place} is looked for: it is not found; correct the destination"
+    return (
+        f"{what} to `{missing.better_path}`, and {place} is looked for: it is not found{why}; correct the destination"
+    )
