@@ -14,13 +14,15 @@ TRAINER = f"def main():\n    a = open('{PLACE}')\n    return a\n"
 TALKER = "def main():\n    pass\n"
 ARGUMENT = f"""\
 from launch import LaunchDescription
-from launch.actions import DeclareLaunchArgument
+from launch.actions import DeclareLaunchArgument, LogInfo
+from launch.substitutions import LaunchConfiguration
 
 
 def generate_launch_description():
-    return LaunchDescription([DeclareLaunchArgument('model', default_value='{PLACE}')])
+    model = LaunchConfiguration('model')
+    return LaunchDescription([DeclareLaunchArgument('model', default_value='{PLACE}'), LogInfo(msg=model)])
 """
-XML = f'<launch>\n  <arg name="model" default="{PLACE}"/>\n</launch>\n'
+XML = f'<launch>\n  <arg name="model" default="{PLACE}"/>\n  <log message="$(var model)"/>\n</launch>\n'
 CALLER = '<launch>\n  <include file="$(find-pkg-share my_pkg)/launch/{}">\n{}  </include>\n</launch>\n'
 GIVES = '    <arg name="model" value="$(env MODEL)"/>\n'
 RUNS = "Run `ros2 launch my_pkg {}`.\n"
@@ -68,3 +70,50 @@ def test_a_twin_in_another_language() -> None:
     assert level(own) == "warning"
     assert level({**own, "README.md": RUNS.format("a.launch.py")}) == "info"
     assert level({**own, "README.md": RUNS.format("a.launch.xml")}) == "warning"
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("np.save({}, 1)", "info"),
+        ("plt.savefig({})", "info"),
+        ("open({}, 'w')", "info"),
+        ("open({}, mode='a')", "info"),
+        ("logging.FileHandler({})", "info"),
+        ("cv2.imwrite(filename={}, img=1)", "warning"),
+        ("output_dir = {}\n    print(output_dir)", "info"),
+        ("self.declare_parameter('log_file', {})", "info"),
+        ("place = {}\n    frame.to_csv(place)", "info"),
+        ("place = {}\n    frame.to_csv(place)\n    print(place)", "warning"),
+        ("np.load({})", "warning"),
+        ("open({}, 'r')", "warning"),
+        ("catalog = {}\n    print(catalog)", "warning"),
+        ("login = {}\n    print(login)", "warning"),
+    ],
+)
+def test_what_is_written_and_not_read(line: str, expected: str) -> None:
+    start = setup_py(scripts("talker = my_pkg.talker:main"))
+    code = f"def main():\n    {line.format(repr(PLACE))}\n"
+    assert level({"setup.py": start, "my_pkg/talker.py": code}) == expected
+
+
+def test_what_is_written_says_so() -> None:
+    start = setup_py(scripts("talker = my_pkg.talker:main"))
+    code = f"def main():\n    open('{PLACE}', 'w')\n"
+    (found,) = lint_files({**PACKAGE, "setup.py": start, "my_pkg/talker.py": code}, ["DEP118"]).findings
+    assert found.message.endswith("; something writes it, and misses no file")
+
+
+@pytest.mark.parametrize(("name", "text"), [("a.launch.py", ARGUMENT), ("a.launch.xml", XML)])
+def test_an_argument_that_nothing_reads(name: str, text: str) -> None:
+    own = {"setup.py": SETUP_PY_FOR_ALL}
+    unread = text.replace("LogInfo(msg=model)", "").replace("$(var model)", "a").replace("model = L", "other = L")
+    assert level({**own, f"launch/{name}": text}) == "warning"
+    assert level({**own, f"launch/{name}": unread}) == "info"
+
+
+def test_a_variable_that_only_an_argument_of_no_use_has() -> None:
+    text = ARGUMENT.replace(f"'{PLACE}'", "place").replace("    model =", f"    place = '{PLACE}'\n    model =")
+    unread = text.replace(", LogInfo(msg=model)", "")
+    for each, expected in ((text, "warning"), (unread, "info"), (unread.replace("[D", "[print(place), D"), "warning")):
+        assert level({"setup.py": SETUP_PY_FOR_ALL, "launch/a.launch.py": each}) == expected

@@ -36,6 +36,8 @@ from .home_path_texts import (
     without_comments,
 )
 from .launch.idle_actions import level_at
+from .launch.missing_references import LaunchContext
+from .launch.unread_values import UnreadValues
 from .left_files import LeftFiles
 from .params.launch_overrides import is_given, is_overridden
 from .params.replaced_defaults import is_replaced
@@ -46,6 +48,7 @@ from .shown_texts import is_only_shown
 from .told_settings import is_told_by_comment, is_told_by_page
 from .unread_paths import UnreadPaths
 from .unstarted_programs import UnstartedPrograms
+from .written_paths import is_written
 from .yaml_elsewhere import is_named_yaml, is_of_another
 
 FOR_CODE = ("launch", "src", "scripts", "script", "nodes", "node", "bin")
@@ -76,7 +79,9 @@ class HomePath:
     is_unreached: bool = False
     """Whether it is in a function of Python that nothing leads to."""
     is_unread: bool = False
-    """Whether it is put into a variable that nothing reads."""
+    """Whether it is put into a variable, or is the default of an argument, that nothing reads."""
+    is_written: bool = False
+    """Whether it is shown to be a file that something writes."""
 
 
 @dataclass(frozen=True)
@@ -132,10 +137,11 @@ class HomePaths:
             is_seldom_read = is_seldom_read or self.is_replaced(path, place, bare, named)
             is_seldom_read = is_seldom_read or self.is_setting(path, text, bare, place.start)
             is_seldom_read = is_seldom_read or begins_dialog(bare, place.start)
-            is_seldom_read = is_seldom_read or self.names_nothing(path, *home)
+            is_seldom_read = is_seldom_read or (not is_image and self.names_nothing(path, *home))
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
-            is_unread = self.unread is not None and self.unread.has(path, place)
-            yield HomePath(path, place, named, *home, *flags, is_unread)
+            yield HomePath(
+                path, place, named, *home, *flags, self.is_unread(path, place), is_written(bare, place.start, place.end)
+            )
 
     def names_nothing(self, path: str, package: str | None, below: str) -> bool:
         facts = self.workspace.named(package) if package is not None else None
@@ -145,6 +151,14 @@ class HomePaths:
         """Return whether no program of the package leads to the function around a place."""
         file = self.python(path)
         return file is not None and self.definitions is not None and not self.definitions.leads_to(file, place)
+
+    def is_unread(self, path: str, place: Span) -> bool:
+        """Return whether a place is that of a variable of code, or of a value of a launch file, that nothing reads."""
+        if self.unread is not None and self.unread.has(path, place):
+            return True
+        files = (each for each in self.launches if each.path == path)
+        contexts = (LaunchContext(each, self.files, self.facts, self.workspace, self.table, None) for each in files)
+        return any(UnreadValues(each).holds(place) for each in contexts)
 
     def is_replaced(self, path: str, place: Span, text: str, value: str) -> bool:
         """Return whether YAML or launch files give nodes another value in place of a default, or of that of a file."""

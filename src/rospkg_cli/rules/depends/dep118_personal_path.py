@@ -24,7 +24,8 @@ SHARE = "from ament_index_python.packages import get_package_share_path\n"
 SETUP = SETUP_PY_FOR_ALL.replace(
     "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
 )
-UNREACHED, UNREAD = "; nothing here leads to this function", "; nothing reads the variable"
+UNREACHED, UNREAD = "; nothing here leads to this function", "; nothing reads it"
+WRITTEN = "; something writes it, and misses no file"
 FILES = {
     "package.xml": manifest(
         "  <exec_depend>ament_index_python</exec_depend>\n"
@@ -46,9 +47,9 @@ FILES = {
     levels={
         Severity.INFO: "the file is not of the workspace, many have an account of that name, code asks first, "
         "nothing installs, compiles, starts or names the file, YAML or launch files replace it, nothing leads to the "
-        "function or reads the variable, a comment or page tells to write another, it is one of "
-        "several places for modules, a dialog for files begins there, or YAML or a launch file has it "
-        "without a suffix and no file or folder is called so"
+        "function or reads the variable or argument, something writes the file, a comment or page tells another, it "
+        "is one of several places for modules, a dialog for files begins there, YAML has it and the repository no such "
+        "file, or a launch file has it without a suffix and no file or folder is called so"
     },
     examples=(
         Example(
@@ -96,7 +97,9 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     or a line of a page that names the file, tells to change. A script that nothing names is left too where it is only a
     part of a folder in the share directory, or where not all that is installed is known and CMake does not name its
     folder. A value of YAML or a launch file without a suffix that is the path of no file or folder is an info as well:
-    what reads it adds a suffix (slam_toolbox's `map_file_name`), or writes there.
+    what reads it adds a suffix (slam_toolbox's `map_file_name`), or writes there. So are one of YAML that no file of
+    the repository ends with, but for the image of a map, the default of an argument that nothing reads, and what is
+    written: `open(…, 'w')`, `np.save`, `ofstream`, a parameter called `output_dir`.
     Robots and worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
@@ -110,7 +113,7 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
 
 
 def is_mild(found: HomePath) -> bool:
-    return found.may_be_there or found.is_seldom_read or found.is_unreached or found.is_unread
+    return found.may_be_there or found.is_seldom_read or found.is_unreached or found.is_unread or found.is_written
 
 
 def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
@@ -121,4 +124,5 @@ def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
     message = f"`{first.text}`{more} {verb} on one machine: elsewhere {them} missing; {how}"
     why = UNREACHED if all(each.is_unreached for each in found) else ""
     why = why or (UNREAD if all(each.is_unread for each in found) else "")
+    why = why or (WRITTEN if all(each.is_written for each in found) else "")
     return Hit(first.path, first.span, f"{message}{why}", level, again)
