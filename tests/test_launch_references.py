@@ -312,8 +312,8 @@ def test_old_arguments_are_left_where_the_distro_is_asked_for() -> None:
     "text, found",
     [
         ('<launch><node pkg="a" type="b"/></launch>', ["LCH006 info"]),
-        ('<launch><node pkg="a" type="b" args="$(var x)"/></launch>', ["LCH005 info"]),
-        ('<launch><let name="a" value="$(find b)/$(arg c)"/></launch>', ["LCH006 info", "LCH006 info"]),
+        ('<launch><node pkg="a" type="b" args="$(var x)"/></launch>', ["LCH005 error"]),
+        ('<launch><let name="a" value="$(find b)/$(arg c)"/></launch>', ["LCH006 error", "LCH006 error"]),
         ('<launch><let name="a" value="b"/><rosparam file="c"/></launch>', ["LCH006 error"]),
         ('<launch><node pkg="a" exec="b"><param name="c" value="d"/></node></launch>', []),
     ],
