@@ -43,7 +43,7 @@ setup(
         "setup.cfg": f"[develop]\nscript_dir=$base/lib/{name}\n[install]\ninstall_scripts=$base/lib/{name}\n",
         f"resource/{name}": "",
         f"{name}/__init__.py": "",
-        f"{name}/drive.py": f"import rclpy\nfrom {name} import gears\n\n\ndef main():\n    rclpy.init(gears.shift())\n",
+        f"{name}/drive.py": f"from {name} import gears\n\n\ndef main():\n    gears.shift()\n",
         f"{name}/gears.py": "def shift():\n    pass\n",
         **{path.replace("__", "/"): text for path, text in more.items()},
     }

@@ -261,7 +261,7 @@ def test_rviz_starts_without_its_config(code: str, path: str, more: str, level: 
         off = VIEW.format(path, ' if="$(var rviz)"').replace(
             "<launch>", '<launch>\n  <arg name="rviz" default="false"/>'
         )
-        assert levels(code, NATIVE, {**files, "launch/a.launch.xml": off}) == ["warning"]
+        assert levels(code, NATIVE, {**files, "launch/a.launch.xml": off}) == ["info"]
 
 
 @pytest.mark.parametrize(

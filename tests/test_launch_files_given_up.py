@@ -69,11 +69,22 @@ def test_a_page_starts_the_bare_file_beside_the_other() -> None:
     assert level("LCH003", {**files, "README.md": STARTED.format("robot.py")}) == ["error"]
 
 
-@pytest.mark.parametrize("path", ["launch/a.launch", "launch/a.xml", "launch/a.launch.xml"])
-def test_a_file_that_was_not_ported_whole_is_met_where_it_is_started(path: str) -> None:
+@pytest.mark.parametrize(
+    ("path", "others", "alone"),
+    [
+        ("launch/a.launch", {"launch/b.launch.py": EMPTY}, "info"),
+        ("launch/a.xml", {"launch/b.launch.py": EMPTY}, "info"),
+        ("launch/a.launch", {}, "error"),
+        ("launch/a.launch.xml", {"launch/b.launch.py": EMPTY}, "error"),
+    ],
+)
+def test_a_file_that_was_not_ported_whole_is_met_where_it_is_started(
+    path: str, others: dict[str, str], alone: str
+) -> None:
+    """The only launch file of a package is there to start it, and so is one that has the suffix of ROS 2."""
     text = UNPORTED.replace("</launch>", '  <let name="b" value="$(find-pkg-share my_pkg)"/>\n</launch>')
-    assert level("LCH006", {path: text}) == ["info"]
-    assert level("LCH006", {path: text, "README.md": STARTED.format(path[7:])}) == ["error"]
+    assert level("LCH006", {path: text, **others}) == [alone]
+    assert level("LCH006", {path: text, **others, "README.md": STARTED.format(path[7:])}) == ["error"]
 
 
 def test_launch_looks_into_share_directories_alone() -> None:
@@ -111,13 +122,14 @@ def test_a_program_behind_an_argument_that_launch_refuses() -> None:
 
 def test_another_package_includes_a_file_that_was_not_ported() -> None:
     old = UNPORTED.replace("</launch>", '  <let name="b" value="$(find-pkg-share my_pkg)"/>\n</launch>')
-    files = {f"my_pkg/{path}": text for path, text in {**NATIVE, "launch/a.launch.xml": old}.items()}
+    files = {f"my_pkg/{path}": text for path, text in {**NATIVE, "launch/a.xml": old}.items()}
     files |= {
+        "my_pkg/launch/b.launch.py": EMPTY,
         "other/package.xml": manifest("", "cmake", name="other"),
         "other/launch/o.launch.xml": "<launch>\n</launch>\n",
     }
     assert [each.severity.value for each in lint_files(files, ["LCH006"]).findings] == ["info"]
     files["other/launch/o.launch.xml"] = (
-        '<launch>\n  <include file="$(find-pkg-share my_pkg)/launch/a.launch.xml"/>\n</launch>\n'
+        '<launch>\n  <include file="$(find-pkg-share my_pkg)/launch/a.xml"/>\n</launch>\n'
     )
     assert [each.severity.value for each in lint_files(files, ["LCH006"]).findings] == ["error"]

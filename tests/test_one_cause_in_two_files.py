@@ -42,13 +42,13 @@ def test_a_wrong_destination_in_setup_py(clean, place: str) -> None:
 @pytest.mark.parametrize("rule", ["DIRECTORY launch config", "DIRECTORY config launch"])
 def test_folders_of_one_rule_that_go_to_share_alone(rule: str) -> None:
     text = CMAKE.replace("ament_package", f"install({rule} DESTINATION share)\nament_package")
-    robot = '  <arg name="a" default="$(find-pkg-share my_pkg)/config/a.yaml"/>\n'
+    robot = f'  <node pkg="a" exec="b"><param from="{CONFIG}"/></node>\n'
     files = {
         **LAUNCH,
         "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n", "ament_cmake"),
         "CMakeLists.txt": text,
         "config/a.yaml": "a: 1\n",
-        "launch/a.launch.xml": INCLUDE.replace("<launch>\n", f"<launch>\n{robot}"),
+        "launch/a.launch.xml": INCLUDE.replace("<launch>\n", f'<launch>\n{robot}  <log message="$(var a)"/>\n'),
     }
     (found,) = lint_files(files, ["CMK101", "LCH004"]).findings
     assert (found.code, found.severity.value) == ("LCH004", "error")

@@ -18,7 +18,7 @@ def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None
         softer, why = "info", unmet
     if softer != "info" and each.state in ("absent", "no slash") and has_others(scope, each):
         softer = "info"
-    if not softer and not scope.is_installed:
+    if not softer and each.state != "elsewhere" and not scope.is_installed:
         softer, why = "warning", "where it is started from the source: it is not installed"
     return softer, why
 
