@@ -7,6 +7,7 @@ import json
 import stat
 import sys
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -194,6 +195,17 @@ def test_what_is_told_counts_and_what_stands_beside(packages: list[SourcePackage
     assert [replaced([new], Counter([old])) for new in (("DEP105", "a", "x"), ("DEP104", "b", "y"))] == [0, 0]
     assert replaced([old, old], Counter([old])) == 1
     assert "killed 100.0% of all" in lines[-1]
+
+
+def test_a_fault_in_a_file_that_nobody_could_read_before_is_excluded(
+    packages: list[SourcePackage], copy: WorkingCopy
+) -> None:
+    package, fault = next(draw(KINDS["registered-module-renamed"], packages, 1, 1))
+    path, kind = "drive/setup.py", KINDS["registered-module-renamed"]
+    again = replace(fault, path=path, files={path: SETUP.encode() + b"\n"}, names=("nothing",), line=0)
+    assert not attempt(Linter(), copy, kind, package, again).excluded
+    with copy.with_fault(replace(again, files={path: b"def (:\n"})):
+        assert attempt(Linter(), copy, kind, package, again).excluded.startswith("the file could not be read")
 
 
 def test_what_was_killed_is_not_tried_again(packages: list[SourcePackage], copy: WorkingCopy, tmp_path: Path) -> None:

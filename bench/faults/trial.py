@@ -19,6 +19,8 @@ from bench.faults.working_copy import WorkingCopy
 from rospkg_cli.cli.lint.lint_options import LintOptions, ReportOptions, RuleOptions
 from rospkg_cli.cli.lint.run import lint_to
 
+UNREADABLE = "RPK001"
+WAS_UNREADABLE = "the file could not be read before the fault, and lint says so"
 SILENT = {"RPK004", "RPK005", "RPK008"}
 """They say what was not checked: a fault that only they name is not seen."""
 
@@ -35,10 +37,13 @@ class Trial:
     reworded: int = 0
     """Of the new findings beside the first that names the thing: those in whose place one is gone, of the same code and
     in the same file, or of the same words (its file was renamed). Nobody has more to read for them."""
+    was_unreadable: bool = False
+    """Whether the file was no XML, YAML or Python before the fault."""
 
     @property
     def excluded(self) -> str:
-        return self.kind.excluded or self.fault.excluded
+        unread = WAS_UNREADABLE if self.was_unreadable and not self.told else ""
+        return self.kind.excluded or self.fault.excluded or unread
 
     @property
     def beside_count(self) -> int:
@@ -85,6 +90,7 @@ def identity(finding: dict[str, Any]) -> tuple[str, str, str]:
 def attempt(linter: Linter, copy: WorkingCopy, kind: FaultKind, package: SourcePackage, fault: PutFault) -> Trial:
     folder = "" if kind.is_seen_outside else package.folder
     before = Counter(linter.before(copy, folder))
+    was_unreadable = any(code == UNREADABLE and path == fault.path for code, path, _ in before)
     told: list[str] = []
     beside: list[str] = []
     new: list[tuple[str, str, str]] = []
@@ -100,7 +106,7 @@ def attempt(linter: Linter, copy: WorkingCopy, kind: FaultKind, package: SourceP
                 told.append(f"{each[0]} {finding['severity']} {each[2]}")
             else:
                 beside.append(f"{each[0]} {finding['severity']} {finding['path']}: {each[2]}")
-    return Trial(kind, package, fault, tuple(told), tuple(beside), replaced(new, before))
+    return Trial(kind, package, fault, tuple(told), tuple(beside), replaced(new, before), was_unreadable)
 
 
 def replaced(new: Sequence[tuple[str, str, str]], before: Counter[tuple[str, str, str]]) -> int:
