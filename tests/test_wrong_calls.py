@@ -155,3 +155,26 @@ def test_an_undeclared_package_of_a_program_that_nothing_starts() -> None:
     call = "get_package_share_directory('nav2_bringup')"
     assert found("DEP116", main=call) == [("DEP116", "warning", "'nav2_bringup'")]
     assert found("DEP116", page, main=call) == [("DEP116", "info", "'nav2_bringup'")]
+
+
+@pytest.mark.parametrize(
+    ("page", "level"),
+    [
+        ("Needs `sudo apt install ros-crystal-desktop`.\n", "info"),
+        ("export ROS_DISTRO=crystal\n", "info"),
+        ("source /opt/ros/dashing/setup.bash\n", "info"),
+        ("For Dashing and Foxy.\n", "error"),
+        ("A crystal clear page.\n", "error"),
+    ],
+)
+def test_a_depth_that_the_distributions_of_the_pages_do_not_ask_for(page: str, level: str) -> None:
+    start = "self.create_publisher(Image, 'a')"
+    assert found("DEP120", {"README.md": page}, start=start) == [("DEP120", level, "create_publisher")]
+    assert found("DEP120", {"Dockerfile": "FROM ros:crystal\n"}, start=start)[0][1] == "info"
+    assert found("DEP120", {"README.md": page}, start="self.create_timer(1.0)")[0][1] == "error"
+
+
+def test_what_follows_a_call_that_older_distributions_take() -> None:
+    start = "self.create_publisher(Image, 'a'); self.create_timer(1.0)"
+    told = found("DEP120", {"Dockerfile": "FROM ros:dashing\n"}, start=start)
+    assert [level for _, level, _ in told] == ["info", "error"]

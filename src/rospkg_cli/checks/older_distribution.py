@@ -15,12 +15,13 @@ from .setup.linked_build import build_texts
 STARTABLE = (".py", ".xml", ".yaml", ".yml")
 BEFORE_DASHING = ("bouncy", "crystal")
 """Words of their own, which count behind `ros` alone."""
-OLDER = (*BEFORE_DASHING, "dashing", "eloquent", "foxy")
+BEFORE_ELOQUENT = (*BEFORE_DASHING, "dashing")
+OLDER = (*BEFORE_ELOQUENT, "eloquent", "foxy")
 UNSUPPORTED = (*OLDER, "galactic")
 BEFORE_JAZZY = (*UNSUPPORTED, "humble", "iron")
 EVERY = "|".join(("dashing", "eloquent", "foxy", "galactic", "iron", *(each.name for each in DISTROS)))
 NAMES = regex(rf"(?<![a-z])({EVERY})(?![a-z])")
-EARLY = regex(rf"\bros[ _-]?2?[\s:/_-]{{0,3}}({'|'.join(BEFORE_DASHING)})\b")
+EARLY = regex(rf"\bros[ _-]?2?(?:_?distro)?[\s:=/_-]{{0,3}}[\"']?({'|'.join(BEFORE_DASHING)})\b")
 OF_BRANCH = regex(rf"\bthis (?:\w+ )?branch (?:\w+ ){{1,4}}[`'\"*_]{{0,3}}({EVERY})(?![a-z])")
 """What a page says of its own branch, where it names those for other distributions too."""
 SLIPS = {"elequent": "eloquent", "eloquant": "eloquent", "galatic": "galactic", "galictic": "galactic"}
@@ -76,6 +77,11 @@ class OlderDistribution:
     def is_before_dashing(self) -> bool:
         """Whether one before Dashing is named, and none after it: there parameters need no declaration."""
         return bool(self.named) and self.named.issubset(BEFORE_DASHING)
+
+    @property
+    def is_meant_before_eloquent(self) -> bool:
+        """Whether one before Eloquent is meant, and none after it: there publishers take no depth, or need none."""
+        return not self.targets.names and bool(self.meant) and self.meant.issubset(BEFORE_ELOQUENT)
 
     @property
     def is_before_humble(self) -> bool:

@@ -12,8 +12,14 @@ from ...languages.python.nodes import nodes_of_kind
 from ...languages.python.unreached_places import is_unreached
 from ...light_dataclasses import dataclass
 from ...ros.python_calls import OF_NODES, OF_RCLPY
+from ..older_distribution import OlderDistribution
 from ..wrong_calls import CATCHES, wrong_call
 from .unknown_rclpy_names import UnknownName, UnknownRclpyNames, rebinds
+
+SINCE_ELOQUENT = "needs `qos_profile` as well"
+"""What is said of calls that Dashing and those before it take."""
+FOR_OLDER = "; the distributions that this is for take it"
+"""The end of what is said where these alone are meant: there the run goes on."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,11 +27,14 @@ class WrongRclpyCall:
     called: UnknownName
     """What is called; it is known, and there is nothing better."""
     why: str
+    is_for_older: bool = False
+    """Whether the repository is for distributions alone that take the call."""
 
 
 @dataclass(frozen=True)
 class WrongRclpyCalls:
     names: UnknownRclpyNames
+    distribution: OlderDistribution
 
     def all(self) -> Iterator[WrongRclpyCall]:
         """Yield each wrong call of a file once for each function and each fault of it."""
@@ -37,7 +46,9 @@ class WrongRclpyCalls:
                 if why and is_met and (method.attr, why) not in told:
                     told.add((method.attr, why))
                     owner = ast.unparse(method.value)
-                    yield WrongRclpyCall(self.names.unknown(file, method, owner, "", is_test=role == "test"), why)
+                    called = self.names.unknown(file, method, owner, "", is_test=role == "test")
+                    is_older = why == SINCE_ELOQUENT and self.distribution.is_meant_before_eloquent
+                    yield WrongRclpyCall(called, why, is_older)
 
     def of_nodes(self, file: PythonFile) -> Iterator[tuple[ast.Call, ast.Attribute, str]]:
         for owner in self.names.node_classes(file):

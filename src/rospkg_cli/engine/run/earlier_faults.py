@@ -6,6 +6,7 @@ import ast
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
+from ...checks.depends.wrong_rclpy_calls import FOR_OLDER
 from ...checks.installed_modules import InstalledModules
 from ...files import PackageFiles
 from ...finding import AGAIN, Finding, Location, Severity
@@ -111,7 +112,7 @@ class EarlierFaults:
 
 def is_mild_stop(each: Finding) -> bool:
     """Return whether an info tells of a place that is seldom come to, and then ends the run."""
-    return each.severity is Severity.INFO and each.code in AT_RUN
+    return each.severity is Severity.INFO and each.code in AT_RUN and not each.message.endswith(FOR_OLDER)
 
 
 def is_in(name: str, texts: Sequence[str]) -> bool:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.unknown_rclpy_names import UnknownRclpyNames
-from ...checks.depends.wrong_rclpy_calls import WrongRclpyCalls
+from ...checks.depends.wrong_rclpy_calls import FOR_OLDER, WrongRclpyCalls
 from ...example import Example, manifest, scripts, setup_py
 from ...finding import Hit, Severity
 from ...ros.rclpy_names import OF_ROSPY
@@ -38,14 +37,15 @@ def main():
 @rule(
     "DEP120",
     "unknown-rclpy-name",
-    over=UnknownRclpyNames,
+    over=WrongRclpyCalls,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function that a program is shown to come to, under one condition at most, in a "
         "test, or in a program that nothing starts, beside others that are started",
         Severity.INFO: "no program is shown to come to it, or under several conditions alone, it is under a condition "
         "(`__main__` of an entry point's module), behind `rclpy.spin`, nothing in the package calls the function, or "
-        "imports the module, or the run ends before, at another fault",
+        "imports the module, the run ends before, at another fault, or the repository is for Dashing or older alone, "
+        "which need no depth",
     },
     examples=(
         Example(
@@ -58,7 +58,7 @@ def main():
         ),
     ),
 )
-def unknown_rclpy_name(names: UnknownRclpyNames) -> Iterator[Hit]:
+def unknown_rclpy_name(calls: WrongRclpyCalls) -> Iterator[Hit]:
     """
     ## What it does
     Finds names that code takes from rclpy or from its own node, and that these do not have.
@@ -73,21 +73,23 @@ def unknown_rclpy_name(names: UnknownRclpyNames) -> Iterator[Hit]:
     ## When it is quiet
     For any other name, as a newer rclpy may have it; for classes that have other bases than rclpy's nodes, for methods
     that any class of the package has, in files that bind `rclpy` themselves or set names by `setattr`, for calls with
-    `*` or `**` that may be right or whose TypeError is caught, and under what never holds on Linux.
+    `*` or `**` that may be right or whose TypeError is caught, and under what never holds on Linux. A depth that is
+    missing is an info where the repository names Dashing or older distributions alone.
 
     ## References
     The names of all branches of ros2/rclpy from Foxy on.
     """
-    for each in names.all():
+    for each in calls.names.all():
         what = WHAT.get(each.owner, f"`{each.owner}` is a method, and has no")
         is_of_rospy = each.name in OF_ROSPY and each.owner in WHAT
         advice = f"rospy has it; write `{each.better}`" if is_of_rospy else f"did you mean `{each.better}`?"
         message = f"{what} `{each.name}`: {ENDS[each.when]} with AttributeError; {advice}"
         yield Hit(each.file.path, each.span, message, LEVELS[each.when])
-    for wrong in WrongRclpyCalls(names).all():
+    for wrong in calls.all():
         called = wrong.called
         message = f"`{called.owner}.{called.name}` {wrong.why}: {ENDS[called.when]} with TypeError"
-        yield Hit(called.file.path, called.span, message, LEVELS[called.when])
+        message += FOR_OLDER if wrong.is_for_older else ""
+        yield Hit(called.file.path, called.span, message, Severity.INFO if wrong.is_for_older else LEVELS[called.when])
 
 
 WHAT = {"rclpy": "`rclpy` has no", "self": "a node has no"}
