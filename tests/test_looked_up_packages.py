@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.checks.looked_up_packages import may_be_elsewhere
-from rospkg_cli.example import SETUP_CFG, SETUP_PY, manifest
+from rospkg_cli.example import SETUP_CFG, SETUP_PY, manifest, scripts, setup_py
 from rospkg_cli.package.package_facts import PackageFacts
 from rospkg_cli.package.workspace import Workspace
 from rospkg_cli.ros.distros import DISTROS
@@ -68,3 +68,66 @@ def test_what_comes_with_others_is_an_info() -> None:
     text = "get_package_share_directory('rviz_common')\n"
     assert told(text, "  <exec_depend>rviz2</exec_depend>\n") == [("info", "rviz_common")]
     assert [level for level, _ in told(LOOKUP, "  <!-- <exec_depend>nav2_bringup</exec_depend> -->\n")] == ["info"]
+
+
+LIBRARY = """\
+from ament_index_python import get_package_share_directory
+
+
+def share():
+    return get_package_share_directory('arm')
+
+
+def limits():
+    return share() + '/limits.yaml'
+
+
+def name():
+    return 'arm'
+"""
+LAUNCH = "from lib.helpers import {}\n\n\ndef generate_launch_description():\n    pass\n"
+
+
+def python_package(name: str, depends: str = "", **files: str) -> dict[str, str]:
+    own = {f"{name}/__init__.py": "", f"resource/{name}": "", "setup.cfg": SETUP_CFG, "setup.py": SETUP_PY, **files}
+    texts = {path: text.replace("my_pkg", name) for path, text in own.items()}
+    return {f"{name}/{path}": text for path, text in {**texts, "package.xml": manifest(depends, name=name)}.items()}
+
+
+def from_library(users: dict[str, tuple[str, str]], **more: str) -> list[tuple[str, str]]:
+    """Return level and end of what is said of a library, by what others import of it and declare."""
+    files = {**python_package("arm"), **python_package("lib", NEEDS, **{"lib/helpers.py": LIBRARY, **more})}
+    for name, (taken, depends) in users.items():
+        files |= python_package(name, depends, **{"launch/a.launch.py": LAUNCH.format(taken)})
+    found = lint_files(files, ["DEP116"]).findings
+    return [(each.severity.value, each.message.rpartition("; ")[2]) for each in found]
+
+
+HAS_ARM = "  <exec_depend>arm</exec_depend>\n"
+UNSHOWN = "comes to this line"
+ADD = "add <exec_depend>arm</exec_depend>"
+
+
+@pytest.mark.parametrize(
+    ("users", "level", "end"),
+    [
+        ({"arm": ("limits", "")}, "info", "would make a circle: let those declare it who call this"),
+        ({"arm": ("name", "")}, "info", UNSHOWN),
+        ({"one": ("limits", HAS_ARM), "two": ("name", "")}, "info", "calls this declares it"),
+        ({"one": ("limits", HAS_ARM), "two": ("share", "")}, "warning", ADD),
+        ({"one": ("name", HAS_ARM)}, "info", UNSHOWN),
+        ({}, "info", UNSHOWN),
+    ],
+)
+def test_what_a_library_looks_for_in_the_name_of_its_users(
+    users: dict[str, tuple[str, str]], level: str, end: str
+) -> None:
+    ((found, said),) = from_library(users)
+    assert (found, said.endswith(end)) == (level, True), said
+
+
+def test_a_library_with_a_program_of_its_own_looks_for_itself() -> None:
+    program = "from .helpers import limits\n\n\ndef main():\n    print(limits())\n"
+    setup = setup_py(scripts("show = lib.show:main"))
+    ((level, _),) = from_library({"arm": ("limits", "")}, **{"lib/show.py": program, "setup.py": setup})
+    assert level == "warning"

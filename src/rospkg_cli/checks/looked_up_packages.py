@@ -18,6 +18,7 @@ from .cpp.share_names import share_names
 from .depends.declared_dependencies import DeclaredDependencies
 from .depends.undeclared_imports import ImportDependencies
 from .depends.undeclared_launch_packages import LaunchDependencies
+from .lookups_for_users import LookupsForUsers
 from .share_lookups import CATCHES, LOOKUPS, ShareLookups, literal_of
 
 NAME = regex(r"[a-z][a-z0-9_]+")
@@ -32,7 +33,8 @@ class LookUp:
     is_chosen: bool = False
     """Whether an `else` looks for another package in its place."""
     why_seldom: str = ""
-    """What is said of a place that seldom or never runs, or that no target compiles; "" for others."""
+    """What is said of a place that seldom or never runs, is for those who have the package, or that no target
+    compiles; "" for others."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +42,7 @@ class LookedUpPackages:
     lookups: ShareLookups
     imports: ImportDependencies
     launch: LaunchDependencies
+    users: LookupsForUsers | None = None
 
     @property
     def declared(self) -> DeclaredDependencies:
@@ -78,6 +81,7 @@ class LookedUpPackages:
                     span = file.span(name)
                     why = LEFT if self.lookups.is_left(file.path) else self.lookups.why_seldom(file.path, span)
                     why = why or (UNSTARTED if self.is_unstarted(file.path) else "")
+                    why = why or (self.users.why_mild(file.path, span, str(name.value)) if self.users else "")
                     yield str(name.value), LookUp(file.path, span, id(call) in chosen, why)
         for source in self.lookups.sources:
             why = UNCOMPILED if self.lookups.is_uncompiled(source.path) else ""

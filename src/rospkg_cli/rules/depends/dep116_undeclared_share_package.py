@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_unmet
 from ...checks.looked_up_packages import LookedUpPackages
+from ...checks.lookups_for_users import ROUND
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
@@ -26,8 +27,8 @@ NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "a dependency brings or may bring it, another package of an unreleased repository declares "
-        "it, package.xml has it in a comment, an `if` chooses it, nothing leads to the place, or nothing "
-        "starts the program"
+        "it, package.xml has it in a comment, an `if` chooses it, nothing leads to the place, nothing "
+        "starts the program, or only packages that have it call the library that looks for it"
     },
     examples=(
         Example(
@@ -54,10 +55,12 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     nothing installs are left alone. What an `if` chooses, whose other branch looks for another package, is an info, and
     so is what stands in a module that nothing starts or imports, in a program that nothing starts beside others that
     are started, in a function that nothing calls, or in a source that no target compiles, beside others, and what
-    another package of the repository declares where nothing shows a release.
+    another package of the repository declares where nothing shows a release. What a library without programs looks for
+    is an info where that package uses the library itself, or where each package that calls the function declares it.
 
     ## Fix safety
-    The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
+    The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. There is none
+    where the package uses this library itself.
 
     ## References
     - REP-149, exec_depend
@@ -71,12 +74,15 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
         if bringer := bringers.get(name):
             brought.append(BroughtUse(name, bringer, "exec_depend", first.path, first.span))
             continue
+        goes_round = first.why_seldom == ROUND
+        todo = "" if goes_round else f"; {advice(declared, 'exec_depend', name)}"
         message = (
             f"`{name}` is not declared, and this looks for files of it: {where_absent(declared, name)} the node "
-            f"ends with PackageNotFoundError; {advice(declared, 'exec_depend', name)}{first.why_seldom}"
+            f"ends with PackageNotFoundError{todo}{first.why_seldom}"
         )
         is_mild = is_unmet(declared, name) or all(each.is_chosen or each.why_seldom for each in places)
         level = Severity.INFO if is_mild else None
         places_beside = related((each.path, each.span) for each in places)
-        yield Hit(first.path, first.span, message, level, places_beside, declaration(declared, "exec_depend", name))
+        fix = None if goes_round else declaration(declared, "exec_depend", name)
+        yield Hit(first.path, first.span, message, level, places_beside, fix)
     yield from left_to_others(declared, brought, "looked for by code")

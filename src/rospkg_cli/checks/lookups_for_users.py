@@ -1,0 +1,84 @@
+"""Packages that the functions of a library look up for those who call them: who calls has what is looked for."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from ..languages.python.file import PythonFile
+from ..languages.python.nodes import FunctionNode, nodes_of
+from ..light_dataclasses import dataclass
+from ..package.package_facts import PackageFacts
+from ..package.workspace import Workspace
+from ..source import Span
+from .installed_modules import InstalledModules
+from .reached_modules import ReachedModules
+
+Definition = FunctionNode | ast.ClassDef
+ROUND = "; that package uses this library, to declare it here would make a circle: let those declare it who call this"
+THEIRS = "; this library has no program, and each package that calls this declares it"
+
+
+@dataclass(frozen=True)
+class LookupsForUsers:
+    installed: InstalledModules
+    reached: ReachedModules
+    workspace: Workspace
+    facts: PackageFacts
+
+    def why_mild(self, path: str, span: Span, name: str) -> str:
+        """Return what is said of a look-up for another package of the workspace, in a library without programs."""
+        file, other = self.installed.modules.at(path), self.workspace.named(name)
+        module = self.installed.names.get(path, "")
+        if file is None or other is None or not module or not self.reached.is_library:
+            return ""
+        users = [*self.users(file, module, span)]
+        if any(each.name == name for each in users):
+            return ROUND
+        is_theirs = bool(users) and not self.is_used_here(file) and all(declares(each, name) for each in users)
+        return THEIRS if is_theirs else ""
+
+    def users(self, file: PythonFile, module: str, span: Span) -> Iterator[PackageFacts]:
+        """Yield the other packages that import what leads to a place: the module as a whole leads to all of it."""
+        leading, own = leading_names(file, span), {each.name for each in definitions(file)}
+        package, _, last = module.rpartition(".")
+        for facts in self.workspace.packages:
+            taken = facts.taken_names if facts.name != self.facts.name else ()
+            if any(
+                (package, last) == (home, name) or (home == module and (name in leading or name not in own))
+                for home, name in taken
+            ):
+                yield facts
+
+    def is_used_here(self, file: PythonFile) -> bool:
+        """Return whether another module of the library imports one: who calls that is not seen."""
+        last = file.path.rpartition("/")[2].removesuffix(".py")
+        others = (each for path in self.installed.names if (each := self.installed.modules.at(path)) is not None)
+        return any(
+            last in (each.module.rpartition(".")[2], *each.names)
+            for other in others
+            if other is not file
+            for each in other.imports
+        )
+
+
+def definitions(file: PythonFile) -> list[Definition]:
+    return [each for each in file.tree.body if isinstance(each, Definition)]
+
+
+def leading_names(file: PythonFile, span: Span) -> frozenset[str]:
+    """Return the names at the top level of a module that lead to a place in a function of it."""
+    around = {each.name for each in definitions(file) if file.span(each).holds(span)}
+    if not around:
+        return frozenset(each.name for each in definitions(file))
+    while more := {each.name for each in definitions(file) if mentions(each, around)} - around:
+        around |= more
+    return frozenset(around)
+
+
+def mentions(node: Definition, names: set[str]) -> bool:
+    return any(isinstance(each, ast.Name) and each.id in names for each in nodes_of(node))
+
+
+def declares(facts: PackageFacts, name: str) -> bool:
+    return any(need.name == name and need.certain for need in facts.dependencies)
