@@ -1,4 +1,7 @@
-"""Switches of Python code that are never thrown: bound once, to True or False, and nowhere else in the package."""
+"""Switches of Python code that are never thrown, and names that are compared with what they never hold.
+
+A switch is bound once, to True or False, and nowhere else in the package; other names are bound to literals alone.
+"""
 
 from __future__ import annotations
 
@@ -6,9 +9,10 @@ import ast
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
-from ..languages.python.constant_truth import unreached_nodes, unreached_statements
+from ..languages.python.constant_truth import unreached_statements
 from ..languages.python.file import PythonFile
-from ..languages.python.nodes import nodes_of_kind
+from ..languages.python.nodes import FunctionNode, children_of, functions_of, nodes_of, nodes_of_kind
+from ..languages.python.settled_names import Held, Values, constant_of, settled_in, truths
 from ..lazy_regex import regex
 
 DYNAMIC = regex(r"\bsetattr\(|__dict__|__setattr__")
@@ -22,9 +26,11 @@ class Switches:
         files = tuple(files)
         found = [each for file in files for each in bound_members(file)]
         times = Counter(name for name, _ in found)
+        truths_of = ((name, truth_of(value)) for name, value in found)
         is_dynamic = any(DYNAMIC.search(file.source.text) for file in files)
-        self.members = {f"self.{name}": value for name, value in found if value is not None and times[name] == 1}
+        self.members = {f"self.{name}": value for name, value in truths_of if value is not None and times[name] == 1}
         self.members = {} if is_dynamic else self.members
+        self.values: Values = {} if is_dynamic else dict(settled_members(found))
         self.set_outside = frozenset(times)
         self.known: dict[str, frozenset[int]] = {}
 
@@ -35,36 +41,75 @@ class Switches:
     def turned_off(self, file: PythonFile) -> frozenset[int]:
         """Return the identity of each node under a switch that keeps it from running."""
         if file.path not in self.known:
-            names = self.in_file(file)
-            nodes = nodes_of_kind(file.tree, ast.If)
-            self.known[file.path] = frozenset(unreached_nodes(nodes, names))
+            self.known[file.path] = frozenset(id(node) for each in self.unreached(file) for node in nodes_of(each))
         return self.known[file.path]
 
     def statements(self, file: PythonFile) -> Iterator[ast.stmt]:
         """Yield the outermost statements among them."""
         if self.turned_off(file):
-            yield from unreached_statements(nodes_of_kind(file.tree, ast.If), self.in_file(file))
+            yield from self.unreached(file)
+
+    def unreached(self, file: PythonFile) -> Iterator[ast.stmt]:
+        names, whole = self.in_file(file), self.of_module(file)
+        for scope in (file.tree, *functions_of(file.tree)):
+            inside = conditions_of(scope)
+            own = settled_in(scope, file) if inside and scope is not file.tree else {}
+            values = {**self.values, **whole, **own}
+            yield from unreached_statements(inside, {**names, **truths((each.test for each in inside), values)})
+
+    def of_module(self, file: PythonFile) -> Values:
+        """Return the names that a whole file binds to literal values alone, all of them at its top level."""
+        if file.has_dynamic_names:
+            return {}
+        settled = settled_in(file.tree, file)
+        inner = {
+            name.id
+            for each in functions_of(file.tree)
+            for name in nodes_of_kind(each, ast.Name)
+            if isinstance(name.ctx, ast.Store)
+        }
+        return {name: held for name, held in settled.items() if name not in inner | self.set_outside}
 
 
-def bound_members(file: PythonFile) -> Iterator[tuple[str, bool | None]]:
-    """Yield what code makes a member of a class or an object, with its value where that is True or False."""
+def conditions_of(scope: FunctionNode | ast.Module) -> list[ast.If]:
+    """Return the conditions that stand in a scope itself, and not in a function in it."""
+    found: list[ast.If] = []
+    waiting: list[ast.AST] = [*scope.body]
+    while waiting:
+        node = waiting.pop()
+        found += [node] if isinstance(node, ast.If) else []
+        if isinstance(node, ast.stmt | ast.ExceptHandler | ast.match_case) and not isinstance(node, FunctionNode):
+            waiting += children_of(node)
+    return found
+
+
+def settled_members(found: Iterable[tuple[str, ast.expr | None]]) -> Iterator[tuple[str, frozenset[Held]]]:
+    """Yield the members that literal values alone are given to, with all of these."""
+    held: dict[str, set[Held | None]] = {}
+    for name, value in found:
+        held.setdefault(name, set()).add(constant_of(value))
+    for name, values in held.items():
+        if None not in values:
+            yield f"self.{name}", frozenset(each for each in values if each is not None)
+
+
+def bound_members(file: PythonFile) -> Iterator[tuple[str, ast.expr | None]]:
+    """Yield what code makes a member of a class or an object, with its value where that is assigned alone."""
     for assigned in nodes_of_kind(file.tree, ast.Assign):
         for target in assigned.targets:
             if isinstance(target, ast.Attribute):
-                yield target.attr, truth_of(assigned.value)
+                yield target.attr, assigned.value
     plain = {id(target) for each in nodes_of_kind(file.tree, ast.Assign) for target in each.targets}
     for attribute in nodes_of_kind(file.tree, ast.Attribute):
         if not isinstance(attribute.ctx, ast.Load) and id(attribute) not in plain:
             yield attribute.attr, None
     for owner in nodes_of_kind(file.tree, ast.ClassDef):
         for each in owner.body:
-            targets = each.targets if isinstance(each, ast.Assign) else ()
-            yield from (
-                (t.id, truth_of(each.value))
-                for t in targets
-                if isinstance(t, ast.Name) and isinstance(each, ast.Assign)
-            )
+            if isinstance(each, ast.Assign):
+                yield from ((target.id, each.value) for target in each.targets if isinstance(target, ast.Name))
+            elif isinstance(each, ast.AnnAssign) and isinstance(each.target, ast.Name):
+                yield each.target.id, None  # of a dataclass who makes an object gives another
 
 
-def truth_of(value: ast.expr) -> bool | None:
+def truth_of(value: ast.expr | None) -> bool | None:
     return value.value if isinstance(value, ast.Constant) and isinstance(value.value, bool) else None

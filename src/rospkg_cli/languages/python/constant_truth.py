@@ -18,7 +18,10 @@ BLOCKS = ("body", "orelse", "finalbody")
 
 
 def constant_truth(test: ast.expr, names: Mapping[str, bool]) -> bool | None:
-    """Return what a condition always is, None where that is unknown: `if False:`; of some names it is known."""
+    """Return what a condition always is, None where that is unknown: `if False:`.
+
+    Of some names it is known, and of comparisons of names with constants, by their text.
+    """
     match test:
         case ast.Constant(value=value):
             return bool(value)
@@ -26,6 +29,8 @@ def constant_truth(test: ast.expr, names: Mapping[str, bool]) -> bool | None:
             return names.get(name)
         case ast.Attribute(value=ast.Name(id="self"), attr=name) if f"self.{name}" in names:
             return names[f"self.{name}"]
+        case ast.Compare(left=ast.Name() | ast.Attribute(), ops=[_]) if names and (text := ast.unparse(test)) in names:
+            return names[text]
         case ast.Compare(
             left=asked, ops=[ast.Eq() | ast.NotEq() as operator], comparators=[ast.Constant(value=value)]
         ) if asks_for_ros(asked):

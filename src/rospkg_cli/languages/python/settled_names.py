@@ -1,0 +1,104 @@
+"""What comparisons of names always say that only ever hold known constants: `step = 0`, never counted on."""
+
+from __future__ import annotations
+
+import ast
+import operator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
+
+from .file import PythonFile
+from .nodes import FunctionNode, nodes_of, nodes_of_kind
+
+Constant = str | bytes | int | float | complex | bool | None
+Held = tuple[type, Constant]
+Values = Mapping[str, frozenset[Held]]
+"""All that each name may hold, with its type, as `True == 1`; of a member the name begins with `self.`."""
+
+OPERATORS: Mapping[type[ast.cmpop], Callable[[Any, Any], Any]] = {
+    ast.Eq: operator.eq, ast.NotEq: operator.ne, ast.Is: operator.is_, ast.IsNot: operator.is_not,
+    ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge,
+}  # fmt: skip
+
+
+def truths(tests: Iterable[ast.expr], values: Values) -> dict[str, bool]:
+    """Return what the names in some tests, and their comparisons with constants, always are, by their text."""
+    found: dict[str, bool] = {}
+    for test in tests:
+        for node in nodes_of(test) if values else ():
+            held = values.get(name_of(node), frozenset())
+            if held and len(each := {bool(value) for _, value in held}) == 1:
+                found[name_of(node)] = each.pop()
+            match node:
+                case ast.Compare(left=left, ops=[asked], comparators=[right]) if name_of(left) in values:
+                    every = {answer(value, asked, right) for _, value in values[name_of(left)]}
+                    if len(every) == 1 and (always := every.pop()) is not None:
+                        found[ast.unparse(node)] = always
+    return found
+
+
+def answer(value: Constant, asked: ast.cmpop, right: ast.expr) -> bool | None:
+    """Return what a comparison says; None where that is unknown, or raises."""
+    known = constant_of(right)
+    if known is None or type(asked) not in OPERATORS:
+        return None
+    try:
+        return bool(OPERATORS[type(asked)](value, known[1]))
+    except TypeError:
+        return None
+
+
+def constant_of(node: ast.expr | None) -> Held | None:
+    """Return a literal value with its type: `-1`, too."""
+    match node:
+        case ast.Constant(value=value) if value is not Ellipsis:
+            return type(value), value
+        case ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=int() | float() as value)):
+            return type(value), -value
+    return None
+
+
+def name_of(node: ast.AST) -> str:
+    match node:
+        case ast.Name(id=name):
+            return name
+        case ast.Attribute(value=ast.Name(id="self"), attr=name):
+            return f"self.{name}"
+    return ""
+
+
+def settled_in(scope: FunctionNode | ast.Module, file: PythonFile) -> Values:
+    """Return the names that a scope binds to literal values alone; nothing else of it, nor of functions in it, does."""
+    found: dict[str, set[Held]] = {}
+    plain: set[int] = set()
+    pairs = [(each.targets, each.value) for each in nodes_of_kind(scope, ast.Assign)]
+    pairs += [([each.target], each.value) for each in nodes_of_kind(scope, ast.AnnAssign) if each.value is not None]
+    for targets, given in pairs:
+        value = constant_of(given)
+        for target in targets:
+            if isinstance(target, ast.Name) and value is not None:
+                plain.add(id(target))
+                found.setdefault(target.id, set()).add(value)
+    if not found:
+        return {}
+    others = {*bound_otherwise(scope, plain)}
+    others |= {
+        name for node in nodes_of(file.tree) if isinstance(node, ast.Global | ast.Nonlocal) for name in node.names
+    }
+    return {name: frozenset(held) for name, held in found.items() if name not in others}
+
+
+def bound_otherwise(scope: ast.AST, plain: set[int]) -> Iterator[str]:
+    """Yield what is bound or removed in a scope but by the plain assignments."""
+    for node in nodes_of(scope):
+        match node:
+            case ast.Name(id=name, ctx=ast.Store() | ast.Del()) if id(node) not in plain:
+                yield name
+            case ast.arg(arg=name) | ast.ExceptHandler(name=str(name)) | ast.MatchAs(name=str(name)):
+                yield name
+            case ast.MatchStar(name=str(name)) | ast.MatchMapping(rest=str(name)):
+                yield name
+            case ast.alias():
+                yield (node.asname or node.name).partition(".")[0]
+            case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
+                yield name
