@@ -1,10 +1,11 @@
-"""Faults of Python code behind another one that ends the run before: nobody meets them until that is mended."""
+"""Faults of Python code behind another one, or a wait, that ends the run: nobody meets them until that is mended."""
 
 from __future__ import annotations
 
 import ast
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 
 from ...checks.depends.wrong_rclpy_calls import FOR_OLDER
 from ...checks.installed_modules import InstalledModules
@@ -20,12 +21,15 @@ from ...package.run_events import RuleCrash
 from ...source import Span
 from .failing_modules import FailingModules
 from .finding_builder import AT_RUN
+from .waiting_modules import WaitingModules
 
 OF_IMPORTS = frozenset({"DEP109", "DEP110", "IDL011"})
 UNGENERATED = "IDL008"
 ALSO = ("here too", AGAIN)
 FIRST = "this raises first"
 BEHIND = "; the run ends before, at another line"
+WAITS = "nothing spins the node here, and so nothing ends this wait"
+BEHIND_WAIT = "; the run does not come here, as a wait before it never ends"
 
 
 @dataclass(frozen=True)
@@ -46,6 +50,7 @@ class EarlierFaults:
             if file is not None:
                 spans = (at.span for each in mild for at in self.stops(each, path, file))
                 found |= self.in_file(path, file, loud, (*failing.get(file.path, ()), *spans))
+                found |= self.behind_waits(path, file, [each for each in loud if id(each) not in found])
         return [found.get(id(each), each) for each in every]
 
     def failing_imports(self, loud: Sequence[Finding]) -> Mapping[str, Sequence[Span]]:
@@ -69,16 +74,35 @@ class EarlierFaults:
         places = StoppedPlaces(file, tuple(sorted(stops)), lambda name: is_in(name, others))
         return self.behind(path, loud, places, [stops[span] for span in sorted(stops)])
 
+    def behind_waits(self, path: str, file: PythonFile, loud: Sequence[Finding]) -> dict[int, Finding]:
+        """Return the milder findings behind loops that nothing ends."""
+        spans = tuple(sorted({*self.waiting.in_file(file)})) if self.waiting is not None else ()
+        if not spans:
+            return {}
+        others = self.naming(file)
+        places = StoppedPlaces(file, spans, lambda name: is_in(name, others))
+        stops = [self.location(path, file, span) for span in spans]
+        return self.behind(path, loud, places, stops, (WAITS, BEHIND_WAIT))
+
+    @cached_property
+    def waiting(self) -> WaitingModules | None:
+        return WaitingModules(self.installed) if self.installed is not None else None
+
     def behind(
-        self, path: str, loud: Sequence[Finding], places: StoppedPlaces, stops: Sequence[Location]
+        self,
+        path: str,
+        loud: Sequence[Finding],
+        places: StoppedPlaces,
+        stops: Sequence[Location],
+        said: tuple[str, str] = (FIRST, BEHIND),
     ) -> dict[int, Finding]:
         first = next((each for each in stops if not places.has(each.span.start)), None)
         found: dict[int, Finding] = {}
         for each in loud if first is not None else ():
             own = each.code in AT_RUN and each.location.path == path
             if own and first is not None and all(places.has(at.span.start) for at in all_places(each, path)):
-                related = (*each.related, (first, FIRST))
-                message = each.message + BEHIND
+                related = (*each.related, (first, said[0]))
+                message = each.message + said[1]
                 found[id(each)] = replace(each, severity=Severity.INFO, message=message, related=related)
         return found
 

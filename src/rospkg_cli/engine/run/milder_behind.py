@@ -11,10 +11,9 @@ from .finding_builder import AT_RUN
 
 
 def milder_behind(results: list[Finding | RuleCrash], inputs: Callable[[type], list[Any]]) -> list[Finding | RuleCrash]:
-    """Return results with an info for each fault that nobody meets as long as another one raises before."""
-    loud = [each for each in results if isinstance(each, Finding) and each.severity is not Severity.INFO]
-    at_run = [each for each in results if isinstance(each, Finding) and each.code in AT_RUN]
-    if not (loud[1:] or at_run[1:]) or all(each.severity is Severity.INFO for each in at_run):
+    """Return results with an info for each fault that nobody meets as long as the run ends or waits before."""
+    at_run = (each for each in results if isinstance(each, Finding) and each.code in AT_RUN)
+    if all(each.severity is Severity.INFO for each in at_run):
         return results
     from .earlier_faults import EarlierFaults
 

@@ -59,7 +59,7 @@ WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
         Severity.INFO: "no program is shown to come to it, or under several conditions alone, nothing in the package "
         "calls the function, imports the module, or installs the file, a switch "
         "turns it off that nothing throws, it stands behind `rclpy.spin`, an attribute is read under a "
-        "condition, or the run ends before, at another fault",
+        "condition, or the run ends before, at another fault or in a wait that nothing ends",
     },
     examples=(
         Example(

@@ -44,8 +44,8 @@ def main():
         "test, or in a program that nothing starts, beside others that are started",
         Severity.INFO: "no program is shown to come to it, or under several conditions alone, it is under a condition "
         "(`__main__` of an entry point's module), behind `rclpy.spin`, nothing in the package calls the function, or "
-        "imports the module, the run ends before, at another fault, or the repository is for Dashing or older alone, "
-        "which need no depth",
+        "imports the module, the run ends before, at another fault or in a wait, or the repository is for Dashing or "
+        "older alone, which need no depth",
     },
     examples=(
         Example(
