@@ -153,18 +153,18 @@ def test_a_test_that_python_makes_is_a_warning(test: str) -> None:
 @pytest.mark.parametrize(
     "action, level",
     [
-        ("LogInfo(msg='x', condition=a)", "warning"),
-        ("Node(package='p', executable='e', output='scren')", "warning"),
-        ("TimerAction(period=5.0, actions=LogInfo(msg='x'))", "warning"),
-        ("IncludeLaunchDescription(source, launch_arguments={'a': 'x'})", "warning"),
+        ("LogInfo(msg='x', condition=a)", "info"),
+        ("Node(package='p', executable='e', output='scren')", "info"),
+        ("TimerAction(period=5.0, actions=LogInfo(msg='x'))", "info"),
+        ("IncludeLaunchDescription(source, launch_arguments={'a': 'x'})", "info"),
         ("Node(package='p', executable='e', arguments=['--x', 1.5])", None),
     ],
 )
-def test_what_launch_looks_at_later_is_a_warning_where_nothing_adds_it(action: str, level: str | None) -> None:
+def test_what_launch_looks_at_later_is_an_info_where_nothing_adds_it(action: str, level: str | None) -> None:
     text = f"{HEAD}def generate_launch_description():\n    action = {action}\n    return LaunchDescription([ADDED])\n"
     (fault,) = call_faults(read(text.replace("ADDED", "")))
     assert fault.level == level
-    assert fault.message.endswith(", as soon as the action is added") is (level == "warning")
+    assert fault.message.endswith(", as soon as the action is added") is (level == "info")
     (added,) = call_faults(read(text.replace("ADDED", "action")))
     assert added.level is None
 

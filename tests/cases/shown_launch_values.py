@@ -175,6 +175,14 @@ BLOCKS = (
     block(ONE, node(NAMED), '<include file="$(find-pkg-share other)/launch/b.launch.xml"/>'),
     block(ONE, node(NAMED), **{"launch/b.launch.xml": '<launch>\n  <let name="f" value="robot.yaml"/>\n</launch>\n'}),
 )
+BRIDGE_OFF = Example(
+    bad={
+        "package.xml": NEEDED,
+        "launch/a.launch.xml": '<launch>\n  <arg name="sim" default="false"/>\n  <node pkg="ros_gz_bridge" '
+        'exec="parameter_bridge" args="/a@std_msg/msg/String@gz.msgs.StringMsg" if="$(var sim)"/>\n</launch>\n',
+    },
+    good={},
+)
 DROPPED = Example(
     bad={
         "package.xml": NEEDED,
@@ -191,7 +199,7 @@ CASES = {
     "LCH013": LATE,
     "LCH014": (DEFAULTS,),
     "LCH017": (UNREAD,),
-    "LCH019": (BRIDGE,),
+    "LCH019": (BRIDGE, BRIDGE_OFF),
     "LCH021": (DROPPED,),
     "PRM003": BLOCKS,
     "PRM009": tuple(

@@ -6,16 +6,20 @@ import ast
 import posixpath
 from collections.abc import Iterator, Sequence
 from functools import cached_property
+from typing import Annotated
 
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import nodes_of_kind
 from ..languages.python.unread_values import never_added
 from ..lazy_regex import regex
-from ..light_dataclasses import dataclass
+from ..light_dataclasses import dataclass, replace
 from ..package.file_role import Role
 from ..package.launch.uncalled_functions import uncalled_functions
 from ..ros.share_layout import LAUNCH
 from ..source import Span
+from ..unreadable import READABLE
+from .launch.missing_references import LaunchContext
+from .launch.unread_values import UnreadValues
 from .run_imports import RunImports
 
 JOINS = frozenset({"os.path.join", "path.join", "osp.join", "posixpath.join"})
@@ -39,6 +43,8 @@ class DroppedPath:
     """The beginning of that part, as far as it is known."""
     dropped: str
     """What stands before it, in the source."""
+    is_for_nothing: bool = False
+    """Whether only an argument of a launch file has it that nothing reads."""
 
     @property
     def is_of_system(self) -> bool:
@@ -48,18 +54,25 @@ class DroppedPath:
     def is_unused(self) -> bool:
         """Whether it is for an action that a launch file never adds, or a local variable that nothing reads."""
         is_launch = LAUNCH.fullmatch(posixpath.basename(self.file.path)) is not None
-        return is_launch and any(
-            value.contains(self.span) for value in (*never_added(self.file), *uncalled_functions(self.file))
+        return self.is_for_nothing or (
+            is_launch
+            and any(value.contains(self.span) for value in (*never_added(self.file), *uncalled_functions(self.file)))
         )
 
 
 @dataclass(frozen=True)
 class DroppedPaths:
     run: RunImports
+    launches: Annotated[tuple[LaunchContext, ...], READABLE]
 
     @cached_property
     def all(self) -> tuple[DroppedPath, ...]:
-        return tuple(each for role, file in self.run.files for each in dropped_in(file, role))
+        found = (each for role, file in self.run.files for each in dropped_in(file, role))
+        return tuple(replace(each, is_for_nothing=self.is_for_nothing(each)) for each in found)
+
+    def is_for_nothing(self, dropped: DroppedPath) -> bool:
+        scopes = (each for each in self.launches if each.file.path == dropped.file.path)
+        return any(UnreadValues(each).holds(dropped.span) for each in scopes)
 
 
 def dropped_in(file: PythonFile, role: Role) -> Iterator[DroppedPath]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import Annotated
 
 from ...languages.python.evaluate.values import Argument, Call, Constant, Function, Sequence, Value
 from ...languages.python.unread_values import never_added
@@ -14,6 +15,7 @@ from ...package.launch.launch_file import LaunchFile
 from ...ros.launch_calls import ACTIONS, SIGNATURES, Signature
 from ...source import Span
 from ...suggest import nearest
+from ...unreadable import READABLE
 from ..fault import Fault, softer, softer_advice
 from ..logged_texts import logged_spans
 from ..older_distribution import OlderDistribution
@@ -23,6 +25,8 @@ from .include_sources import source_faults
 from .joined_commands import joined_command, joined_mapping, joined_words
 from .joined_options import joined_options
 from .lone_commas import added_faults, at_the_comma, lone_commas, used_at_the_comma
+from .lost_faults import where_met
+from .missing_references import LaunchContext
 from .performed_texts import performed_faults
 from .program_prefixes import PROCESSES
 from .python_truth import Truth, test_faults, truth_values, use_faults
@@ -44,10 +48,14 @@ VISITED = frozenset({"condition", "output", "actions", "pairs"})
 class LaunchCalls:
     file: LaunchFile
     distribution: OlderDistribution
+    scopes: Annotated[tuple[LaunchContext, ...], READABLE] = ()
+    """All launch files of the package, where what they are among can be read."""
 
     def faults(self) -> Iterator[Fault]:
         """Yield what launch or Python refuses; an info where the only distribution that is meant lets it pass."""
-        for fault in call_faults(self.file):
+        own = next((each for each in self.scopes if each.file.path == self.file.path), None)
+        found = call_faults(self.file)
+        for fault in found if own is None else where_met(own, found):
             is_later = fault.level is None and fault.message.startswith(LATER)
             if is_later and self.distribution.is_for_older(self.file.path):
                 yield softer(fault, "info", "but not in Foxy")
@@ -81,7 +89,7 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
                 late = is_idle and signature.kinds.get(keyword) in VISITED
                 for found in argument_faults(class_of(call), keyword, argument, truths):
                     fault = at_the_comma(with_its_name(found, argument, launch), argument, commas)
-                    yield softer(fault, "warning", "as soon as the action is added") if late else fault
+                    yield softer(fault, "info", "as soon as the action is added") if late else fault
     tested = {argument.value.span for call in launch.calls for argument in tests_of(call)}
     shown = logged_spans(launch.file)
     for use in launch.uses:

@@ -53,6 +53,8 @@ class UnsetConfiguration:
     """Whether it has a default, which is what it always is."""
     is_guess: bool = False
     """Whether the use may never run, or another name may be meant."""
+    is_unread: bool = False
+    """Whether it is bound to a local name that nothing reads: launch never asks for it."""
     is_inherited: bool = False
     """Whether a file that includes this one sets it; `declared` is the argument of no use that is likely meant."""
 
@@ -135,7 +137,13 @@ class LaunchConfigurations:
             if len(near) == 1 and self.mentions[name] == 1 and not self.is_elsewhere(name, near[0], has_default):
                 is_guess = is_far or (has_default and bool(file.includes))
                 yield UnsetConfiguration(
-                    name, use.span, "undeclared", (near[0],), has_default=has_default, is_guess=is_guess
+                    name,
+                    use.span,
+                    "undeclared",
+                    (near[0],),
+                    has_default=has_default,
+                    is_guess=is_guess,
+                    is_unread=not self.is_read(use.span),
                 )
 
     def unset_in_classes(self) -> Iterator[UnsetConfiguration]:
@@ -152,7 +160,15 @@ class LaunchConfigurations:
             is_inside = any(span.holds(use.span) for span in spans)
             if name and is_inside and name not in known and not self.workspace.launch.has(name):
                 may_be = bool(file.includes)
-                yield UnsetConfiguration(name, use.span, "undeclared", declared, may_be_included=may_be, is_guess=True)
+                yield UnsetConfiguration(
+                    name,
+                    use.span,
+                    "undeclared",
+                    declared,
+                    may_be_included=may_be,
+                    is_guess=True,
+                    is_unread=not self.is_read(use.span),
+                )
 
     def only_inherited(self) -> Iterator[UnsetConfiguration]:
         """Yield what only files that include this one set, where this one declares a like name that nothing uses.

@@ -36,7 +36,10 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
     "undeclared-launch-argument",
     over=LaunchConfigurations,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "others include it, or probably do, it declares none, or includes a file that is not here"},
+    levels={
+        Severity.INFO: "others include it, or probably do, it declares none, it includes a file that is not here, or "
+        "nothing reads the variable"
+    },
     examples=(
         Example(
             bad={"package.xml": NEEDED, "launch/a.launch.xml": BAD},
@@ -63,12 +66,12 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
     ## When it is quiet
     In files that can't be evaluated to the end, or that set configurations of unknown names, a name is told that stands
     there once and is one letter from an argument which nothing mentions but its declaration (an info, where it is less
-    like it); so it is, with a default, in any file, and an info where the file includes others, which may read the
-    argument. What only a class of the file uses is an info. So is what only those that include it set, where it
-    declares an argument that begins its name (`R` for `roll`) and uses it nowhere. One that others include may get the
-    argument from them: an info, as where it uses many, or declares none at all: then it is the user, or the file that
-    includes it, who must set it. Where it includes a file that is not here, it is an info, if it declares others and no
-    file of the workspace has that name.
+    like it, or nothing reads the variable that it is bound to); so it is, with a default, in any file, and an info
+    where the file includes others, which may read the argument. What only a class of the file uses is an info. So is
+    what only those that include it set, where it declares an argument that begins its name (`R` for `roll`) and uses it
+    nowhere. One that others include may get the argument from them: an info, as where it uses many, or declares none at
+    all: then it is the user, or the file that includes it, who must set it. Where it includes a file that is not here,
+    it is an info, if it declares others and no file of the workspace has that name.
     """
     file = configurations.file
     found = [each for each in configurations.unset() if each.state != "late"]
@@ -78,7 +81,8 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
     for each in found if not (many and configurations.is_included) else ():
         if many and each.is_passed_on:
             continue
-        is_mild = each.may_be_included or each.is_guess or (is_for_others and each.state == "undeclared")
+        is_mild = each.may_be_included or each.is_guess or each.is_unread
+        is_mild = is_mild or (is_for_others and each.state == "undeclared")
         mild = Severity.INFO if is_mild else level
         better = "; declare it, or give it a default"
         if each.has_default or each.is_inherited:
@@ -94,14 +98,20 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
             message, better = f"no file declares the launch argument `{each.name}`{hint}", "" if hint else better
         raised = f"KeyError: '{each.name}'" if each.is_lookup else f"launch configuration '{each.name}' does not exist"
         unless = "given, or set by a file that it includes" if each.may_be_included else "given"
-        yield Hit(file.path, each.span, f'{message}: unless {unless}, the launch stops ("{raised}"){better}', mild)
+        stops = f'unless {unless}, the launch stops ("{raised}"){unread(each)}'
+        yield Hit(file.path, each.span, f"{message}: {stops}{better}", mild)
+
+
+def unread(each: UnsetConfiguration) -> str:
+    """Return why nobody meets it today, where that is so."""
+    return ", as soon as something reads the variable, which nothing does" if each.is_unread else ""
 
 
 def always_default(each: UnsetConfiguration) -> str:
     """Return what is wrong with a use that has a default, which hides the slip."""
     meant = each.declared[0]
     what = f"no file declares the launch argument `{each.name}`, but `{meant}`, one letter away, which nothing uses"
-    return f"{what}: it always has its default, and setting `{meant}` has no effect; write them alike"
+    return f"{what}: it always has its default, and setting `{meant}` has no effect{unread(each)}; write them alike"
 
 
 def only_inherited(each: UnsetConfiguration) -> str:

@@ -43,9 +43,9 @@ def generate_launch_description():
     over=LaunchCalls,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the launch goes on, with another value than intended, or the action is never added",
-        Severity.INFO: "it is another value than intended, which nothing uses, or which is only printed, or the "
-        "repository is for Foxy alone, which takes it",
+        Severity.WARNING: "the launch goes on, with another value than intended",
+        Severity.INFO: "it is another value than intended, which nothing uses, or which is only printed, the action "
+        "is never added, or not by default, or the repository is for Foxy alone, which takes it",
     },
     examples=(
         Example(
@@ -79,8 +79,9 @@ def invalid_launch_call(calls: LaunchCalls) -> Iterator[Hit]:
     ## When it is quiet
     Arguments of unknown value are left alone, and files that `ros2 launch` can't start. In a function that nothing
     calls it is an info, and so is a LifecycleNode without a namespace where pages and scripts name Foxy alone, which
-    gives it one. What launch looks at only when it visits an action is a warning where nothing adds the action. A
-    number or word behind an option of one letter (`'-z' '1.5'`) lacks no comma: most programs take both in one word.
+    gives it one. What launch looks at only when it visits an action, and what goes on with another value, is an info
+    where nothing adds the action or reads the value or argument, or the action is off by default. A number or word
+    behind an option of one letter (`'-z' '1.5'`) lacks no comma: most programs take both in one word.
     `include_scoped_launch_py_description` of launch_pal takes a dict.
 
     ## Fix safety

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.launch.bridge_arguments import bridge_faults
 from ...checks.launch.bridge_configs import Bridges
+from ...checks.launch.lost_faults import where_met
 from ...edits.fault_hits import hits
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
@@ -30,6 +31,7 @@ NEEDED = "  <exec_depend>ros2launch</exec_depend>\n  <exec_depend>ros_gz_bridge<
     "unknown-bridge-type",
     over=Bridges,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "nothing adds the bridge to the launch description, or it is off by default"},
     examples=(
         Example(
             bad={"package.xml": manifest(NEEDED), "launch/a.launch.xml": BAD},
@@ -57,12 +59,13 @@ def unknown_bridge_type(bridges: Bridges) -> Iterator[Hit]:
 
     ## When it is quiet
     A package that may exist is believed, and so is a type of it that is near none of its known ones. A later bridge may
-    know other types of Gazebo, and one of the workspace other pairs.
+    know other types of Gazebo, and one of the workspace other pairs. A bridge that nothing adds to the launch
+    description, or that is off by default, is an info.
 
     ## Fix safety
     `std_msgs::msg::String` becomes `std_msgs/msg/String`, which names the same.
     """
     for scope in bridges.scopes:
-        yield from hits(scope.file.path, bridge_faults(scope))
+        yield from hits(scope.file.path, where_met(scope, bridge_faults(scope), (None,)))
     for path, fault in bridges.config_faults():
         yield from hits(path, [fault])

@@ -57,9 +57,9 @@ def dropped_path(paths: DroppedPaths) -> Iterator[Hit]:
     `os.path.join(share, '/config/robot.yaml')` is `/config/robot.yaml`, which nobody has.
 
     ## When it is quiet
-    Where the path begins with what stands before it, or that is unpacked with `*`. Where setup.py installs something
-    is SET208's. In a launch file it is an info where nothing adds the action, or reads the local variable, that the
-    path is for.
+    Where the path begins with what stands before it, or that is unpacked with `*`. Where setup.py installs something is
+    SET208's. In a launch file it is an info where nothing adds the action, or reads the local variable or the argument,
+    that the path is for.
     """
     for each in paths.all:
         how = "`/`" if each.by == "/" else f"`{each.by}`"

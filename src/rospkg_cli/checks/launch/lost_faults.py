@@ -1,0 +1,33 @@
+"""Faults of a launch file that only show in what it gives the system, and that stand where nothing reads or visits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from ..fault import Fault, Level, softer_advice
+from .idle_actions import NEVER_ADDED, NEVER_CALLED, OFF, UNUSED, level_at
+from .missing_references import LaunchContext
+from .unread_values import UnreadValues
+
+LOST = (NEVER_ADDED, NEVER_CALLED, OFF, UNUSED)
+"""Why nobody meets a fault in a plain launch."""
+LATE: tuple[Level | None, ...] = ("warning",)
+"""The level of a fault with which the launch goes on; with others Python stops where it makes the value."""
+
+
+def where_met(scope: LaunchContext, faults: Iterable[Fault], late: tuple[Level | None, ...] = LATE) -> Iterator[Fault]:
+    """Yield faults as infos where no plain launch comes to them; those that are told so already as they are.
+
+    `late` are the levels of what shows only once launch visits the action or reads the value.
+    """
+    for fault in faults:
+        why = why_lost(scope, fault) if fault.level in late else ""
+        yield softer_advice(fault, "info", why) if why else fault
+
+
+def why_lost(scope: LaunchContext, fault: Fault) -> str:
+    """Return why a plain launch does not come to a fault; "" where it may."""
+    level, why = level_at(scope.file, fault.span)
+    if level == "info" and why in LOST:
+        return why
+    return UNUSED if UnreadValues(scope).holds(fault.span) else ""
