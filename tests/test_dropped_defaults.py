@@ -57,6 +57,36 @@ def test_a_default_of_the_code(name: str, value: str, level: str) -> None:
     }
     (found,) = lint_files(files, ["PRM007"]).findings
     assert found.severity.value == level
+    assert ("and nothing differs: it is the default of `frame_id`; did you mean" in found.message) is (level == "info")
+
+
+@pytest.mark.parametrize(("value", "level"), [("map", "info"), ("odom", "warning"), ("$(var frame)", "warning")])
+def test_a_default_in_a_launch_file(value: str, level: str) -> None:
+    given = "".join(f'<param name="{n}" value="{v}"/>' for n, v in (("rate", "2.0"), ("frame_di", value)))
+    files = {
+        "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"),
+        "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+        "my_pkg/__init__.py": "",
+        "my_pkg/talker.py": CODE.format(rate=1.0),
+        "launch/a.launch.xml": f'<launch><node pkg="my_pkg" exec="talker">{given}</node></launch>\n',
+    }
+    (found,) = lint_files(files, ["PRM007"]).findings
+    assert found.severity.value == level
+
+
+@pytest.mark.parametrize(("value", "level"), [("20.0", "info"), ("20", "info"), ("10.0", "warning")])
+def test_a_default_of_a_node_that_everybody_uses(value: str, level: str) -> None:
+    given = f"ontroller_frequency: {value}\n    min_x_velocity_threshold: 0.01\n    failure_tolerance: 0.3\n"
+    files = {
+        "package.xml": manifest("  <exec_depend>nav2_bringup</exec_depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package", "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package"
+        ),
+        "config/a.yaml": f"controller_server:\n  ros__parameters:\n    {given}",
+        "launch/a.launch.xml": LAUNCH.format("nav2_controller", "controller_server"),
+    }
+    (found,) = lint_files(files, ["PRM007"]).findings
+    assert found.severity.value == level
 
 
 @pytest.mark.parametrize(("value", "level"), [("true", "info"), ("True", "info"), ("false", "warning")])

@@ -67,11 +67,23 @@ DEFAULTS: dict[str, dict[str, str]] = {
     },
 }  # fmt: skip
 """What the parameters of plugins are where nothing is given, by package and the last part of their name."""
+OF_NODES: dict[str, dict[str, str]] = {
+    "nav2_controller": {
+        "controller_frequency": "20.0", "costmap_update_timeout": "0.3", "failure_tolerance": "0.0",
+        "min_theta_velocity_threshold": "0.0001", "min_x_velocity_threshold": "0.0001",
+        "min_y_velocity_threshold": "0.0001", "publish_zero_velocity": "true", "speed_limit_topic": "speed_limit",
+        "use_realtime_priority": "false",
+    },
+    "nav2_planner": {"costmap_update_timeout": "1.0", "expected_planner_frequency": "1.0"},
+}  # fmt: skip
+"""What the parameters of nodes are where nothing is given, alike in all distributions that have them."""
 
 
 def default_of(package: str, name: str) -> str:
-    """Return the default of a parameter of a plugin of a well-known package; "" where none is known."""
-    return DEFAULTS.get(package, {}).get(name.rpartition(".")[2], "") if "." in name else ""
+    """Return the default of a parameter of a well-known package, of a node or a plugin; "" where none is known."""
+    if "." not in name:
+        return OF_NODES.get(package, {}).get(name, "")
+    return DEFAULTS.get(package, {}).get(name.rpartition(".")[2], "")
 
 
 def is_same_value(text: str, default: str) -> bool:

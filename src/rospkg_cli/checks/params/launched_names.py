@@ -86,7 +86,7 @@ class LaunchedNames:
         declared = {name for name in given if any(one.fits(name) for one in facts.parameters)}
         free = {one.name for one in facts.parameters if not one.tail} - given
         for entry in each.node.parameters:
-            for text, _ in entry.values:
+            for text, value in entry.values:
                 name = text.literal or ""
                 others = [other for other in given if other != name and is_its_own(other)]
                 known = sum(other in declared or bool(with_dots(other, free)) for other in others)
@@ -99,7 +99,20 @@ class LaunchedNames:
                     start, started = start_of(each.launch, each.node), each.node.executable or each.node.plugin
                     program = started.literal if started is not None else None
                     meant = "" if is_of_another(near[0], program, facts) else near[0]
-                    yield LaunchedName(each.launch.path, text.span, facts.name, name, meant, start=start)
+                    is_same = is_default_of(facts, meant, value.literal or "")
+                    place = each.launch.path, text.span, facts.name, name, meant
+                    yield LaunchedName(*place, start=start, is_default=is_same)
+
+
+def is_default_of(facts: PackageFacts, name: str, value: str) -> bool:
+    """Return whether a value is the default that every declaration of a parameter in a package has."""
+    fitting = [each for each in facts.parameters if each.fits(name)] if name else []
+    return bool(fitting) and all(is_same_value(value, each.default) for each in fitting)
+
+
+def same_as_default(meant: str) -> str:
+    """Return why nobody meets it that a value is dropped which is the default of the parameter that is meant."""
+    return f", and nothing differs: it is the default of `{meant}`"
 
 
 def with_dots(name: str, names: Collection[str]) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.idle_nodes import hardest
-from ...checks.params.launched_names import unknown_to_known
+from ...checks.params.launched_names import same_as_default, unknown_to_known
 from ...checks.params.unknown_parameters import UnknownParameters, unread
 from ...edits.dropped_values import also, dropped_value
 from ...edits.fault_hits import hits
@@ -112,10 +112,12 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     for group in scope.given.groups():
         for parameter, meant in group.unknown():
             last, by = meant.rpartition(".")[2], group.owners[0].name
-            message = f"`{by}` declares no parameter `{parameter.name}`: the value is dropped; did you mean `{last}`?"
-            is_idle = scope.readers.is_idle(group.file.path, parameter.key.span) or group.is_default(parameter, meant)
+            same = same_as_default(last) if group.is_default(parameter, meant) else ""
+            dropped = f"`{by}` declares no parameter `{parameter.name}`: the value is dropped{same}"
+            is_mild = bool(same) or scope.readers.is_idle(group.file.path, parameter.key.span)
             fix = only_plain_names(renamed(group, parameter, meant), last)
-            yield Hit(group.file.path, parameter.key.span, message, Severity.INFO if is_idle else None, fix=fix)
+            place, level = (group.file.path, parameter.key.span), Severity.INFO if is_mild else None
+            yield Hit(*place, f"{dropped}; did you mean `{last}`?", level, fix=fix)
     for file, parameter, meant, other in scope.unlike_variants():
         message = f"`{scope.given.package.name}` declares no parameter `{parameter.name}`: the value is dropped"
         level = Severity.INFO if scope.readers.is_idle(file.path, parameter.key.span) else None
