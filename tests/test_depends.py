@@ -796,6 +796,26 @@ def test_a_program_before_a_node_must_be_installed(attributes: str, says: bool) 
     assert prefixed(xml(f'<node pkg="my_pkg" exec="a" {attributes}/>'), body=line("xterm")) == []
 
 
+def told_of_xterm(other: str) -> list[str]:
+    node = '<node pkg="my_pkg" exec="a" launch-prefix="xterm -e"/>'
+    files = {**PYTHON, "package.xml": manifest(""), "launch/a.launch.xml": xml(f"{other}{node}")}
+    return [f.severity.value for f in lint_files(files, ["DEP103"]).findings if "`xterm`" in f.message]
+
+
+@pytest.mark.parametrize(
+    "other, level",
+    [
+        ('<include file="$(find-pkg-share unheard_of_bringup)/launch/b.launch.py"/>', "info"),
+        ('<node pkg="unheard_of_bringup" exec="b"/>', "info"),
+        ('<arg name="sim" default="false"/><node pkg="unheard_of_bringup" exec="b" if="$(var sim)"/>', "warning"),
+        ('<node pkg="turtlesim" exec="turtlesim_node"/>', "warning"),
+        ('<node pkg="my_pgk" exec="b"/>', "warning"),
+    ],
+)
+def test_a_program_that_may_come_with_what_the_launch_file_needs(other: str, level: str) -> None:
+    assert told_of_xterm(other) == [level]
+
+
 @pytest.mark.parametrize(
     "arguments, says",
     [

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.brought_programs import BroughtPrograms
 from ...checks.depends.name_source import is_unmet
 from ...checks.depends.undeclared_launch_packages import LaunchDependencies
 from ...checks.launch.absent_package import ends_with
@@ -81,13 +82,14 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
 
     ## When it is quiet
     What `ros2 launch` needs (launch, launch_ros, rclpy, PyYAML) is there. What a declared dependency certainly installs
-    or may bring, as anything may come with a package that is not here, is one info; what only an argument turns on
-    (`sim:=true`) is an info that names the argument; so are packages for examples, what only launch files need that
-    nothing installs and no page or other file names, what stands in a function that nothing calls or behind
-    `if="false"`, and unknown packages where a `.repos` file lists repositories that are not here, or a README links to
-    theirs, and what another package of the repository declares where nothing shows a release. Left out are computed
-    names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS
-    1, actions that nothing adds, and what a module imports too (DEP101).
+    or may bring, as anything may come with a package that is not here, is one info, and so is a program before a node
+    (`xterm -e`) of a launch file that stops without such a package; what only an argument turns on (`sim:=true`) is an
+    info that names the argument; so are packages for examples, what only launch files need that nothing installs and no
+    page or other file names, what stands in a function that nothing calls or behind `if="false"`, and unknown packages
+    where a `.repos` file lists repositories that are not here, or a README links to theirs, and what another package of
+    the repository declares where nothing shows a release. Left out are computed names, uses that catch
+    PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, actions that
+    nothing adds, and what a module imports too (DEP101).
 
     ## Fix safety
     The fix is unsafe where no released package has the name, where a comment of package.xml leaves it out, or where
@@ -101,7 +103,8 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
         missing = launch.asked_for(tests=tests)
         if not tests and missing.keys() & LAUNCH:
             yield no_launch(launch.declared, {name: missing.pop(name) for name in sorted(missing.keys() & LAUNCH)})
-        bringers = launch.declared.bringers(missing, runs=not tests)
+        perhaps = BroughtPrograms(missing, launch).bringers()
+        bringers = {**perhaps, **launch.declared.bringers(missing, runs=not tests)}
         for name, uses in missing.items():
             bringer = bringers.get(name)
             if bringer and (bringer.is_certain or launch.meant(name) is None):
