@@ -11,6 +11,8 @@ ROBOT = """\
 """
 FOUND, RELATIVE = "$(find my_pkg)/meshes/a.stl", "meshes/a.stl"
 OPEN = '<let name="m" value="$(find-pkg-share my_pkg)/urdf/r.urdf.xacro"/>'
+BESIDE = "../meshes/a.stl"
+CREATE = '<node pkg="ros_gz_sim" exec="create" args="-file $(find-pkg-share my_pkg)/urdf/r.urdf.xacro -name r"/>'
 GAZEBO = '<node pkg="gazebo_ros" exec="spawn_entity.py"/>'
 RVIZ = '<node pkg="rviz2" exec="rviz2"{}/>'
 OFF, ON = (f'<arg name="rviz" default="{each}"/>' + RVIZ.format(' if="$(var rviz)"') for each in ("false", "true"))
@@ -48,6 +50,16 @@ def opened(mesh: str = FOUND, other: str = "", top: str = "", /, **launches: str
     return Example(on="", bad=bad, good={})
 
 
+def made(example: Example) -> Example:
+    """The same of a `.urdf`, which Gazebo opens without xacro."""
+    plain = {
+        path.replace(".xacro", ""): text.replace(".urdf.xacro", ".urdf")
+        for path, text in example.bad.items()
+        if isinstance(text, str)
+    }
+    return Example(on="", bad=plain, good={})
+
+
 CASES = {
     "URD002": (
         opened(a=OPEN + GAZEBO),
@@ -62,6 +74,13 @@ CASES = {
         opened(a=OPEN + include("display", "urdf_launch")),
         opened(a=OPEN + include("gzserver", "gazebo_ros")),
         opened(RELATIVE, a=OPEN + GAZEBO),
+        made(opened(BESIDE, a=CREATE)),
+        made(opened(BESIDE, a=CREATE + RVIZ.format(""))),
+        made(opened(RELATIVE, a=CREATE)),
+        made(opened(BESIDE, a=CREATE.replace("create", "spawn_entity.py").replace("ros_gz_sim", "gazebo_ros"))),
+        made(opened(BESIDE, a=CREATE, b=OPEN)),
+        made(opened(BESIDE, OPEN, a=CREATE)),
+        made(opened(BESIDE, a=CREATE + '<node pkg="robot_state_publisher" exec="robot_state_publisher"/>')),
         opened(FOUND, OPEN + GAZEBO),
         opened(FOUND, OPEN + RVIZ.format("")),
         opened(FOUND, include("a") + RVIZ.format(""), a=OPEN),

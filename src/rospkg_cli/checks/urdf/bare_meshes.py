@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Collection
 
 from ...files import PackageFiles
 from ...languages.xml.parser import Document
@@ -32,7 +33,7 @@ def bare_meshes(document: Document, files: PackageFiles, package: PackageFacts) 
     return found
 
 
-def is_relative(found: dict[tuple[Span, str], str]) -> bool:
+def is_relative(found: Collection[tuple[Span, str]]) -> bool:
     """Return whether Gazebo does not find one of such meshes either: it does by what xacro makes of `$(find …)`."""
     return not all(FOUND.fullmatch(path) for _, path in found)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -14,12 +14,15 @@ from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_file import ResourceReference, RobotFile
 from ...package.workspace import Workspace
 from ...ros.share_layout import FOLDERS
+from ...source import Span
 from ...suggest import nearest
 from ..closest_path import closest_path
 from ..fault import Fault, softer
 from ..install_faults import InstallFaults
+from .bare_meshes import is_relative
 from .emptied_folders import emptied_folders
 from .fetched_meshes import ARCHIVES, FetchedMeshes
+from .given_to_gazebo import GivenToGazebo
 from .launched_robots import LaunchedRobots
 from .met_robots import MetRobots
 from .missing_resource import MissingResource, State
@@ -51,6 +54,7 @@ class RobotInWorkspace:
     replaced: ReplacedPaths
     fetched: FetchedMeshes
     beside: SameFolder
+    gazebo: GivenToGazebo
     table: InstallTable | None
 
     @property
@@ -69,6 +73,12 @@ class RobotInWorkspace:
     def is_met(self) -> bool:
         """Whether something of the workspace is shown to open the robot, so that somebody meets what it lacks."""
         return self.met.has(self.robot.path)
+
+    def misses_bare(self, meshes: Collection[tuple[Span, str]]) -> bool:
+        """Return whether somebody is shown to miss meshes without a scheme: Gazebo finds some paths all the same."""
+        path = self.robot.path
+        is_met = (self.launched if is_relative(meshes) else self.shown).has(path)
+        return is_met and not self.gazebo.finds(path, (each for _, each in meshes))
 
     @property
     def may_be_read_as_it_is(self) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.fault import Fault, Level, softer
-from ...checks.urdf.bare_meshes import bare_meshes, is_relative, without_scheme
+from ...checks.urdf.bare_meshes import bare_meshes, without_scheme
 from ...checks.urdf.missing_files import RobotInWorkspace
 from ...checks.urdf.missing_level import missing_fault
 from ...checks.urdf.missing_resource import MissingResource, advice, also
@@ -100,10 +100,10 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     reads, it is a warning; so it is in a robot that only code names, or a command of a page, and of an include of a
     `.urdf` that only another package may open, perhaps without xacro. It is an info in a robot that no launch file,
     code or command of a page of the workspace is shown to open, or that lies in a folder such as `old/`, and in a macro
-    that nothing here calls. The default of an argument
-    is an info where nothing reads the argument, or where each launch file that opens the robot gives another value. A
-    path without a scheme is one where no launch file opens the robot, or none that does starts RViz or move_group by
-    default, where Gazebo finds it: `$(find …)`. So is a path of which each launch file that opens the robot replaces a
+    that nothing here calls. The default of an argument is an info where nothing reads the argument, or where each
+    launch file that opens the robot gives another value. A path without a scheme is one where no launch file opens the
+    robot, or none that does starts RViz or move_group by default, where Gazebo finds it: `$(find …)`, or a relative one
+    where `create -file` alone opens the robot. So is a path of which each launch file that opens the robot replaces a
     part in its text, and a file that a page or a script of the package tells to fetch or unpack.
     """
     for each in scope.missing():
@@ -118,7 +118,7 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
         yield of_several(scope, found, *of_one_machine(found, scope.robot.document))
     bare = bare_meshes(scope.robot.document, scope.files, scope.package) if not scope.is_idle else {}
     if found := scope.beside.untold(scope.robot, list(bare)):
-        is_met = (scope.launched if is_relative(bare) else scope.shown).has(scope.robot.path)
+        is_met = scope.misses_bare(bare)
         yield of_several(scope, found, *without_scheme(bare, is_shown=is_met), None if is_met else "info")
 
 
