@@ -8,7 +8,7 @@ from typing import Any, get_args
 
 from ..files import ReaderInput
 from ..ros.distros import Targets
-from .cmake.cmake_facts import exported_targets, has_targets, registered_components
+from .cmake.cmake_facts import exported_targets, has_targets, registered_components, sought_packages
 from .cmake.kept_links import kept_links
 from .cmake.made_headers import has_other_headers, header_files
 from .contested_build_type import is_build_type_contested
@@ -130,6 +130,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("settled_folders",): one("settled_folders", settled_folders),
     ("cmake_targets",): of_exports,
     ("is_compiled",): one("is_compiled", has_targets),
+    ("sought_packages",): one("sought_packages", sought_packages),
     ("kept_links",): one("kept_links", kept_links),
     ("plugin_uses",): one("plugin_uses", plugin_uses),
     ("included_headers",): one("included_headers", included_headers),

@@ -126,6 +126,8 @@ class PackageFacts:
     """The targets that its CMake exports, with their namespace, as far as they are known."""
     is_compiled: bool = True
     """Whether its CMake has libraries or programs, as far as that is known: only these link others."""
+    sought_packages: frozenset[str] = frozenset({"*"})
+    """The packages that its CMake looks for; `*` stands for all that it declares, and for what is unknown."""
     kept_links: frozenset[str] = frozenset()
     """The packages that its CMake certainly finds for itself alone: no target or export hands them on."""
     modules: frozenset[str] = frozenset()

@@ -8,6 +8,7 @@ from functools import cached_property
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_facts import ANY
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.aliases import keys_for_cmake
@@ -37,6 +38,12 @@ class Consumers:
         name = self.facts.name
         needing = (each for each in self.workspace.needing(name) if each.is_ament and each.is_compiled)
         return tuple(each for each in needing if name in built_against(each, *BUILD))
+
+    @cached_property
+    def finders(self) -> tuple[PackageFacts, ...]:
+        """Those whose CMake looks for this package, as not all do that declare it: they stop where finding it does."""
+        wanted = (self.facts.name, ANY)
+        return tuple(each for each in self.builders if not each.sought_packages.isdisjoint(wanted))
 
     @cached_property
     def including(self) -> tuple[PackageFacts, ...]:

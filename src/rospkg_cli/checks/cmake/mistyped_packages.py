@@ -227,8 +227,12 @@ class MistypedPackages:
 
     @property
     def found_in_capitals(self) -> frozenset[str]:
-        """The names in capitals of libraries that CMake finds: Eigen3Config.cmake sets EIGEN3_FOUND too."""
-        return frozenset(name.upper() for name in self.found if name != name.lower())
+        """The names in capitals of libraries that CMake finds: Eigen3Config.cmake sets EIGEN3_FOUND too.
+
+        `find_package_handle_standard_args(ompl)` sets OMPL_FOUND; what ament writes for a package sets no other.
+        """
+        found = (name for name in self.found if name != name.lower() or not self.workspace.is_cased(name))
+        return frozenset(map(str.upper, found))
 
     @cached_property
     def declared(self) -> frozenset[str]:

@@ -44,11 +44,13 @@ class UnknownCommands:
     def nearest(self, name: str) -> str | None:
         """Return the command that is intended by one that is unknown.
 
-        None where all its words are those of commands: `add_gtest` may be somebody's own.
+        None where all its words are those of commands: `add_gtest` may be somebody's own, and where it begins like a
+        package that is found: `mrt_add_library` is of mrt_cmake_modules, and no slip of `qt_add_library`.
         """
         if (of_family := self.of_family(name)) is not None:
             return of_family
-        if len(name) < SHORTEST or self.words.issuperset(name.split("_")):
+        begin = name.partition("_")[0]
+        if len(name) < SHORTEST or self.words.issuperset(name.split("_")) or begin in self.vendors:
             return None
         alike = (each for each in self.known if digits(each) == digits(name))
         return next(iter(near_names(name, alike, 1 if len(name) < SHORT else 2)), None)
@@ -62,6 +64,11 @@ class UnknownCommands:
         begun = [each for each in family if each.startswith(start)] if len(words) > FEWEST else []
         near = same or begun
         return near[0] if len(near) == 1 else None
+
+    @cached_property
+    def vendors(self) -> frozenset[str]:
+        """The first words of the packages that are found, but those of families whose commands are all known."""
+        return frozenset(each.name.partition("_")[0] for each in self.cmake.packages).difference(RESERVED)
 
     @cached_property
     def known(self) -> frozenset[str]:

@@ -8,6 +8,10 @@ from .build import is_built_with_cmake
 from .cmake_project import PACKAGE_ENDS, CMake
 from .foreign_commands import foreign_commands
 
+SEARCHES = ("ament_auto_find_build_dependencies", "autoware_package")
+"""Commands that look for all that package.xml declares."""
+ANY = "*"
+
 
 def registered_components(reading: ReaderInput) -> tuple[frozenset[str], bool]:
     """Return the class names of the components of a package, and whether these are all."""
@@ -25,6 +29,16 @@ def has_targets(reading: ReaderInput) -> bool:
     """Return whether a package has libraries or programs of its own, or may have such."""
     cmake = reading.parts(CMake).only
     return cmake is None or bool(cmake.targets) or not cmake.is_complete
+
+
+def sought_packages(reading: ReaderInput) -> frozenset[str]:
+    """Return the packages that CMake looks for; ANY is all that package.xml declares, or what is unknown."""
+    cmake = reading.parts(CMake).only
+    if cmake is None or not cmake.is_complete or cmake.reads_unknown_files or cmake.named(*SEARCHES):
+        return frozenset({ANY})
+    if next(foreign_commands(cmake), None) is not None:
+        return frozenset({ANY})
+    return frozenset(each.name if each.word.is_known else ANY for each in cmake.packages)
 
 
 def exported_targets(reading: ReaderInput) -> tuple[tuple[str, ...], bool]:

@@ -67,15 +67,15 @@ def unknown_exported_library(exported: ExportedLibraries) -> Iterator[Hit]:
     ## When it is quiet
     For other names, which may be libraries of the system, for those that a command of another package is given, and
     where a file that can't be read is included. Under a condition that can't be evaluated. It is an info where no
-    package of the workspace is built with this one, unless it is a library for others, which is released and whose
-    pages tell how to use it.
+    package of the workspace looks for this one to be built, unless it is a library for others, which is released and
+    whose pages tell how to use it.
 
     ## Fix safety
     The nearest library may not be the one that was intended.
     """
     consumers = exported.consumers
     for each in exported.wrong():
-        is_needed = bool(consumers.including if each.kind == "unknown" else consumers.builders)
+        is_needed = bool(consumers.including if each.kind == "unknown" else consumers.finders)
         fix = None
         if each.near and exported.package.cmake.source_text(each.word).strip('"') == each.word.text:
             fix = Fix(f"write `{each.near}`", (Edit(each.word.path, each.word.span, each.near),), Safety.UNSAFE)
