@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import ast
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 
-from ...checks.depends.wrong_rclpy_calls import FOR_OLDER
 from ...checks.installed_modules import InstalledModules
 from ...files import PackageFiles
-from ...finding import AGAIN, Finding, Location, Severity
+from ...finding import Finding, Location, Severity
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import functions_of, nodes_of_kind
 from ...languages.python.stopped_places import StoppedPlaces
 from ...light_dataclasses import dataclass, replace
 from ...package.package_facts import PackageFacts
@@ -21,11 +18,9 @@ from ...package.run_events import RuleCrash
 from ...source import Span
 from .failing_modules import FailingModules
 from .finding_builder import AT_RUN
+from .stopping_places import StoppingPlaces, all_places, is_mild_stop, location
 from .waiting_modules import WaitingModules
 
-OF_IMPORTS = frozenset({"DEP109", "DEP110", "IDL011"})
-UNGENERATED = "IDL008"
-ALSO = ("here too", AGAIN)
 FIRST = "this raises first"
 BEHIND = "; the run ends before, at another line"
 WAITS = "nothing spins the node here, and so nothing ends this wait"
@@ -48,7 +43,7 @@ class EarlierFaults:
         for path in {each.location.path for each in loud if each.code in AT_RUN}:
             file = self.modules.at(path.removeprefix(f"{self.files.folder}/" if self.files.folder else ""))
             if file is not None:
-                spans = (at.span for each in mild for at in self.stops(each, path, file))
+                spans = (at.span for each in mild for at in self.stops.of(each, path, file))
                 found |= self.in_file(path, file, loud, (*failing.get(file.path, ()), *spans))
                 found |= self.behind_waits(path, file, [each for each in loud if id(each) not in found])
         return [found.get(id(each), each) for each in every]
@@ -60,7 +55,7 @@ class EarlierFaults:
         start = f"{self.files.folder}/" if self.files.folder else ""
 
         def stops(file: PythonFile) -> list[Span]:
-            return [at.span for each in loud for at in self.stops(each, f"{start}{file.path}", file)]
+            return [at.span for each in loud for at in self.stops.of(each, f"{start}{file.path}", file)]
 
         return FailingModules(self.installed, stops).imports()
 
@@ -68,8 +63,8 @@ class EarlierFaults:
         self, path: str, file: PythonFile, loud: Sequence[Finding], failing: Sequence[Span]
     ) -> dict[int, Finding]:
         """Return the milder findings of a file by the identities of those that they replace."""
-        stops = {span: self.location(path, file, span) for span in failing}
-        stops |= {at.span: at for each in loud for at in self.stops(each, path, file)}
+        stops = {span: location(path, file, span) for span in failing}
+        stops |= {at.span: at for each in loud for at in self.stops.of(each, path, file)}
         others = self.naming(file)
         places = StoppedPlaces(file, tuple(sorted(stops)), lambda name: is_in(name, others))
         return self.behind(path, loud, places, [stops[span] for span in sorted(stops)])
@@ -81,8 +76,12 @@ class EarlierFaults:
             return {}
         others = self.naming(file)
         places = StoppedPlaces(file, spans, lambda name: is_in(name, others))
-        stops = [self.location(path, file, span) for span in spans]
+        stops = [location(path, file, span) for span in spans]
         return self.behind(path, loud, places, stops, (WAITS, BEHIND_WAIT))
+
+    @cached_property
+    def stops(self) -> StoppingPlaces:
+        return StoppingPlaces(self.facts)
 
     @cached_property
     def waiting(self) -> WaitingModules | None:
@@ -106,27 +105,6 @@ class EarlierFaults:
                 found[id(each)] = replace(each, severity=Severity.INFO, message=message, related=related)
         return found
 
-    def stops(self, each: Finding, path: str, file: PythonFile) -> Iterator[Location]:
-        """Yield the places of a file at which a finding says that the run ends."""
-        if each.code == UNGENERATED and each.severity is Severity.ERROR:
-            yield from self.of_ungenerated(path, file)
-        elif each.code in AT_RUN:
-            is_certain = each.severity is Severity.ERROR
-            yield from (at for at in all_places(each, path) if is_certain or not may_pass(file, at.span))
-        elif each.code in OF_IMPORTS:
-            yield from all_places(each, path)
-
-    def of_ungenerated(self, path: str, file: PythonFile) -> Iterator[Location]:
-        """Yield the imports of interfaces that nothing generates."""
-        for each in file.imports:
-            kind = each.module.removeprefix(f"{self.facts.name}.")
-            if kind in ("msg", "srv", "action") and kind != each.module and not each.is_optional:
-                yield self.location(path, file, each.span)
-
-    def location(self, path: str, file: PythonFile, span: Span) -> Location:
-        start, end = (file.source.position(at) for at in (span.start, span.end))
-        return Location(path, span, *start, *end)
-
     def naming(self, file: PythonFile) -> list[str]:
         """Return what other files say that name a module, and may read what is in it."""
         module = re.compile(rf"(?<!\w){re.escape(file.path.rpartition('/')[2].removesuffix('.py'))}(?!\w)")
@@ -134,30 +112,7 @@ class EarlierFaults:
         return [text for each in others if module.search(text := self.files.readable_text(each))]
 
 
-def is_mild_stop(each: Finding) -> bool:
-    """Return whether an info tells of a place that is seldom come to, and then ends the run."""
-    return each.severity is Severity.INFO and each.code in AT_RUN and not each.message.endswith(FOR_OLDER)
-
-
 def is_in(name: str, texts: Sequence[str]) -> bool:
     """Return whether a text has a name as a word."""
     having = [each for each in texts if name in each]
     return bool(having) and any(map(re.compile(rf"(?<!\w){re.escape(name)}(?!\w)").search, having))
-
-
-def all_places(each: Finding, path: str) -> list[Location]:
-    """Return where a finding is met in one file."""
-    also = [at for at, what in each.related if what in ALSO]
-    return [at for at in (each.location, *also) if at.path == path]
-
-
-def may_pass(file: PythonFile, span: Span) -> bool:
-    """Return whether some Pythons or distributions pass over a place: a keyword of a message, or an annotation."""
-    keywords = any(file.span(each).holds(span) for each in nodes_of_kind(file.tree, ast.keyword))
-    return keywords or any(file.span(each).holds(span) for each in told_types(file))
-
-
-def told_types(file: PythonFile) -> Iterator[ast.expr]:
-    yield from (each.annotation for each in nodes_of_kind(file.tree, ast.arg) if each.annotation is not None)
-    yield from (each.annotation for each in nodes_of_kind(file.tree, ast.AnnAssign))
-    yield from (each.returns for each in functions_of(file.tree) if each.returns is not None)

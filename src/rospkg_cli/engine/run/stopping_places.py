@@ -1,0 +1,69 @@
+"""The places of a file of Python code at which findings say that the run ends."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from ...checks.depends.wrong_rclpy_calls import FOR_OLDER
+from ...finding import AGAIN, Finding, Location, Severity
+from ...languages.python.file import PythonFile
+from ...languages.python.nodes import functions_of, nodes_of_kind
+from ...light_dataclasses import dataclass
+from ...package.package_facts import PackageFacts
+from ...source import Span
+from .finding_builder import AT_RUN
+
+OF_IMPORTS = frozenset({"DEP109", "DEP110", "IDL011"})
+UNGENERATED = "IDL008"
+ALSO = ("here too", AGAIN)
+
+
+@dataclass(frozen=True)
+class StoppingPlaces:
+    facts: PackageFacts
+
+    def of(self, each: Finding, path: str, file: PythonFile) -> Iterator[Location]:
+        """Yield the places of a file at which a finding says that the run ends."""
+        if each.code == UNGENERATED and each.severity is Severity.ERROR:
+            yield from self.of_ungenerated(path, file)
+        elif each.code in AT_RUN:
+            is_certain = each.severity is Severity.ERROR
+            yield from (at for at in all_places(each, path) if is_certain or not may_pass(file, at.span))
+        elif each.code in OF_IMPORTS:
+            yield from all_places(each, path)
+
+    def of_ungenerated(self, path: str, file: PythonFile) -> Iterator[Location]:
+        """Yield the imports of interfaces that nothing generates."""
+        for each in file.imports:
+            kind = each.module.removeprefix(f"{self.facts.name}.")
+            if kind in ("msg", "srv", "action") and kind != each.module and not each.is_optional:
+                yield location(path, file, each.span)
+
+
+def location(path: str, file: PythonFile, span: Span) -> Location:
+    start, end = (file.source.position(at) for at in (span.start, span.end))
+    return Location(path, span, *start, *end)
+
+
+def is_mild_stop(each: Finding) -> bool:
+    """Return whether an info tells of a place that is seldom come to, and then ends the run."""
+    return each.severity is Severity.INFO and each.code in AT_RUN and not each.message.endswith(FOR_OLDER)
+
+
+def all_places(each: Finding, path: str) -> list[Location]:
+    """Return where a finding is met in one file."""
+    also = [at for at, what in each.related if what in ALSO]
+    return [at for at in (each.location, *also) if at.path == path]
+
+
+def may_pass(file: PythonFile, span: Span) -> bool:
+    """Return whether some Pythons or distributions pass over a place: a keyword of a message, or an annotation."""
+    keywords = any(file.span(each).holds(span) for each in nodes_of_kind(file.tree, ast.keyword))
+    return keywords or any(file.span(each).holds(span) for each in told_types(file))
+
+
+def told_types(file: PythonFile) -> Iterator[ast.expr]:
+    yield from (each.annotation for each in nodes_of_kind(file.tree, ast.arg) if each.annotation is not None)
+    yield from (each.annotation for each in nodes_of_kind(file.tree, ast.AnnAssign))
+    yield from (each.returns for each in functions_of(file.tree) if each.returns is not None)
