@@ -106,11 +106,11 @@ class ReachedModules:
 
     def naming(self, path: str) -> Iterator[str]:
         """Yield the files that name a module by its file or its dotted name."""
-        name, module = re.escape(path.rpartition("/")[2]), re.escape(self.installed.names[path])
-        word = re.compile(rf"(?<!\w)(?:{name}|{module})(?!\w)")  # `my_pkg.dot` is not named by `my_pkg.dot_qt`
+        words = path.rpartition("/")[2], self.installed.names[path]
+        word = re.compile(rf"(?<!\w)(?:{'|'.join(map(re.escape, words))})(?!\w)")  # `a.dot` is not named by `a.dot_qt`
         pages = (each for each in self.installed.files.paths if each.endswith((*PAGES, *NAMING)))
         others = {path, "setup.py"} if path in self.put_beside else {path}
-        return (each for each in pages if each not in others and self.names(each, word))
+        return (each for each in pages if each not in others and self.names(each, word, *words))
 
     @cached_property
     def put_beside(self) -> frozenset[str]:
@@ -123,9 +123,14 @@ class ReachedModules:
         rows = (row for row in self.table.of("executable") if row.path == "setup.py" and not row.entry)
         return frozenset(row.source for row in rows if row.source in self.installed.names)
 
-    def names(self, path: str, word: re.Pattern[str]) -> bool:
-        """Return whether a text names a module; a comment of code or of a list does not."""
+    def names(self, path: str, word: re.Pattern[str], *words: str) -> bool:
+        """Return whether a text names a module by one of some words; a comment of code or of a list does not.
+
+        A plain search goes first: data of many megabytes may be a `.txt`, and a pattern takes a hundred times as long.
+        """
         text = self.installed.files.readable_text(path)
+        if not any(each in text for each in words):
+            return False
         if path.endswith(PROSE) or not word.search(text):
             return bool(word.search(text))
         bare = without_comments(path, text) if path.endswith(".py") else live_text(self.installed.files, path)
@@ -192,7 +197,7 @@ class ReachedModules:
         """Return whether a text of the package that is no installed module names one."""
         word, files = re.compile(rf"(?<![\w.]){re.escape(module)}(?!\w)"), self.installed.files
         paths = (path for path in files.paths if path.endswith(NAMING) and path not in self.installed.names)
-        return any(self.names(path, word) for path in paths if role_of(path) in (*roles, "aside"))
+        return any(self.names(path, word, module) for path in paths if role_of(path) in (*roles, "aside"))
 
     def imported_by(self, each: Import, path: str) -> list[str]:
         inner = self.installed.absolute(each, path)

@@ -37,7 +37,8 @@ class StartedByPath:
         modules = set(self.installed.names) if rows else set[str]()
         modules -= {row.source for row in rows if not row.entry}
         pages = (path for path in self.installed.files.paths if modules and path.endswith(NAMING))
-        named = {name for path in pages for name in FILE.findall(self.installed.files.readable_text(path))}
+        texts = map(self.installed.files.readable_text, pages)
+        named = {name for text in texts if ".py" in text for name in FILE.findall(text)}  # a `.txt` may be all numbers
         return frozenset(path for path in modules if path.rpartition("/")[2] not in named)
 
     @cached_property
