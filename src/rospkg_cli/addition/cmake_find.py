@@ -10,13 +10,11 @@ from ..finding import Edit
 from ..languages.cmake.command_blocks import Block
 from ..languages.cmake.syntax import CommandInvocation
 from ..light_dataclasses import dataclass
+from ..package.cmake.cmake_facts import SEARCHES
 from ..package.cmake.cmake_project import CMake
 from ..package.package import Package
 from .named import is_needed
 from .part import Operations
-
-FINDERS = ("ament_auto_find_build_dependencies", "autoware_package")
-"""Commands that look for all that package.xml declares for the build."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +31,7 @@ class FoundInCMake:
             return ()
         root = cmake.root
         finders = [each for each in root.top if each.name == "find_package"]
-        if cmake.named(*FINDERS) or any(each.arguments and each.arguments[0].text == self.name for each in finders):
+        if cmake.named(*SEARCHES) or any(each.arguments and each.arguments[0].text == self.name for each in finders):
             return ()
         line = f"find_package({self.name} REQUIRED)"
         if finders:

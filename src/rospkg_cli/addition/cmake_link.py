@@ -7,11 +7,12 @@ from collections.abc import Iterator
 from ..edits.cmake_commands import add_after, add_argument, match_case, remove
 from ..languages.cmake.syntax import CommandInvocation
 from ..light_dataclasses import dataclass
+from ..package.cmake.cmake_facts import SEARCHES
 from ..package.cmake.cmake_project import CMake
 from ..package.package import Package
 from ..ros.names import BUILT_IN
 from .cmake_block import argument_removals
-from .cmake_find import FINDERS, cmake_of
+from .cmake_find import cmake_of
 from .part import Operations
 
 LINKERS = ("target_link_libraries", "ament_target_dependencies")
@@ -27,7 +28,7 @@ class Linked:
     def add(self, package: Package) -> Operations:
         """Return the edit, nothing where the target is linked already, or in a way that can't be seen here."""
         cmake = cmake_of(package)
-        if cmake.named(*FINDERS) or not BUILT_IN.is_package(self.name) or self.is_there(cmake):
+        if cmake.named(*SEARCHES) or not BUILT_IN.is_package(self.name) or self.is_there(cmake):
             return ()
         calls = self.calls(cmake)
         if calls:

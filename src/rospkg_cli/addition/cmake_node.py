@@ -7,12 +7,13 @@ from collections.abc import Iterator
 from ..edits.cmake_commands import remove
 from ..edits.cmake_install import LIBEXEC, block, install_executable, install_library
 from ..light_dataclasses import dataclass
+from ..package.cmake.cmake_facts import SEARCHES
 from ..package.cmake.cmake_project import CMake
 from ..package.package import Package
 from ..scaffold.cpp import targets_of
 from ..scaffold.requested_node import RequestedNode
 from .cmake_block import argument_removals, block_removals
-from .cmake_find import FINDERS, cmake_of
+from .cmake_find import cmake_of
 from .cmake_target import put_target
 from .part import Operations
 
@@ -42,7 +43,7 @@ class NodeTarget:
     def lines(self, cmake: CMake) -> str:
         """Return the commands, in lower case, without a blank line around them."""
         is_component = self.node.kind.name == "component"
-        automatic = "ament_auto_" if cmake.named(*FINDERS) else ""
+        automatic = "ament_auto_" if cmake.named(*SEARCHES) else ""
         kind, shared = ("library", " SHARED") if is_component else ("executable", "")
         lines = [f"{automatic}add_{kind}({self.name}{shared} src/{self.node.name}.cpp)"]
         if not self.library and not automatic and not sets_standard(cmake):

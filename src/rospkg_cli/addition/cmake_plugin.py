@@ -6,11 +6,12 @@ from collections.abc import Iterator
 
 from ..edits.cmake_commands import remove
 from ..light_dataclasses import dataclass
+from ..package.cmake.cmake_facts import SEARCHES
 from ..package.cmake.cmake_project import CMake
 from ..package.package import Package
 from ..scaffold.plugin import RequestedPlugin
 from .cmake_block import block_removals
-from .cmake_find import FINDERS, cmake_of
+from .cmake_find import cmake_of
 from .cmake_node import STANDARD, sets_standard
 from .cmake_target import put_target
 from .part import Operations
@@ -32,7 +33,7 @@ class PluginTarget:
     def lines(self, cmake: CMake) -> str:
         """Return the commands, in lower case, without a blank line around them."""
         name = self.plugin.library
-        automatic = bool(cmake.named(*FINDERS))
+        automatic = bool(cmake.named(*SEARCHES))
         lines = [f"{'ament_auto_' if automatic else ''}add_library({name} SHARED src/{self.plugin.name}.cpp)"]
         if not automatic and not sets_standard(cmake):
             lines.append(f"target_compile_features({name} PRIVATE {STANDARD})")

@@ -71,8 +71,11 @@ class DroppedPaths:
         return tuple(replace(each, is_for_nothing=self.is_for_nothing(each)) for each in found)
 
     def is_for_nothing(self, dropped: DroppedPath) -> bool:
-        scopes = (each for each in self.launches if each.file.path == dropped.file.path)
-        return any(UnreadValues(each).holds(dropped.span) for each in scopes)
+        return any(each.holds(dropped.span) for each in self.unread if each.scope.file.path == dropped.file.path)
+
+    @cached_property
+    def unread(self) -> tuple[UnreadValues, ...]:
+        return tuple(map(UnreadValues, self.launches))
 
 
 def dropped_in(file: PythonFile, role: Role) -> Iterator[DroppedPath]:

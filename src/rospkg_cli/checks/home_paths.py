@@ -156,9 +156,13 @@ class HomePaths:
         """Return whether a place is that of a variable of code, or of a value of a launch file, that nothing reads."""
         if self.unread is not None and self.unread.has(path, place):
             return True
-        files = (each for each in self.launches if each.path == path)
-        contexts = (LaunchContext(each, self.files, self.facts, self.workspace, self.table, None) for each in files)
-        return any(UnreadValues(each).holds(place) for each in contexts)
+        return any(each.holds(place) for each in self.unread_values if each.scope.file.path == path)
+
+    @cached_property
+    def unread_values(self) -> tuple[UnreadValues, ...]:
+        """What each launch file sets and nothing reads."""
+        rest = self.files, self.facts, self.workspace, self.table, None
+        return tuple(UnreadValues(LaunchContext(each, *rest)) for each in self.launches)
 
     def is_replaced(self, path: str, place: Span, text: str, value: str) -> bool:
         """Return whether YAML or launch files give nodes another value in place of a default, or of that of a file."""

@@ -14,6 +14,7 @@ from ..light_dataclasses import dataclass
 from ..package.cmake.cmake_project import CMake
 from ..package.file_role import role_of
 from ..package.install_table import InstallKind, InstallTable
+from ..package.launch.live_text import MARKUP as XML
 from ..package.launch.live_text import live_text
 from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
@@ -28,7 +29,6 @@ from .setup.linked_build import build_texts
 from .unrun_tests import is_unregistered
 
 KINDS: tuple[InstallKind, ...] = ("executable", "share", "module", "other")
-XML = (".launch", ".xml")
 BESIDE = ("CMakeLists.txt", ".cmake", "Makefile")
 
 

@@ -38,7 +38,7 @@ def is_named(path: str, files: PackageFiles) -> bool:
 def is_always_given(path: str, before: str, files: PackageFiles) -> bool:
     """Return whether what stands behind a text is the default of an argument that all callers of the file give."""
     found = ARGUMENT.search(before[-LONGEST:])
-    if found is None or role_of(path) != "launch":
+    if found is None:
         return False
     name = found[1] or found[2]
     given = re.compile(rf"(?<!\w){name}:=|[\"']{name}[\"']\s*[,:]|name\s*=\s*[\"']{name}[\"'][^<>]*\bvalue\s*=")

@@ -38,7 +38,7 @@ class StartedByPath:
         modules -= {row.source for row in rows if not row.entry}
         pages = (path for path in self.installed.files.paths if modules and path.endswith(NAMING))
         texts = map(self.installed.files.readable_text, pages)
-        named = {name for text in texts if ".py" in text for name in FILE.findall(text)}  # a `.txt` may be all numbers
+        named = {name for text in texts for name in python_files_in(text)}
         return frozenset(path for path in modules if path.rpartition("/")[2] not in named)
 
     @cached_property
@@ -47,3 +47,8 @@ class StartedByPath:
         entries = [row.entry.partition(":") for row in self.table.of("executable")]
         sources = self.installed.sources
         return frozenset((sources.get(module, ""), name.partition(".")[0]) for module, _, name in entries)
+
+
+def python_files_in(text: str) -> list[str]:
+    """Return the names of Python files that a text has; a plain search goes first, as a `.txt` may be all numbers."""
+    return FILE.findall(text) if ".py" in text else []

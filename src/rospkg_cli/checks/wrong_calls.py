@@ -5,14 +5,14 @@ from __future__ import annotations
 import ast
 
 from ..package.python.node_calls import called
-from ..ros.python_calls import OF_INDEX, Signature
+from ..ros.python_calls import OF_INDEX, CallSignature
 from .enumeration import in_ticks
 
 CATCHES = frozenset({"TypeError", "Exception", "BaseException"})
 NUMBERS = ("no argument", "one argument", "two arguments", "three arguments", "four arguments", "five arguments")
 
 
-def wrong_call(call: ast.Call, signature: Signature) -> str:
+def wrong_call(call: ast.Call, signature: CallSignature) -> str:
     """Return what is wrong with the arguments of a call; "" where nothing is, or that is known at run time alone."""
     given = [each for each in call.args if not isinstance(each, ast.Starred)]
     if len(given) > signature.most:

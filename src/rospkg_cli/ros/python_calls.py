@@ -6,35 +6,35 @@ from ..light_dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class Signature:
+class CallSignature:
     required: tuple[str, ...] = ()
     """What a call must give, by position or by name."""
     most: int = 0
     """How many arguments may be given by position; what else there is, is given by name."""
 
 
-NONE = Signature()
+NONE = CallSignature()
 OF_RCLPY = {
     "init": NONE,
     "ok": NONE,
     "shutdown": NONE,
     "try_shutdown": NONE,
-    "create_node": Signature(("node_name",), 1),
-    "spin": Signature(("node",), 2),
-    "spin_once": Signature(("node",), 1),
-    "spin_until_future_complete": Signature(("node", "future"), 4),
+    "create_node": CallSignature(("node_name",), 1),
+    "spin": CallSignature(("node",), 2),
+    "spin_once": CallSignature(("node",), 1),
+    "spin_until_future_complete": CallSignature(("node", "future"), 4),
 }
 OF_NODES = {
-    "create_client": Signature(("srv_type", "srv_name"), 2),
-    "create_publisher": Signature(("msg_type", "topic", "qos_profile"), 3),
-    "create_service": Signature(("srv_type", "srv_name", "callback"), 3),
-    "create_subscription": Signature(("msg_type", "topic", "callback", "qos_profile"), 4),
-    "create_timer": Signature(("timer_period_sec", "callback"), 5),
+    "create_client": CallSignature(("srv_type", "srv_name"), 2),
+    "create_publisher": CallSignature(("msg_type", "topic", "qos_profile"), 3),
+    "create_service": CallSignature(("srv_type", "srv_name", "callback"), 3),
+    "create_subscription": CallSignature(("msg_type", "topic", "callback", "qos_profile"), 4),
+    "create_timer": CallSignature(("timer_period_sec", "callback"), 5),
 }
 OF_INDEX = {
-    "get_package_prefix": Signature(("package_name",), 1),
-    "get_package_share_directory": Signature(("package_name",), 2),
-    "get_package_share_path": Signature(("package_name",), 2),
+    "get_package_prefix": CallSignature(("package_name",), 1),
+    "get_package_share_directory": CallSignature(("package_name",), 2),
+    "get_package_share_path": CallSignature(("package_name",), 2),
 }
 INDEX = "ament_index_python"
 """The package of these, which offers them itself, too."""

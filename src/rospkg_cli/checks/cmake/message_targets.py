@@ -8,6 +8,7 @@ from functools import cached_property
 from ...languages.cmake.values import Word
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_facts import SEARCHES
 from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...ros.core_messages import CORE_MESSAGES
 from ...ros.distros import Targets
@@ -16,7 +17,6 @@ from ..fault import Level
 from ..older_distribution import OlderDistribution
 from .mistyped_links import MistypedLinks
 
-AUTOMATIC = ("ament_auto_find_build_dependencies", "autoware_package")
 OF_ROS = regex(
     r"rcl\w*|rmw\w*|rcutils|rcpputils|tf2\w*|pluginlib|class_loader|image_transport|cv_bridge|message_filters|nav2_\w+|"
     r"\w+_interface|image_geometry|laser_geometry|diagnostic_updater|rosbag2_\w+|moveit_\w+|realtime_tools"
@@ -100,7 +100,7 @@ class MessageTargets:
     def found(self) -> frozenset[str]:
         """The packages that CMake certainly finds: DEP107 tells of others."""
         cmake = self.links.package.cmake
-        return self.links.found if cmake.named(*AUTOMATIC) else frozenset(each.name for each in cmake.packages)
+        return self.links.found if cmake.named(*SEARCHES) else frozenset(each.name for each in cmake.packages)
 
     def level_of_exported(self) -> Level | None:
         """Return how bad a target of a released package is: None unless an older distribution is certainly meant."""

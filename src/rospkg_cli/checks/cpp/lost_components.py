@@ -10,6 +10,7 @@ from ...languages.cpp.code_text import code_text
 from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_facts import SEARCHES
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.cmake.target_links import TargetLinks
@@ -22,7 +23,6 @@ LITTLE = {"cv_bridge": ("core", "imgproc", "imgcodecs", "calib3d"), "image_trans
 """Packages that find some components of OpenCV at most."""
 KEY = regex(r"lib|.*-")
 """How only keys of rosdep begin, and no packages that CMake finds for their users."""
-SEARCHES = frozenset({"ament_auto_find_build_dependencies", "autoware_package"})
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,8 +29,9 @@ class SourcesByUse:
         including = Inclusions(files)
         named = {testing: named_sources(cmake, files, testing) for testing in (False, True)}
         self.own = including.reached(named[False])
-        on = named_sources(cmake, files, False, asked=False) | named_sources(cmake, files, True, asked=False)
-        self.likely = including.reached(on)
+        off = SwitchedOff(cmake)
+        on = (named_sources(cmake, files, testing, off=off) for testing in (False, True))
+        self.likely = including.reached(set().union(*on))
         self.certain = including.reached(named_sources(cmake, files, False, maybe=False))
         headers = (path for path in files if path.endswith(HEADERS) and not cmake.only_tests)
         public = {path for path in headers if "include/" in path}
@@ -214,17 +215,16 @@ class Inclusions:
 
 
 def named_sources(
-    cmake: CMake, files: Collection[str], testing: bool, *, maybe: bool = True, asked: bool = True
+    cmake: CMake, files: Collection[str], testing: bool, *, maybe: bool = True, off: SwitchedOff | None = None
 ) -> set[str]:
     """Return the files that any command names: one that is run for tests alone, or one that always is.
 
-    Without `asked`, those are left out that nobody here asks for (`SwitchedOff`). Without `maybe`, commands and words
+    Those that are `off`, which nobody here asks for, are left out. Without `maybe`, commands and words
     under a condition that may not hold are left out, and commands that compile nothing by themselves. A header among
     the sources of a target is left out: the compiler opens it where a source includes it, but for Qt's moc, which reads
     what is listed.
     """
     bases: set[str] = set()
-    off = None if asked else SwitchedOff(cmake)
     has_moc = any("AUTOMOC" in text for call in cmake.calls for text in call.texts)
     for target in cmake.targets:
         base = path_in_package(target.folder.text, target.call.folder) if target.folder is not None else None

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from ...files import PackageFiles
 from ...package.file_role import is_set_aside, role_of
-from ...package.launch.live_text import OF_ROS1
+from ...package.launch.live_text import MARKUP, OF_ROS1
 from ...package.launch.text import uncommented
 
-MARKUP = (".launch", ".xml")
 OF_ROS2 = (".launch.xml", "_launch.xml")
 """How the names of launch files for ROS 2 end, which those for ROS 1 do not."""
 

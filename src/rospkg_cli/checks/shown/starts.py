@@ -11,21 +11,20 @@ from ...files import PackageFiles
 from ...languages.python.certain_nodes import is_guard
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import FunctionNode
-from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.install_table import InstallTable
+from ...package.launch.launch_evaluator import ENTRIES
 from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ..installed_modules import InstalledModules
 from ..run_imports import RunImports
+from ..started_by_path import python_files_in
 from ..unrun_tests import SOUGHT, is_never_run
 from .meanings import Meanings, Own
 
 STARTING = (".sh", ".bash", ".launch", ".xml", ".service", ".yaml", ".yml", ".py")
-FILE = regex(r"[\w.-]+\.py(?!\w)")
-OF_LAUNCH = ("generate_launch_description", "generate_test_description")
 OF_CASES = frozenset({"setUp", "tearDown", "setUpClass", "tearDownClass", "setup_method", "teardown_method"})
 OF_TESTS = frozenset({"setup_module", "teardown_module", "setup_function", "pytest_configure"})
 
@@ -54,7 +53,7 @@ class Starts:
         for role, file in self.run.files:
             if role == "launch":
                 yield Start(Own(file, file.tree))
-                yield from (Start(each) for each in functions(file, OF_LAUNCH))
+                yield from (Start(each) for each in functions(file, ENTRIES))
             elif self.is_test(file):
                 yield from tests_in(file, meanings)
             elif self.is_by_path(file):
@@ -100,7 +99,7 @@ class Starts:
         """The names of Python files that texts have which start programs."""
         paths = (each for each in self.files.paths if each.endswith(STARTING))
         others = (each for each in paths if each not in self.installed.names and each != "setup.py")
-        return frozenset(name for each in others for name in FILE.findall(live_text(self.files, each)))
+        return frozenset(name for each in others for name in python_files_in(live_text(self.files, each)))
 
     def is_test(self, file: PythonFile) -> bool:
         """Return whether `colcon test` collects what a file defines: CMake may name any, pytest looks for names."""
@@ -137,4 +136,4 @@ def is_case(owner: ast.ClassDef) -> bool:
 
 def is_of_tests(function: FunctionNode) -> bool:
     is_fixture = any("fixture" in ast.unparse(each) for each in function.decorator_list)
-    return is_fixture or function.name.startswith("test") or function.name in OF_CASES | OF_TESTS | {*OF_LAUNCH}
+    return is_fixture or function.name.startswith("test") or function.name in OF_CASES | OF_TESTS | {*ENTRIES}
