@@ -106,3 +106,102 @@ def test_a_default_of_a_plugin_that_everybody_uses(value: str, level: str) -> No
     }
     (found,) = lint_files(files, ["PRM007"]).findings
     assert found.severity.value == level
+
+
+NODE = """\
+<launch><node pkg="{}" exec="{}">{}</node></launch>
+"""
+PROBABLY = "where it is the default of `{}`, as such a value mostly is"
+
+
+def of_known(package: str, program: str, **values: str) -> tuple[str, str]:
+    """Return level and message of the one slip among values that a launch file gives a well-known node."""
+    given = "".join(f'<param name="{name}" value="{value}"/>' for name, value in values.items())
+    files = {
+        "package.xml": manifest(f"  <exec_depend>{package}</exec_depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package", "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\nament_package"
+        ),
+        "launch/a.launch.xml": NODE.format(package, program, given),
+    }
+    (found,) = lint_files(files, ["PRM007"]).findings
+    return found.severity.value, found.message
+
+
+@pytest.mark.parametrize(("value", "level"), [("false", "info"), ("true", "warning")])
+def test_a_default_that_the_table_of_joy_has(value: str, level: str) -> None:
+    found, message = of_known("joy", "joy_node", deadzone="0.5", device_id="0", sticky_button=value)
+    assert found == level
+    assert ("and nothing differs: it is the default of `sticky_buttons`" in message) is (level == "info")
+
+
+@pytest.mark.parametrize(("value", "level"), [("0.0", "info"), ("0", "info"), ("2.5", "warning")])
+def test_what_mostly_is_a_default_is_taken_for_one_that_is_not_known(value: str, level: str) -> None:
+    found, message = of_known("robot_localization", "ekf_node", frequency="30.0", map_frame="map", sensor_timeot=value)
+    assert found == level
+    assert (PROBABLY.format("sensor_timeout") in message) is (level == "info")
+
+
+def test_a_known_default_is_believed_before_what_mostly_is_one() -> None:
+    assert (
+        of_known("robot_localization", "ekf_node", frequency="30.0", map_frame="map", publis_tf="false")[0] == "warning"
+    )
+    assert of_known("robot_localization", "ekf_node", frequency="30.0", map_frame="map", publis_tf="true")[0] == "info"
+
+
+@pytest.mark.parametrize(
+    ("value", "level"), [("false", "info"), ("[]", "info"), ('""', "info"), ("", "warning"), ("[1]", "warning")]
+)
+def test_empty_values_of_a_parameter_file(value: str, level: str) -> None:
+    files = {
+        "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"),
+        "setup.py": setup_py(scripts("talker = my_pkg.talker:main")).replace("['package.xml']", INSTALLED),
+        "resource/my_pkg": "",
+        "my_pkg/__init__.py": "",
+        "my_pkg/talker.py": CODE.format(rate=1.0).replace("'map'", "default_of('frame')"),
+        "config/a.yaml": YAML.format("frame_di", value),
+        "launch/a.launch.xml": LAUNCH.format("my_pkg", "talker"),
+    }
+    (found,) = lint_files(files, ["PRM007"]).findings
+    assert found.severity.value == level
+
+
+@pytest.mark.parametrize(("value", "level"), [("false", "info"), ("true", "warning"), ("$(var sim)", "warning")])
+def test_a_slip_of_use_sim_time_is_lost_where_it_is_true(value: str, level: str) -> None:
+    files = {
+        "package.xml": manifest("  <exec_depend>turtlesim</exec_depend>\n"),
+        "setup.py": setup_py("[]"),
+        "my_pkg/__init__.py": "",
+        "launch/a.launch.xml": '<launch><arg name="sim" default="false"/><node pkg="turtlesim" exec="turtlesim_node">'
+        f'<param name="use_sim_tim" value="{value}"/></node></launch>\n',
+    }
+    (found,) = lint_files(files, ["PRM007"]).findings
+    assert found.severity.value == level
+
+
+@pytest.mark.parametrize(
+    ("values", "level"),
+    [
+        ("sticky_buttons: false\n    deadzone: 0.05", "info"),
+        ("sticky_buttons: false\n    deadzone: 0.5", "warning"),
+        ("use_sim_time: false\n    sticky_buttons: false", "info"),
+        ("use_sim_time: true", "warning"),
+    ],
+)
+@pytest.mark.parametrize("key", ["joy_nod", "rear/joy_node"])
+def test_a_block_that_holds_defaults_alone(key: str, values: str, level: str) -> None:
+    start = NODE.format("joy", "joy_node", '<param from="$(find-pkg-share my_pkg)/config/a.yaml"/>')
+    start = start.replace('exec="joy_node"', 'exec="joy_node" name="joy_node"')
+    if "/" in key:
+        start = start.replace('name="joy_node"', 'name="joy_node" namespace="front"')
+    files = {
+        "package.xml": manifest("  <exec_depend>joy</exec_depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package", "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package"
+        ),
+        "config/a.yaml": f"{key}:\n  ros__parameters:\n    {values}\n",
+        "launch/a.launch.xml": start,
+    }
+    (found,) = lint_files(files, ["PRM003"]).findings
+    assert found.severity.value == level
+    assert ("nothing differs: the values are the defaults, or mostly are" in found.message) is (level == "info")

@@ -145,7 +145,7 @@ def test_one_of_several_blocks_that_the_node_declares() -> None:
 )
 def test_a_name_with_slashes_or_a_sign(name: str, found: str) -> None:
     launch = (
-        f'<launch>\n  <node pkg="my_pkg" exec="talk">\n    <param name="{name}" value="1"/>\n  </node>\n</launch>\n'
+        f'<launch>\n  <node pkg="my_pkg" exec="talk">\n    <param name="{name}" value="5"/>\n  </node>\n</launch>\n'
     )
     texts = said("PRM007", {"CMakeLists.txt": CMAKE, "src/talk.cpp": CPP, "launch/a.launch.xml": launch})
     assert len(texts) == bool(found)
@@ -154,7 +154,7 @@ def test_a_name_with_slashes_or_a_sign(name: str, found: str) -> None:
 
 @pytest.mark.parametrize("name, count", [("arm/frame", 1), ("arm.frame", 0), ("arm/other", 0)])
 def test_slashes_in_a_parameter_file(name: str, count: int) -> None:
-    text = f"talker_node:\n  ros__parameters:\n    rate: 1.0\n    {name}: map\n"
+    text = f"talker_node:\n  ros__parameters:\n    rate: 1.0\n    {name}: odom\n"
     files = {"CMakeLists.txt": CMAKE, "src/talk.cpp": CPP, "launch/a.launch.xml": NODE.format("")}
     texts = said("PRM007", {**files, "config/a.yaml": text})
     assert len(texts) == count
@@ -194,7 +194,7 @@ def test_a_parameter_of_a_macro_without_its_sign(name: str, found: str) -> None:
 @pytest.mark.parametrize("name", ["friction", "spring_stiffness"])
 def test_a_value_without_its_sign_is_an_info(name: str) -> None:
     robot = (
-        '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">\n  <xacro:property name="stiff" value="1"/>\n'
+        '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">\n  <xacro:property name="stiff" value="5"/>\n'
         '  <link name="a"/>\n  <link name="b"/>\n  <joint name="c" type="fixed">\n    <parent link="a"/>\n'
         f'    <child link="b"/>\n    <dynamics {name}="{{stiff}}"/>\n  </joint>\n</robot>\n'
     )
@@ -220,7 +220,7 @@ def test_a_value_without_its_sign_is_an_info(name: str) -> None:
 def test_a_name_of_xacro_without_its_sign(value: str, found: str, place: str) -> None:
     robot = (
         '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">\n  <xacro:arg name="model" default="a"/>\n'
-        f'  <xacro:property name="wide" value="1"/>\n  {place.format(value)}\n</robot>\n'
+        f'  <xacro:property name="wide" value="5"/>\n  {place.format(value)}\n</robot>\n'
     )
     texts = [text for text in said("URD001", {"CMakeLists.txt": CMAKE, "urdf/a.urdf.xacro": robot}) if "stands" in text]
     assert len(texts) == bool(found)
@@ -255,7 +255,7 @@ def test_an_argument_that_only_including_files_set(argument: str, count: int) ->
     inner = f'<launch>\n  <arg name="{argument}" default="0"/>\n  <log message="$(var roll)"/>\n</launch>\n'
     outer = (
         '<launch>\n  <include file="$(find-pkg-share my_pkg)/launch/inner.launch.xml">\n'
-        '    <arg name="roll" value="1"/>\n  </include>\n</launch>\n'
+        '    <arg name="roll" value="5"/>\n  </include>\n</launch>\n'
     )
     files = {"CMakeLists.txt": CMAKE, "launch/inner.launch.xml": inner, "launch/outer.launch.xml": outer}
     texts = [text for text in said("LCH008", files) if "`roll`" in text]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from ..checks.params.idle_nodes import level_of
-from ..checks.params.launched_names import LaunchedName, same_as_default
+from ..checks.params.launched_names import LaunchedName
 from ..checks.params.unknown_parameters import UnknownParameters
 from ..finding import Hit, Related, Severity
 from ..source import Span
@@ -14,10 +14,9 @@ from ..source import Span
 def dropped_value(scope: UnknownParameters, named: LaunchedName) -> Hit:
     """Return the hit of a name in a launch file, or of one that a table knows."""
     more, (softer, why) = " any more" if named.is_removed else "", level_of(named.start)
-    is_mild = bool(more) or softer == "info" or not named.is_certain or named.is_default
+    is_mild = bool(more) or softer == "info" or not named.is_certain or bool(named.same)
     is_mild = is_mild or scope.readers.is_idle(named.path, named.span)
-    message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped{why}"
-    message += same_as_default(named.meant) if named.is_default else ""
+    message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped{why}{named.same}"
     hint = f"did you mean `{named.meant}`?" if named.meant else "declare it, or take it out"
     level, others = Severity.INFO if is_mild else None, also(named.path, named.others)
     return Hit(named.path, named.span, f"{message}; {hint}", level, others)

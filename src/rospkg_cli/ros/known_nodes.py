@@ -68,6 +68,15 @@ DEFAULTS: dict[str, dict[str, str]] = {
 }  # fmt: skip
 """What the parameters of plugins are where nothing is given, by package and the last part of their name."""
 OF_NODES: dict[str, dict[str, str]] = {
+    "diff_drive_controller": {"enable_odom_tf": "true", "open_loop": "false", "publish_limited_velocity": "false"},
+    "joy": {
+        "autorepeat_rate": "20.0", "coalesce_interval_ms": "1", "deadzone": "0.05", "device_id": "0",
+        "sticky_buttons": "false",
+    },
+    "nav2_amcl": {
+        "always_reset_initial_pose": "false", "first_map_only": "false", "set_initial_pose": "false",
+        "tf_broadcast": "true",
+    },
     "nav2_controller": {
         "controller_frequency": "20.0", "costmap_update_timeout": "0.3", "failure_tolerance": "0.0",
         "min_theta_velocity_threshold": "0.0001", "min_x_velocity_threshold": "0.0001",
@@ -75,6 +84,8 @@ OF_NODES: dict[str, dict[str, str]] = {
         "use_realtime_priority": "false",
     },
     "nav2_planner": {"costmap_update_timeout": "1.0", "expected_planner_frequency": "1.0"},
+    "robot_localization": {"print_diagnostics": "true", "publish_tf": "true", "two_d_mode": "false"},
+    "turtlesim": {"background_b": "255", "background_g": "86", "background_r": "69"},
 }  # fmt: skip
 """What the parameters of nodes are where nothing is given, alike in all distributions that have them."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...package.params.parameter_file import NodeBlock, ParameterFile
-from ...ros.known_nodes import is_same_value
+from ...ros.known_nodes import default_of
 from .launch_parameters import LaunchParameters
 from .mistyped_blocks import last
 
@@ -14,7 +14,8 @@ COSTMAPS = {"local_costmap": "controller_server", "global_costmap": "planner_ser
 DEFAULTS = {
     "always_send_full_costmap": "false", "filters": "[]", "footprint": "[]", "footprint_padding": "0.01",
     "global_frame": "map", "height": "5", "lethal_cost_threshold": "100", "map_topic": "map",
-    "publish_frequency": "1.0", "resolution": "0.1", "robot_base_frame": "base_link", "robot_radius": "0.1",
+    "plugins": "[static_layer, obstacle_layer, inflation_layer]", "publish_frequency": "1.0",
+    "resolution": "0.1", "robot_base_frame": "base_link", "robot_radius": "0.1",
     "rolling_window": "false", "track_unknown_space": "false", "transform_tolerance": "0.3", "trinary_costmap": "true",
     "update_frequency": "5.0", "use_maximum": "false", "use_sim_time": "false", "width": "5",
 }  # fmt: skip
@@ -45,14 +46,16 @@ def unread_costmaps(launched: LaunchParameters) -> Iterator[tuple[ParameterFile,
                 yield file, block, server
 
 
-def holds_defaults(block: NodeBlock) -> bool:
-    """Return whether a block gives nothing but what the costmap has anyway: nothing is lost where it is not read."""
-    given = [(each.name, getattr(each.value, "text", None)) for each in block.parameters]
-    return bool(given) and all(text is not None and is_same_value(text, DEFAULTS.get(name, "")) for name, text in given)
+def costmap_defaults(name: str) -> tuple[str, ...]:
+    """Return the default of a parameter of a costmap or of one of its layers, "" where it is not known."""
+    return (DEFAULTS.get(name) or default_of("nav2_costmap_2d", name),)
 
 
-def told_of(block: NodeBlock, maker: NodeBlock) -> str:
-    """Return what is said of a block for the costmap that a server makes, which has the other block."""
+def told_of(block: NodeBlock, maker: NodeBlock, same: str) -> str:
+    """Return what is said of a block for the costmap that a server makes, which has the other block.
+
+    `same` is why nobody misses it, or "".
+    """
     name, server = block.key.text, maker.key.text
     message = f"no node is called `{name}`: the costmap that `{server}` makes is `{name}/{name}`"
-    return f"{message}, and never reads the block; write `{name}:` twice, one below the other"
+    return f"{message}, and never reads the block{same}; write `{name}:` twice, one below the other"

@@ -15,9 +15,9 @@ from ...package.params.declared_parameter import DeclaredParameter, type_named
 from ...package.params.parameter_file import NodeBlock, Parameter, ParameterFile, has_placeholder
 from ...package.params.scalar_types import type_of
 from ...package.workspace import Workspace
-from ...ros.known_nodes import is_same_value
 from ...suggest import near_names, same_words, slips
 from ...unreadable import READABLE
+from .unchanged_values import declared_defaults, same_as_default, value_text
 
 OF_EVERY_NODE = frozenset({"use_sim_time", "start_type_description_service"})
 EVERYWHERE = ("qos_overrides.", "bond_")
@@ -77,10 +77,10 @@ class ParameterGroup:
         """Return the type that every owner declares a name with; "" where they differ."""
         return type_named(self.fitting(name), name)
 
-    def is_default(self, parameter: Parameter, name: str) -> bool:
-        """Return whether the value of a parameter is the default that every declaration of another name has."""
-        text, fitting = getattr(parameter.value, "text", ""), self.fitting(name)
-        return bool(fitting) and all(is_same_value(text, each.default) for each in fitting)
+    def same_as_default(self, parameter: Parameter, name: str) -> str:
+        """Return why nobody misses the value of a parameter that is for another name; "" where something may differ."""
+        defaults = declared_defaults(self.owners, name)
+        return same_as_default(value_text(parameter.value), name.rpartition(".")[2], defaults)
 
     def wanted_type(self, parameter: Parameter) -> tuple[str, DeclaredParameter] | None:
         """Return the type that every owner declares a parameter with, and one declaration; None where they differ."""

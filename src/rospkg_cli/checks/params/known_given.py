@@ -21,6 +21,7 @@ from .declaring_packages import given_type, is_its_own
 from .idle_nodes import Start, start_of
 from .launch_parameters import LaunchParameters, NodeArguments
 from .mistyped_blocks import MANAGER, TYPE, WILD, last
+from .unchanged_values import value_text
 
 PLUGIN = ".plugin"
 SEVERAL = 3
@@ -46,9 +47,9 @@ class GivenValue:
     """In a parameter file."""
 
     @property
-    def plain(self) -> str:
-        """What is given where it is one value: the text of a launch file, or that of a parameter file."""
-        return self.text or (getattr(self.written.value, "text", "") if self.written is not None else "")
+    def plain(self) -> str | None:
+        """What is given where it is one value: the text of a launch file, or that of a parameter file; else None."""
+        return value_text(self.written.value) if self.written is not None else self.text or None
 
 
 @dataclass(frozen=True)

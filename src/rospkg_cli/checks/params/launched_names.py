@@ -9,7 +9,7 @@ from ...light_dataclasses import dataclass, replace
 from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import ParameterFile
 from ...package.workspace import Workspace
-from ...ros.known_nodes import KnownParameter, default_of, is_same_value
+from ...ros.known_nodes import KnownParameter
 from ...source import Span
 from ...suggest import near_names, same_words
 from .code_of_programs import is_of_another
@@ -17,6 +17,7 @@ from .declaring_packages import ENOUGH, is_its_own
 from .idle_nodes import Start, start_of
 from .known_given import GivenValue, KnownGroup, KnownNodes
 from .launch_parameters import LaunchParameters, NodeArguments
+from .unchanged_values import SIM_TIME, declared_defaults, known_defaults, same_as_default, value_text
 
 SHORTEST, WORDY = 4, 6
 """Letters; a shorter name is near to too many others, or the last word of too many."""
@@ -29,8 +30,6 @@ ENDINGS = frozenset({"_id", "_name", "_names", "_topic"})
 """What people leave away at the end of a name."""
 SAME = frozenset({"_id", "_topic"})
 """What they put there; `camera_name` is not what `camera` is."""
-SIM_TIME = "use_sim_time"
-"""A parameter of every node."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,8 +49,8 @@ class LaunchedName:
     """Where other names are that the same release took away."""
     start: Start | None = None
     """Where a launch file starts the node; None for a parameter file."""
-    is_default: bool = False
-    """Whether the value is what the parameter is anyway: that it is dropped changes nothing."""
+    same: str = ""
+    """Why nobody misses the value: it is what the parameter is anyway; "" where something may differ."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +62,20 @@ class StrangeName:
     name: str
     meant: str
     start: Start | None
+    same: str = ""
+    """Why nobody misses the value; "" where something may differ."""
+
+
+@dataclass(frozen=True, slots=True)
+class GivenName:
+    """A name and its value, of a launch file or a parameter file."""
+
+    path: str
+    span: Span
+    name: str
+    text: str | None
+    """The value; None where it is no single one that is known."""
+    start: Start | None = None
 
 
 @dataclass(frozen=True)
@@ -99,20 +112,9 @@ class LaunchedNames:
                     start, started = start_of(each.launch, each.node), each.node.executable or each.node.plugin
                     program = started.literal if started is not None else None
                     meant = "" if is_of_another(near[0], program, facts) else near[0]
-                    is_same = is_default_of(facts, meant, value.literal or "")
+                    same = same_as_default(value.literal, meant, declared_defaults([facts], meant))
                     place = each.launch.path, text.span, facts.name, name, meant
-                    yield LaunchedName(*place, start=start, is_default=is_same)
-
-
-def is_default_of(facts: PackageFacts, name: str, value: str) -> bool:
-    """Return whether a value is the default that every declaration of a parameter in a package has."""
-    fitting = [each for each in facts.parameters if each.fits(name)] if name else []
-    return bool(fitting) and all(is_same_value(value, each.default) for each in fitting)
-
-
-def same_as_default(meant: str) -> str:
-    """Return why nobody meets it that a value is dropped which is the default of the parameter that is meant."""
-    return f", and nothing differs: it is the default of `{meant}`"
+                    yield LaunchedName(*place, start=start, same=same)
 
 
 def with_dots(name: str, names: Collection[str]) -> list[str]:
@@ -127,15 +129,18 @@ def with_another_word(name: str, names: Iterable[str]) -> list[str]:
     return [each for each, words in before.items() if len(name) >= WORDY and SMALL.issuperset(words.split("_"))]
 
 
-def given_names(launched: LaunchParameters) -> Iterator[tuple[str, Span, str, Start | None]]:
-    """Yield path, place, name and start of what launch files and parameter files give."""
+def given_names(launched: LaunchParameters) -> Iterator[GivenName]:
+    """Yield what launch files and parameter files give."""
     for each in launched.started:
         for entry in each.node.parameters:
-            names = [name for name, _ in entry.values if name.literal]
             start = start_of(each.launch, each.node)
-            yield from ((each.launch.path, name.span, name.literal or "", start) for name in names)
+            named = ((name.literal, name.span, value) for name, value in entry.values)
+            yield from (
+                GivenName(each.launch.path, at, name, value.literal, start) for name, at, value in named if name
+            )
     for file in launched.files:
-        yield from ((file.path, each.key.span, each.name, None) for block in file.blocks for each in block.parameters)
+        for one in (one for block in file.blocks for one in block.parameters):
+            yield GivenName(file.path, one.key.span, one.name, value_text(one.value))
 
 
 def strange_names(launched: LaunchParameters) -> Iterator[StrangeName]:
@@ -144,11 +149,14 @@ def strange_names(launched: LaunchParameters) -> Iterator[StrangeName]:
     That is nearly `use_sim_time`, or has the sign of the command line at its end, `rate:=`, or slashes for dots.
     """
     packages = launched.workspace.packages
-    for path, span, name, start in given_names(launched):
+    for given in given_names(launched):
+        name = given.name
         is_time = name == f"/{SIM_TIME}" or bool(near_names(name, [SIM_TIME]))
         meant = SIM_TIME if is_time else name.rstrip(SIGNS) if SIGN.search(name) else ""
         if meant and not any(each.fits(name) for facts in packages for each in facts.parameters):
-            yield StrangeName(path, span, name, meant, start)
+            defaults = ("false",) if is_time else declared_defaults(packages, meant)
+            same = same_as_default(given.text, meant, defaults)
+            yield StrangeName(given.path, given.span, name, meant, given.start, same)
     yield from slashed_names(launched)
 
 
@@ -174,7 +182,8 @@ def slashed_names(launched: LaunchParameters) -> Iterator[StrangeName]:
                     continue
                 declared = [one for facts in owners for one in facts.parameters]
                 if any(one.name == dotted for one in declared) and not any(one.fits(each.name) for one in declared):
-                    yield StrangeName(file.path, each.key.span, each.name, dotted, None)
+                    same = same_as_default(value_text(each.value), dotted, declared_defaults(owners, dotted))
+                    yield StrangeName(file.path, each.key.span, each.name, dotted, None, same)
 
 
 def unknown_to_known(nodes: KnownNodes) -> Iterator[LaunchedName]:
@@ -196,10 +205,8 @@ def unknown_of(group: KnownGroup) -> Iterator[LaunchedName]:
         near = list(meant(each, group)) if is_owner or is_removed or "/" in each.name else []
         if len(near) == 1:
             names = each.name, near[0], is_removed, group.file, group.is_certain
-            is_default = any(is_same_value(each.plain, default_of(package, near[0])) for package in group.packages)
-            yield LaunchedName(
-                group.path, each.key, group.packages[0], *names, start=group.start, is_default=is_default
-            )
+            same = same_as_default(each.plain, near[0], known_defaults(group.packages, near[0]))
+            yield LaunchedName(group.path, each.key, group.packages[0], *names, start=group.start, same=same)
 
 
 def may_fit(known: KnownParameter, name: str) -> bool:

@@ -82,8 +82,9 @@ class UnknownParameters:
         found = strange_names(self.known.launched)
         for each in hardest(((one.path, one.span), one) for one in found):
             softer, why = level_of(each.start)
-            is_mild = softer == "info" or self.readers.is_idle(each.path, each.span)
-            what = f"the value is dropped, and {why_dropped(each.name, each.meant)}{why}; write `{each.meant}`"
+            is_mild = softer == "info" or bool(each.same) or self.readers.is_idle(each.path, each.span)
+            lost = each.same or f", and {why_dropped(each.name, each.meant)}"
+            what = f"the value is dropped{lost}{why}; write `{each.meant}`"
             message = f"no node has a parameter `{each.name}`: {what}"
             yield each.path, Fault(each.span, message, "info" if is_mild else "warning")
 

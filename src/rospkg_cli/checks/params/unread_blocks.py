@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...light_dataclasses import dataclass
 from ...package.params.parameter_file import NodeBlock, ParameterFile
+from ...ros.known_nodes import known_nodes
+from ...ros.well_known import packages_with_plugin
 from .block_readers import BlockReaders
 from .declaring_packages import is_its_own
+from .known_given import controller_types
 from .launch_parameters import LaunchParameters, NodeArguments
-from .mistyped_blocks import WILD, last
+from .mistyped_blocks import WILD, MistypedBlock, last
 from .parameter_file_use import ParameterFileUses
+from .unchanged_values import ONLY_DEFAULTS, defaults_in, holds_defaults
 
 NAMING = (".py", ".xml", ".launch", ".yaml", ".yml", ".sh", ".bash", ".cpp", ".hpp", ".md", ".rst", "Dockerfile")
 
@@ -43,6 +47,17 @@ class NodeBlocks:
                 key = last(block)
                 if key not in WILD and re.fullmatch(r"\w+", key) and self.is_declared(block) and not self.has(key):
                     yield file, block, name
+
+    def lost_nothing(self, block: NodeBlock, meant: Iterable[NodeArguments]) -> str:
+        """Return why nobody misses a block that is for some nodes; "" where something may differ."""
+        packages = {each.node.package.literal for each in meant if each.node.package is not None}
+        return ONLY_DEFAULTS if holds_defaults(block, defaults_in(packages, self.launched.workspace)) else ""
+
+    def lost_nothing_of(self, file: ParameterFile, wrong: MistypedBlock) -> str:
+        """Return the same of a block for a controller, or for a node that everybody uses."""
+        types = dict(controller_types(file)) if wrong.is_controller else {}
+        packages = packages_with_plugin(types.get(wrong.meant, "")) or known_nodes().get(wrong.meant, ())
+        return ONLY_DEFAULTS if holds_defaults(wrong.block, defaults_in(packages, self.launched.workspace)) else ""
 
     @property
     def named_programs(self) -> frozenset[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params import displaced_blocks as displaced
-from ...checks.params.costmap_blocks import holds_defaults, told_of, unread_costmaps
+from ...checks.params.costmap_faults import costmap_faults
 from ...checks.params.spawn_faults import spawn_faults
 from ...checks.params.unread_blocks import NodeBlocks, shown_readers
 from ...edits.fault_hits import hits
@@ -45,8 +45,8 @@ controller_manager:
     over=NodeBlocks,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "a default gives the node its name, nothing names the file, several nodes get it, it is "
-        "one of several namespaces, or the launch file that names it is not installed or never adds the node"
+        Severity.INFO: "a default gives the node its name, nothing names the file, several nodes get it, the block "
+        "holds defaults alone, it is one of several namespaces, or the launch file is not installed or adds no node"
     },
     examples=(
         Example(
@@ -97,8 +97,8 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     Blocks of nodes that any launch file here starts are left alone, and those of several whose name is like that of no
     node which lacks one: nodes that other packages start may read them. So are names that a launch file here holds, and
     those that differ by a number. Where the only launch files that give the file to a node are not installed, or
-    nothing adds the action that starts the node, it is an info; so is a costmap's block that holds its defaults alone,
-    and one of several namespaces for a node's name: the launch file chooses.
+    nothing adds the action that starts the node, it is an info; so is a block that holds no more than defaults (false,
+    0 or empty where they are not known), and one of several namespaces for a node's name: the launch file chooses.
 
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.
@@ -108,23 +108,24 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     for file, block, readers in launched.misnamed():
         names = sorted({each.known_name or "" for each in readers})
         is_named = len(names) == 1 and all(each.name or each.in_code for each in readers)
-        level = None if is_named and any(map(scope.readers.is_met, readers)) else Severity.INFO
+        same = scope.lost_nothing(block, readers)
+        level = None if is_named and not same and any(map(scope.readers.is_met, readers)) else Severity.INFO
         where = tuple(Related(each.launch.path, each.node.span, "the node") for each in readers)
         fix = renaming(file, block, names[0]) if len(names) == 1 else None
-        message = f"no node is called `{block.key.text}`: {shown_readers(readers[0], names)}"
-        yield Hit(file.path, block.key.span, message, level, where, fix)
+        told = f"no node is called `{block.key.text}`: {shown_readers(readers[0], names)}{same}"
+        yield Hit(file.path, block.key.span, told, level, where, fix)
     for file, block, given in displaced.displaced_blocks(launched):
-        where, is_chosen = (Related(given.launch.path, given.node.span, "the node"),), displaced.is_chosen(file, block)
-        level = None if scope.readers.is_met(given) and not is_chosen else Severity.INFO
-        yield Hit(file.path, block.key.span, displaced.told_of(block, given, is_chosen=is_chosen), level, where)
-    yield from (hit for path, fault in spawn_faults(launched) for hit in hits(path, [fault]))
+        is_chosen, same = displaced.is_chosen(file, block), scope.lost_nothing(block, [given])
+        where = (Related(given.launch.path, given.node.span, "the node"),)
+        level = None if scope.readers.is_met(given) and not (is_chosen or same) else Severity.INFO
+        yield Hit(file.path, block.key.span, displaced.told_of(block, given, is_chosen=is_chosen) + same, level, where)
+    for path, fault in (*spawn_faults(launched), *costmap_faults(scope.readers)):
+        yield from hits(path, [fault])
     for file, wrong in launched.mistyped():
-        message = f"no node is called `{wrong.block.key.text}`: {wrong.owner} and runs with its defaults"
-        level = Severity.INFO if scope.readers.is_unopened(file) else None
+        same = scope.lost_nothing_of(file, wrong)
+        message = f"no node is called `{wrong.block.key.text}`: {wrong.owner} and runs with its defaults{same}"
+        level = Severity.INFO if same or scope.readers.is_unopened(file) else None
         yield Hit(file.path, wrong.block.key.span, message, level, fix=renaming(file, wrong.block, wrong.meant))
-    for file, block, server in unread_costmaps(launched):
-        is_mild = holds_defaults(block) or scope.readers.is_idle(file.path, server.key.span)
-        yield Hit(file.path, block.key.span, told_of(block, server), Severity.INFO if is_mild else None)
     for file, block, name in scope.unread():
         message = f"no node is called `{block.key.text}`: this package's is `{name}`, and never reads the block"
         yield Hit(file.path, block.key.span, message, Severity.INFO, fix=renaming(file, block, name))

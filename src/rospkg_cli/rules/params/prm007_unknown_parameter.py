@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.params.idle_nodes import hardest
-from ...checks.params.launched_names import same_as_default, unknown_to_known
+from ...checks.params.launched_names import unknown_to_known
+from ...checks.params.unchanged_values import declared_defaults, same_as_default, value_text
 from ...checks.params.unknown_parameters import UnknownParameters, unread
 from ...edits.dropped_values import also, dropped_value
 from ...edits.fault_hits import hits
@@ -54,9 +55,9 @@ talker:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code gets a parameter that is not declared, and nothing may catch what it throws",
-        Severity.INFO: "older releases had it, the value is the default, nothing names the file, adds the action or "
-        "reads block or variable, nothing leads to the code, only the block's name tells the node, or the repository "
-        "is for Crystal",
+        Severity.INFO: "older releases had it, the value is the default, or probably is, nothing names the file, adds "
+        "the action or reads block or variable, nothing leads to the code, only the block's name tells the node, or "
+        "the repository is for Crystal",
     },
     examples=(
         Example(
@@ -104,6 +105,7 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     warning; into one that nothing reads, an info. So is what stands in code that nothing compiles, starts, imports or
     calls, a value in a block that no node reads which is started with the file, and one that is the default of the
     parameter that is meant, as the code or a table of well-known packages has it: that it is dropped changes nothing.
+    Where the default is not known, false, 0, an empty text and an empty list are taken for it, as they mostly are.
 
     ## Fix safety
     The similar name may not be the right one. A value of another type is not renamed, a single one for a list is put
@@ -112,15 +114,16 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     for group in scope.given.groups():
         for parameter, meant in group.unknown():
             last, by = meant.rpartition(".")[2], group.owners[0].name
-            same = same_as_default(last) if group.is_default(parameter, meant) else ""
+            same = group.same_as_default(parameter, meant)
             dropped = f"`{by}` declares no parameter `{parameter.name}`: the value is dropped{same}"
             is_mild = bool(same) or scope.readers.is_idle(group.file.path, parameter.key.span)
             fix = only_plain_names(renamed(group, parameter, meant), last)
             place, level = (group.file.path, parameter.key.span), Severity.INFO if is_mild else None
             yield Hit(*place, f"{dropped}; did you mean `{last}`?", level, fix=fix)
     for file, parameter, meant, other in scope.unlike_variants():
-        message = f"`{scope.given.package.name}` declares no parameter `{parameter.name}`: the value is dropped"
-        level = Severity.INFO if scope.readers.is_idle(file.path, parameter.key.span) else None
+        same = same_as_default(value_text(parameter.value), meant, declared_defaults([scope.given.package], meant))
+        message = f"`{scope.given.package.name}` declares no parameter `{parameter.name}`: the value is dropped{same}"
+        level = Severity.INFO if same or scope.readers.is_idle(file.path, parameter.key.span) else None
         yield Hit(file.path, parameter.key.span, f"{message}; `{other}` has `{meant}` in its place", level)
     names = (*scope.launched.unknown(), *unknown_to_known(scope.known))
     yield from (
