@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
 from ..files import PackageFiles
 from ..lazy_regex import regex
-from ..tree import READABLE
+from .container_files import OF_CONTAINER, files_called
 
 OF_MANY = frozenset(
     "admin app dev developer docker jetson nvidia pi robot root ros ros2 runner ubuntu user username vscode you".split()
@@ -16,10 +15,6 @@ OF_MANY = frozenset(
 SHARED = regex(r"your|docker|container|(?:^|_)(?:ws|workspace)$")
 SHORTEST = 4
 """The letters of a name that is no part of other words; a shorter one must be written as that of an account."""
-OF_CONTAINER = regex(
-    r"(?i)(?:^|/)(?:[^/]*(?:dockerfile|containerfile)[^/]*|[^/]*compose[^/]*\.ya?ml|devcontainer\.json)$"
-)
-"""Files that make a container, or put several together."""
 OF_MACHINE = regex(
     r"(?i)(?:^|/)(?:vagrantfile|user-data|[^/]*cloud[_-]?init[^/]*|[^/]*entry_?-?point[^/]*\.(?:sh|bash)"
     r"|(?:[^/]*docker[^/]*|\.?devcontainers?|containers?|ansible)/(?:.*/)?[^/.]*(?:\.(?:sh|bash|ya?ml|json|env|cfg|conf))?"
@@ -41,17 +36,9 @@ def is_of_container(files: PackageFiles, user: str) -> bool:
     if not user.isascii():
         return False
     written = re.compile(WRITTEN.format(re.escape(user)))
-    for each, path in machine_files(files):
+    for each, path in files_called(files, OF_CONTAINER, OF_MACHINE):
         if each.holds(path, user.encode()):
             is_clear = len(user) >= SHORTEST and OF_CONTAINER.search(path) is not None
             if is_clear or written.search(each.readable_text(path)):
                 return True
     return False
-
-
-def machine_files(files: PackageFiles) -> Iterator[tuple[PackageFiles, str]]:
-    """Yield the files that make containers and machines."""
-    whole = PackageFiles(files.whole) if files.whole is not None else files
-    for path, kind in whole.tree.files().items():
-        if kind in READABLE and (OF_CONTAINER.search(path) or OF_MACHINE.search(path)):
-            yield whole, path

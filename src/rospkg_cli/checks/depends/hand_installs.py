@@ -9,16 +9,21 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from .pip_installs import ABOVE, TYPED
+from .pip_installs import installing_texts
 
 CLONES = regex(r"\bgit\s+clone\b[^\n]*?[/:]([\w.-]+?)(?:\.git)?/?(?=[\s'\"`)]|$)", re.MULTILINE)
 CONDA = regex(r"\b(?:conda|mamba)\s+install\b([^\n&|;]*)")
 WHEELS = regex(r"((?:[\w.+-]+(?:\s*[/,&]\s*|\s+and\s+))*[\w.+-]+)\s+(?:wheels\b|wheel files?\b|\S+\.whl\b)")
 """Names that stand before the word: `torch / flash-attn wheels`; a `wheel` alone is often one of a robot."""
 SOURCE = regex(r"\b(?:build|compile|install)\w*\b((?:[^.\n]|\.(?!\s)){0,80}?)\bfrom sources?\b", re.IGNORECASE)
-COPIES = regex(r"\bcp\b([^\n]*)/usr/(?:local/)?include")
+COPIES = regex(r"(?i)\b(?:cp|mv|copy|move|put)\b([^\n]{0,300}?)(?:/usr/(?:local/)?include|\b(?:site|dist)-packages)")
+FETCHES = regex(r"\bgit\+[^\s\"']{0,200}?/([\w.-]+?)(?:\.git)?/?(?=[@#\s\"'`)]|$)", re.MULTILINE)
+WHEEL_FILES = regex(r"\bpip3?\s+install\b[^\n]{0,300}?\b([A-Za-z]\w*)(?:[-.][\w.+-]{0,80})?\.(?:whl|tar\.gz|zip)\b")
+FOLDERS = regex(r"\bpip3?\s+install\s+(?:-\w\s+)?((?:\.{1,2}|~)?/[^\s&|;]+)")
+SETUPS = regex(r"\bcd\s+([^\n;&|]{1,200})[^c]{0,9}(?:sudo\s+)?python[\d.]*\s+setup\.py\s+install\b")
+"""How a library that lies in a folder, or is a file of its own, is put where Python looks."""
 WORD = regex(r"[A-Za-z][\w.+-]*")
-AROUND = regex(r"^(?:python3?-|lib)|(?:-dev|\.h|\.hpp|\.git|\d+)$")
+AROUND = regex(r"^(?:python3?-|lib)|(?:-dev|\.h|\.hpp|\.git|\.py|\d+)$")
 """What keys, headers and packages of CMake have around the name of a library."""
 BY_PAGE = "; a page here tells to install it by hand, and the key may bring another version"
 
@@ -35,22 +40,11 @@ class HandInstalls:
     def told(self) -> frozenset[str]:
         """What pages tell so of, without what keys and headers have around it; words of prose are among it."""
         found = set[str]()
-        for text in self.texts:
-            found.update(CLONES.findall(text))
-            told = (part for each in (CONDA, WHEELS, SOURCE, COPIES) for part in each.findall(text))
+        for _, text in installing_texts(self.files):
+            found.update(name for each in (CLONES, FETCHES, WHEEL_FILES) for name in each.findall(text))
+            told = (part for each in (CONDA, WHEELS, SOURCE, COPIES, FOLDERS, SETUPS) for part in each.findall(text))
             found.update(word for part in told for word in WORD.findall(part))
         return frozenset(map(plain, found))
-
-    @property
-    def texts(self) -> Iterable[str]:
-        for path in self.files.paths:
-            if TYPED.fullmatch(path):
-                yield self.files.readable_text(path)
-        whole = PackageFiles(self.files.whole) if self.files.whole is not None else None
-        for each in ABOVE if whole is not None else ():
-            above = self.files.above((each,))
-            if whole is not None and above:
-                yield whole.readable_text(above)
 
 
 def plain(name: str) -> str:

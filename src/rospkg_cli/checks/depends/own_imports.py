@@ -1,17 +1,13 @@
-"""Imports of the workspace's own modules and names that are not there (DEP109), and of bare neighbours (DEP110)."""
+"""Imports of the workspace's own modules and names that are not there (DEP109)."""
 
 from __future__ import annotations
 
-import posixpath
-import re
 from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.python.alias_span import alias_span
-from ...languages.python.branches import asks_how_started
 from ...languages.python.file import Import, PythonFile
-from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of
@@ -27,12 +23,11 @@ from ..reached_modules import ReachedModules
 from ..reached_places import ReachedPlaces
 from ..run_imports import PATHS, RunImports
 from .module_makers import may_make_modules
+from .pip_installs import PipInstalls, normalized
 
 LEFT = "; nothing starts or imports this module"
 BUILDING = ("ext_modules", "cythonize", "cmdclass", "rust_extensions")
 """How setup.py makes modules that have no file of Python."""
-REQUIREMENTS = regex(r"requirements[^/]*\.txt")
-README = regex(r"README[^/]*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,44 +150,14 @@ class OwnImports:
                     yield MissingOwnName(file.path, span, package, name, near, True, each.is_local)
                 return
 
-    def neighbours(self) -> Iterator[tuple[PythonFile, Import, str]]:
-        """Yield imports of a bare name that only the file's own folder has, with the name that Python finds."""
-        programs = {row.source for row in self.table.rows if row.what == "executable"}
-        for file, each in self.run.certain:
-            name = self.installed.names.get(file.path, "")
-            package = name.rpartition(".")[0] if name in self.reached.started else ""
-            top = each.module.partition(".")[0]
-            if each.level or not package or file.path in programs or self.is_found(top) or self.changes_path(file):
-                continue
-            if asks_how_started(file, each.span):
-                continue  # Python looks next to a file that is started by its path
-            full = f"{package}.{each.module}"
-            is_own = f"{package}.{top}" in self.installed.sources and self.has_all(each, full)
-            if (is_own or self.is_beside(file, each)) and not self.is_from_pip(top):
-                yield file, each, full
-
-    def is_beside(self, file: PythonFile, each: Import) -> bool:
-        """Return whether a module lies in a folder next to a file, which nothing installs as a Python package."""
-        folder, below = posixpath.dirname(file.path), each.module.replace(".", "/")
-        start = f"{folder}/{below}"
-        inner = [f"{start}/{name}" for name in each.names]
-        modules = [start] if "/" in below else inner
-        return bool(folder and modules) and all(self.files.exists(f"{path}.py") for path in modules)
-
     def has_all(self, each: Import, module: str) -> bool:
         """Return whether the package's own module is there, with all that an import takes out of it."""
         names = (name for name in each.names if name != "*")
         return module in self.installed.sources and all(self.installed.offers(module, name) for name in names)
 
     def is_from_pip(self, top: str) -> bool:
-        """Return whether the requirements or the README of the package install a distribution of that name with pip."""
-        listed = re.compile(rf"^\s*{re.escape(top)}\b", re.MULTILINE)
-        typed = re.compile(rf"\bpip3?\s+install\b.*\b{re.escape(top)}\b")
-        for path in self.files.paths:
-            looked_for = listed if REQUIREMENTS.fullmatch(path) else typed if README.fullmatch(path) else None
-            if looked_for is not None and looked_for.search(self.files.readable_text(path)):
-                return True
-        return False
+        """Return whether the repository has pip install a distribution of that name."""
+        return normalized(top) in PipInstalls(self.files).names
 
     def is_found(self, top: str) -> bool:
         """Return whether Python may find a module of that name outside of the importing file's folder.

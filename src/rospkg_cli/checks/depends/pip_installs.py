@@ -11,14 +11,14 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...ros.aliases import key_for_pip
 from ...ros.names import Names
+from ..container_files import OF_CONTAINER, files_called
 
 REQUIREMENTS = regex(r"(?:.*/)?requirements[^/]*\.txt")
-TYPED = regex(r"(?:.*/)?(?:(?:[^/]*\.)?Dockerfile[^/]*|README[^/]*|[^/]*\.(?:md|rst|sh|bash))")
+TYPED = regex(r"(?:.*/)?(?:README[^/]*|[^/]*\.(?:md|rst|sh|bash))")
 """Files with commands: some run them, and people type those of the others."""
 ABOVE = (
-    "requirements.txt", "docker/requirements.txt", "Dockerfile", "docker/Dockerfile", ".devcontainer/Dockerfile",
-    "README.md", "README.rst", "README", "INSTALL.md", "install.sh", "setup.sh", "scripts/install.sh",
-    "scripts/setup.sh",
+    "requirements.txt", "docker/requirements.txt", "README.md", "README.rst", "README", "INSTALL.md", "install.sh",
+    "setup.sh", "scripts/install.sh", "scripts/setup.sh",
 )  # fmt: skip
 LISTED = regex(r"^[ \t]*([A-Za-z][\w.-]*)", re.MULTILINE)
 INSTALLS = regex(r"\bpip3?\s+install\b((?:[^\n&|;\\]|\\\n)*)")
@@ -41,22 +41,32 @@ class PipInstalls:
     @cached_property
     def written(self) -> frozenset[str]:
         """The names of distributions, as the files of the package and of the folders above it write them."""
-        own = [path for path in self.files.paths if REQUIREMENTS.fullmatch(path) or TYPED.fullmatch(path)]
-        found = {name for path in own for name in names_in(path, self.files.readable_text(path))}
-        whole = PackageFiles(self.files.whole) if self.files.whole is not None else None
-        for each in ABOVE if whole is not None else ():
-            path = self.files.above((each,))
-            found.update(names_in(path, whole.readable_text(path)) if path and whole else ())
-        return frozenset(found)
+        return frozenset(name for path, text in installing_texts(self.files) for name in names_in(path, text))
+
+
+def installing_texts(files: PackageFiles) -> Iterator[tuple[str, str]]:
+    """Yield the requirements, pages and scripts of the package and of the folders above it, and all that containers
+    are made by, with their paths.
+    """
+    for path in files.paths:
+        if REQUIREMENTS.fullmatch(path) or TYPED.fullmatch(path):
+            yield path, files.readable_text(path)
+    whole = PackageFiles(files.whole) if files.whole is not None else None
+    for each in ABOVE if whole is not None else ():
+        path = files.above((each,)) or ""
+        if whole is not None and path:
+            yield path, whole.readable_text(path)
+    for owner, path in files_called(files, OF_CONTAINER):
+        yield path, owner.readable_text(path)
 
 
 def names_in(path: str, text: str) -> Iterator[str]:
     """Yield the names in a file of requirements, or behind `pip install` in commands."""
     if REQUIREMENTS.fullmatch(path):
         yield from (match[1] for match in LISTED.finditer(text))
-    elif TYPED.fullmatch(path):
-        for command in INSTALLS.finditer(text):
-            yield from (word[0] for word in WORD.finditer(command[1]))
+        return
+    for command in INSTALLS.finditer(text):
+        yield from (word[0] for word in WORD.finditer(command[1]))
 
 
 def normalized(name: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.bare_neighbours import BareNeighbours
 from ...checks.depends.own_imports import OwnImports
 from ...example import Example, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Safety, Severity
@@ -20,7 +21,8 @@ MAIN = "\n\ndef main():\n    print(GREETING)\n"
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function or a branch, which may not be run, or in a program that nothing starts, "
-        "beside others that are started",
+        "beside others that are started; or an image that the repository builds on, or a library that a page has "
+        "installed by hand, may bring the module",
         Severity.INFO: "nothing leads to the function, it stands behind `rclpy.spin`, or the package has no program, "
         "and no package of the workspace depends on it",
     },
@@ -43,17 +45,23 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
 
     ## When it is quiet
     Where something else may provide the name: a dependency, the standard library, a package of the workspace, or pip,
-    as the README or the requirements say; where the own module lacks what is imported from it; for optional imports,
+    as a page, a Dockerfile or the requirements say; where the own module lacks what is imported from it or read of it:
+    then another library is meant; for optional imports,
     for scripts installed to `lib/<package>`, in modules that no entry point leads to (they may be started by their
     path; in a package without programs, those with a `__main__`), under the `__main__` of an entry point's module,
-    and where the package changes `sys.path` or sets PYTHONPATH.
+    and where the package changes `sys.path` or sets PYTHONPATH. A module that imports its own name means another one.
+    Where the repository builds on an image that is none of the plain ones (`ros`, `ubuntu`, `python`, …), or a page or
+    script has a library of that name installed by hand (a wheel, `setup.py install`, `cp … site-packages`), that may
+    bring a module of the name: a warning, for it fails on a clean machine.
 
     ## Fix safety
     A file that is also started by its path needs its package installed from then on.
     """
     is_offered = imports.reached.is_library and not imports.workspace.needing(imports.facts.name)
     doing = "the import" if imports.reached.is_library else "`ros2 run`"
-    for file, each, full in imports.neighbours():
+    neighbours = BareNeighbours(imports)
+    for found in neighbours.all():
+        file, each, full = found.file, found.each, found.full
         is_installed = full in imports.installed.sources
         message = (
             f"`{each.module}` is a module of this package, and no top-level one: {doing} "
@@ -62,7 +70,7 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
         fix = None
         if is_installed and each.names and file.source.slice(each.span) == each.module:
             fix = Fix(f"write `{full}`", (Edit(file.path, each.span, full),), Safety.UNSAFE)
-        why = imports.places.why_seldom(file.path, each.span)
-        is_mild = each.is_local or imports.places.is_conditional(file.path, each.span)
+        why, brought = imports.places.why_seldom(file.path, each.span), neighbours.may_be_brought(each)
+        is_mild = brought or each.is_local or imports.places.is_conditional(file.path, each.span)
         level = Severity.INFO if why or is_offered else Severity.WARNING if is_mild else None
-        yield Hit(file.path, each.span, f"{message}{why}", level, fix=fix)
+        yield Hit(file.path, each.span, f"{message}{why or brought}", level, fix=fix)

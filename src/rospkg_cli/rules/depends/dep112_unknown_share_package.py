@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.foreign_images import foreign_image
 from ...checks.share_lookups import ShareLookups
 from ...checks.wrong_lookups import wrong_lookups
 from ...example import CMAKE, Example, manifest
@@ -41,7 +42,7 @@ NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a branch of a function, in a program that nothing starts, beside others that are "
-        "started, or no target certainly compiles the file",
+        "started, no target certainly compiles the file, or an image that the repository builds on may bring it",
         Severity.INFO: "nothing starts or imports the module or leads to the function, a switch turns it off, or it "
         "stands behind `rclpy.spin`",
     },
@@ -73,16 +74,20 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     Where the name is near none of the workspace, of the dependencies and of the known packages; where a submodule or a
     listed repository that is not here is called like that; where the exception is caught; in files that nothing
     installs, and under a condition that never holds on Linux. In a module that nothing starts or imports, in a function
-    that no program leads to, behind `rclpy.spin`, and under a switch that nothing throws it is an info. Launch files
-    have rules of their own (DEP103).
+    that no program leads to, behind `rclpy.spin`, and under a switch that nothing throws it is an info. Where the
+    repository builds on an image that is none of the plain ones (`ros`, `ubuntu`, …), that may bring the package: a
+    warning. Launch files have rules of their own (DEP103).
 
     ## Fix safety
     The intended package is a guess.
     """
     for found in lookups.unknown_packages():
+        image = foreign_image(lookups.files)
+        brought = image.may_bring if image is not None else ""
         message = f"there is no package `{found.name}`: this raises PackageNotFoundError; did you mean `{found.near}`?"
+        level = Severity.WARNING if image is not None else None
         fix = Fix(f"write `{found.near}`", (Edit(found.path, found.span, found.near),), Safety.UNSAFE)
-        yield weighed(lookups, Hit(found.path, found.span, message, fix=fix))
+        yield weighed(lookups, Hit(found.path, found.span, message + brought, level, fix=fix))
     for wrong in wrong_lookups(lookups):
         yield weighed(lookups, Hit(wrong.path, wrong.span, f"`{wrong.name}` {wrong.why}: this raises TypeError"))
 

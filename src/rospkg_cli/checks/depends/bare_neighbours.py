@@ -1,0 +1,90 @@
+"""Imports of a module of the own package, or of a folder beside, by its bare name (DEP110)."""
+
+from __future__ import annotations
+
+import ast
+import posixpath
+from collections.abc import Iterator
+
+from ...languages.python.branches import asks_how_started
+from ...languages.python.called_modules import is_bound
+from ...languages.python.file import Import, PythonFile
+from ...languages.python.nodes import nodes_of_kind
+from ...light_dataclasses import dataclass
+from ..foreign_images import foreign_image
+from .hand_installs import HandInstalls
+from .own_imports import OwnImports
+
+BY_HAND = "; a page or script here has a library of that name installed by hand"
+
+
+@dataclass(frozen=True, slots=True)
+class BareNeighbour:
+    file: PythonFile
+    each: Import
+    full: str
+    """The name that Python finds."""
+
+
+@dataclass(frozen=True)
+class BareNeighbours:
+    imports: OwnImports
+
+    def all(self) -> Iterator[BareNeighbour]:
+        """Yield imports of a bare name that only the file's own folder has."""
+        imports = self.imports
+        programs = {row.source for row in imports.table.rows if row.what == "executable"}
+        for file, each in imports.run.certain:
+            name = imports.installed.names.get(file.path, "")
+            package = name.rpartition(".")[0] if name in imports.reached.started else ""
+            top = each.module.partition(".")[0]
+            if each.level or not package or file.path in programs or imports.is_found(top):
+                continue
+            if imports.changes_path(file) or asks_how_started(file, each.span):
+                continue  # Python looks next to a file that is started by its path
+            full = f"{package}.{each.module}"
+            if full != name and self.is_meant(file, each, package) and not imports.is_from_pip(top):
+                yield BareNeighbour(file, each, full)
+
+    def may_be_brought(self, each: Import) -> str:
+        """Return what is said of a name that something else than packages may bring to a machine; "" for others."""
+        image = foreign_image(self.imports.files)
+        if image is not None:
+            return image.may_bring
+        is_by_hand = HandInstalls(self.imports.files).has((each.module.partition(".")[0],))
+        return BY_HAND if is_by_hand else ""
+
+    def is_meant(self, file: PythonFile, each: Import, package: str) -> bool:
+        """Return whether the own module is there and has all that a file takes out of it; else it is another one's."""
+        full, top = f"{package}.{each.module}", each.module.partition(".")[0]
+        is_own = f"{package}.{top}" in self.imports.installed.sources
+        if is_own and full in self.imports.installed.sources:
+            offers = self.imports.installed.offers
+            return self.imports.has_all(each, full) and all(offers(full, name) for name in attributes(file, each))
+        return self.is_beside(file, each)
+
+    def is_beside(self, file: PythonFile, each: Import) -> bool:
+        """Return whether a module lies in a folder next to a file, which nothing installs as a Python package."""
+        folder, below = posixpath.dirname(file.path), each.module.replace(".", "/")
+        start = f"{folder}/{below}"
+        inner = [f"{start}/{name}" for name in each.names]
+        modules = [start] if "/" in below else inner
+        if not folder or not modules or not all(self.imports.files.exists(f"{path}.py") for path in modules):
+            return False
+        return modules == inner or all(self.has(f"{start}.py", name) for name in each.names)
+
+    def has(self, path: str, name: str) -> bool:
+        """Return whether a module that nothing installs binds a name at its top level, or may do so."""
+        file = self.imports.run.modules.at(path)
+        return file is None or name in ("*", *file.definitions) or file.has_dynamic_names or bool(file.star_imports)
+
+
+def attributes(file: PythonFile, each: Import) -> Iterator[str]:
+    """Yield what a file reads of a module that it imports as a whole, by the name that it has there."""
+    aliases = (alias for node in nodes_of_kind(file.tree, ast.Import) for alias in node.names)
+    bound = {alias.asname or alias.name for alias in aliases if not each.names and alias.name == each.module}
+    for node in nodes_of_kind(file.tree, ast.Attribute) if bound else ():
+        name = ast.unparse(node.value) if isinstance(node.value, ast.Name | ast.Attribute) else ""
+        is_read = name in bound and isinstance(node.ctx, ast.Load)
+        if is_read and not is_bound(file, name.partition(".")[0]):
+            yield node.attr
