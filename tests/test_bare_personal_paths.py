@@ -22,7 +22,7 @@ def found(files: dict[str, str], lines: str = "") -> list[str]:
     base = {
         "package.xml": manifest("", "ament_cmake"),
         "CMakeLists.txt": CMAKE.replace("ament_package", f"{NODE}{INSTALLS}{lines}ament_package"),
-        "src/node.cpp": "int main() {return 0;}\n",
+        "src/node.cpp": 'int main() {node->declare_parameter("place", "");}\n',
         "maps/office.yaml": "image: office.pgm\n",
         "maps/office.pgm": "",
     }

@@ -84,7 +84,7 @@ CASES = {
                 for path, text in {
                     "package.xml": manifest("", "ament_cmake").replace("<name>my_pkg", f"<name>{name}"),
                     "CMakeLists.txt": CMAKE.replace("(my_pkg)", f"({name})").replace("ament_package", INSTALLS),
-                    "config/a.yaml": f"a:\n  ros__parameters:\n    map: «/home/ada/{name}/a.txt»\n",
+                    "config/a.yaml": f"a:\n  ros__parameters:\n    yaml_filename: «/home/ada/{name}/a.txt»\n",
                     "a.txt": "",
                     "launch/a.launch.xml": LAUNCH if name != "third" else "<launch/>\n",
                 }.items()

@@ -40,6 +40,7 @@ from .launch.missing_references import LaunchContext
 from .launch.unread_values import UnreadValues
 from .left_files import LeftFiles
 from .params.launch_overrides import is_given, is_overridden
+from .params.path_readers import PathReaders
 from .params.replaced_defaults import is_replaced
 from .reached_definitions import ReachedDefinitions
 from .replaced_launch_files import has_named_twin, is_always_given
@@ -82,6 +83,8 @@ class HomePath:
     """Whether it is put into a variable, or is the default of an argument, that nothing reads."""
     is_written: bool = False
     """Whether it is shown to be a file that something writes."""
+    is_unclaimed: bool = False
+    """Whether it is a value of YAML, and neither code here nor a well-known node is shown to read it by its key."""
 
 
 @dataclass(frozen=True)
@@ -139,9 +142,14 @@ class HomePaths:
             is_seldom_read = is_seldom_read or begins_dialog(bare, place.start)
             is_seldom_read = is_seldom_read or (not is_image and self.names_nothing(path, *home))
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
-            yield HomePath(
-                path, place, named, *home, *flags, self.is_unread(path, place), is_written(bare, place.start, place.end)
-            )
+            ends = self.is_unread(path, place), is_written(bare, place.start, place.end)
+            is_value = path.endswith((".yaml", ".yml")) and role_of(path) != "launch" and not is_image
+            is_unclaimed = is_value and not self.readers.has(path, place, bare)
+            yield HomePath(path, place, named, *home, *flags, *ends, is_unclaimed)
+
+    @cached_property
+    def readers(self) -> PathReaders:
+        return PathReaders(self.files, self.workspace, self.parameters)
 
     def names_nothing(self, path: str, package: str | None, below: str) -> bool:
         facts = self.workspace.named(package) if package is not None else None

@@ -25,6 +25,7 @@ SETUP = SETUP_PY_FOR_ALL.replace(
     "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
 )
 UNREACHED, UNREAD = "; nothing here leads to this function", "; nothing reads it"
+UNCLAIMED = "; neither code here nor a well-known node is shown to read it by this key"
 WRITTEN = "; something writes it, and misses no file"
 FILES = {
     "package.xml": manifest(
@@ -49,7 +50,8 @@ FILES = {
         "nothing installs, compiles, starts or names the file, YAML or launch files replace it, nothing leads to the "
         "function or reads the variable or argument, something writes the file, a comment or page tells another, it "
         "is one of several places for modules, a dialog for files begins there, YAML has it and the repository no such "
-        "file, or a launch file has it without a suffix and no file or folder is called so"
+        "file, or a launch file has it without a suffix and no file or folder is called so, or no "
+        "code here and no well-known node is shown to read a value of YAML by its key"
     },
     examples=(
         Example(
@@ -99,7 +101,10 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     folder. A value of YAML or a launch file without a suffix that is the path of no file or folder is an info as well:
     what reads it adds a suffix (slam_toolbox's `map_file_name`), or writes there. So are one of YAML that no file of
     the repository ends with, but for the image of a map, the default of an argument that nothing reads, and what is
-    written: `open(…, 'w')`, `np.save`, `ofstream`, a parameter called `output_dir`.
+    written: `open(…, 'w')`, `np.save`, `ofstream`, a parameter called `output_dir`. And so is a value of YAML that
+    nobody is shown to read: no code of the workspace declares the parameter or has its key as a text or attribute, and
+    no well-known node has it in a supported distribution (`default_bt_xml_filename`, which Humble's bt_navigator does
+    not read), unless only older ones are meant.
     Robots and worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
@@ -113,7 +118,8 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
 
 
 def is_mild(found: HomePath) -> bool:
-    return found.may_be_there or found.is_seldom_read or found.is_unreached or found.is_unread or found.is_written
+    is_unmet = found.is_unreached or found.is_unread or found.is_written or found.is_unclaimed
+    return is_unmet or found.may_be_there or found.is_seldom_read
 
 
 def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
@@ -125,4 +131,5 @@ def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
     why = UNREACHED if all(each.is_unreached for each in found) else ""
     why = why or (UNREAD if all(each.is_unread for each in found) else "")
     why = why or (WRITTEN if all(each.is_written for each in found) else "")
+    why = why or (UNCLAIMED if all(each.is_unclaimed and each.of_package for each in found) else "")
     return Hit(first.path, first.span, f"{message}{why}", level, again)
