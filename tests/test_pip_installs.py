@@ -29,3 +29,28 @@ def test_what_pip_installs(files: dict[str, str], levels: dict[str, str]) -> Non
     tree = {**package, "src/my_pkg/package.xml": manifest(), "src/my_pkg/my_pkg/node.py": NODE, **files}
     found = lint_files(tree, ["DEP101"]).findings
     assert {each.message.split("`")[1].removeprefix("python3-"): each.severity.value for each in found} == levels
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "level"),
+    [
+        ("environment.yml", "name: arm\ndependencies:\n  - python=3.10\n  - pip:\n      - pyserial==3.5\n", "info"),
+        ("Pipfile", "[packages]\npyserial = '*'\n", "info"),
+        ("pyproject.toml", "[project]\ndependencies = ['numpy', 'pyserial>=3']\n", "info"),
+        ("requirements/base.txt", "pyserial\n", "info"),
+        ("pip-requirements.txt", "pyserial\n", "info"),
+        ("install_dependencies.sh", "pip3 install pyserial\n", "info"),
+        ("scripts/deps.sh", "python3 -m pip install pyserial\n", "info"),
+        ("docs/setup.md", "Type `pip install pyserial`.\n", "info"),
+        ("docker/jazzy/Containerfile", "FROM ros:jazzy\nRUN pip install pyserial\n", "info"),
+        ("Makefile", "deps:\n\tpip install pyserial\n", "info"),
+        ("environment.yml", "name: arm\ndependencies:\n  - numpy\n", "warning"),
+        ("docs/setup.md", "It works with pyserial.\n", "warning"),
+        ("other/pip.sh", "pip install pyserial\n", "warning"),
+    ],
+)
+def test_where_pip_is_told(path: str, text: str, level: str) -> None:
+    package = {f"src/my_pkg/{path}": text for path, text in existing_files(BACKDROPS["ament_python"]).items()}
+    tree = {**package, "src/my_pkg/package.xml": manifest(), "src/my_pkg/my_pkg/node.py": "import serial\n", path: text}
+    (only,) = lint_files(tree, ["DEP101"]).findings
+    assert only.severity.value == level

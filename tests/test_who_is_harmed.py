@@ -35,6 +35,13 @@ def test_a_script_that_nothing_starts_beside_others() -> None:
     assert found("DEP101", NATIVE, {**named, **starts}).severity.value == "warning"
 
 
+def test_a_script_for_ros_1_that_nothing_starts_beside_others() -> None:
+    scripts = {"scripts/talker.py": SCRIPT.format("sys"), "scripts/tune.py": SCRIPT.format("rospy")}
+    files = {**scripts, "CMakeLists.txt": CMAKE.replace("ament_package", FOUND)}
+    for starts, level in (("talker.py", "info"), ("tune.py", "warning"), ("other.py", "warning")):
+        assert found("DEP101", NATIVE, {**files, "launch/a.launch.xml": STARTS.format(starts)}).severity.value == level
+
+
 def test_the_file_that_something_opens_is_the_one_that_is_told() -> None:
     setup = "from glob import glob\n" + setup_py().replace(ENTRY, ENTRY + GLOB)
     config = {"config/a.yaml": "a: 1\n", "config/b.json": "{}\n", "config/tree.xml": "<root/>\n"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator
 from functools import cached_property
@@ -11,16 +12,21 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...ros.aliases import key_for_pip
 from ...ros.names import Names
+from ...tree import READABLE
 from ..container_files import OF_CONTAINER, files_called
 
-REQUIREMENTS = regex(r"(?:.*/)?requirements[^/]*\.txt")
-TYPED = regex(r"(?:.*/)?(?:README[^/]*|[^/]*\.(?:md|rst|sh|bash))")
+REQUIREMENTS = regex(r"(?:.*/)?(?:[^/]*requirements[^/]*\.(?:txt|in|pip)|requirements/[^/]+\.(?:txt|in))")
+PROJECTS = regex(r"(?:.*/)?(?:[^/]*(?:environment|conda)[^/]*\.ya?ml|Pipfile|pyproject\.toml)")
+"""What conda, pipenv, poetry and uv install."""
+TYPED = regex(r"(?:.*/)?(?:README[^/]*|[^/]*\.(?:md|rst|sh|bash)|[Mm]akefile|justfile)")
 """Files with commands: some run them, and people type those of the others."""
-ABOVE = (
-    "requirements.txt", "docker/requirements.txt", "README.md", "README.rst", "README", "INSTALL.md", "install.sh",
-    "setup.sh", "scripts/install.sh", "scripts/setup.sh",
-)  # fmt: skip
+BESIDE = ("", "doc", "docker", "docs", "requirements", "scripts")
+"""The folders, in one above a package, whose files say what is to be installed."""
 LISTED = regex(r"^[ \t]*([A-Za-z][\w.-]*)", re.MULTILINE)
+NEEDED = regex(
+    r"(?m)^[ \t]*(?:-[ \t]*)?[\"']?([A-Za-z][\w.-]*)|\[[ \t]*[\"']([A-Za-z][\w.-]*)|,[ \t]*[\"']([A-Za-z][\w.-]*)"
+)
+"""An entry of a list or a table, on a line of its own or between brackets."""
 INSTALLS = regex(r"\bpip3?\s+install\b((?:[^\n&|;\\]|\\\n)*)")
 WORD = regex(r"(?<![\w./:-])[A-Za-z][\w.-]*")
 
@@ -48,16 +54,20 @@ def installing_texts(files: PackageFiles) -> Iterator[tuple[str, str]]:
     """Yield the requirements, pages and scripts of the package and of the folders above it, and all that containers
     are made by, with their paths.
     """
-    for path in files.paths:
-        if REQUIREMENTS.fullmatch(path) or TYPED.fullmatch(path):
-            yield path, files.readable_text(path)
-    whole = PackageFiles(files.whole) if files.whole is not None else None
-    for each in ABOVE if whole is not None else ():
-        path = files.above((each,)) or ""
-        if whole is not None and path:
+    yield from ((path, files.readable_text(path)) for path in files.paths if is_read(path))
+    parts = files.folder.split("/") if files.folder and files.whole is not None else []
+    whole = PackageFiles(files.whole) if files.whole is not None else files
+    above = {"/".join(parts[:depth]) for depth in range(len(parts))}
+    folders = {posixpath.join(each, name).rstrip("/") for each in above for name in BESIDE}
+    for path, kind in whole.tree.files().items():
+        if kind in READABLE and posixpath.dirname(path) in folders and is_read(path):
             yield path, whole.readable_text(path)
     for owner, path in files_called(files, OF_CONTAINER):
         yield path, owner.readable_text(path)
+
+
+def is_read(path: str) -> bool:
+    return any(names.fullmatch(path) for names in (REQUIREMENTS, PROJECTS, TYPED))
 
 
 def names_in(path: str, text: str) -> Iterator[str]:
@@ -65,6 +75,8 @@ def names_in(path: str, text: str) -> Iterator[str]:
     if REQUIREMENTS.fullmatch(path):
         yield from (match[1] for match in LISTED.finditer(text))
         return
+    if PROJECTS.fullmatch(path):
+        yield from (name for found in NEEDED.findall(text) for name in found if name)
     for command in INSTALLS.finditer(text):
         yield from (word[0] for word in WORD.finditer(command[1]))
 

@@ -78,11 +78,12 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     build names it, what lies in a folder of tools (`benchmarks/`) and is no part of a program, and one that others
     import under `try` … `except ImportError` alone; so is an import in a function that no program leads to, behind
     `rclpy.spin`, or under the `__main__` of an entry point's module, what `ros2 launch` brings, where only launch files
-    import the module, and a library that a requirements.txt, a Dockerfile, a script or a page of the repository has pip
-    install, or a page tells to install by hand, or what Blender, Isaac Sim, Webots or a microcontroller runs. Left out
-    are optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that
-    asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files that
-    nothing installs, the package's own modules, and libraries that rosdep has for older releases of Ubuntu alone.
+    import the module, and a library that a requirements.txt, an environment of conda, a Pipfile, a pyproject.toml, a
+    Dockerfile, a script or a page of the repository has pip install, or a page tells to install by hand, or what
+    Blender, Isaac Sim, Webots or a microcontroller runs. Left out are optional imports: under `try` … `except
+    ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
+    get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, the package's own
+    modules, and libraries that rosdep has for older releases of Ubuntu alone.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, where no released package has the name, or where a comment of
@@ -108,12 +109,11 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
 def ros1_leftover(imports: ImportDependencies, places: list[ImportUse]) -> Hit:
     first, *others = places
     files, ends = (f"this file and {len(others)} more", "end") if others else ("this file", "ends")
-    them = "them" if others else "it"
-    message = (
-        f"`{first.module}` is a module of ROS 1: {files} {ends} with ModuleNotFoundError before anything else; port "
-        f"{them} to rclpy, or do not install {them}"
-    )
-    also, end = tuple(Related(each.path, each.span, "and here") for each in others), unneeded(imports, places)
+    them, what = "them" if others else "it", f"`{first.module}` is a module of ROS 1"
+    todo = f"port {them} to rclpy, or do not install {them}"
+    message = f"{what}: {files} {ends} with ModuleNotFoundError before anything else; {todo}"
+    also = tuple(Related(each.path, each.span, "and here") for each in others)
+    end = unneeded(imports, places) or imports.why_unstarted(places)
     return Hit(first.path, first.span, f"{message}{end}", Severity.INFO if end else None, also)
 
 
