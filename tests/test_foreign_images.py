@@ -1,10 +1,10 @@
-"""What an image of others, or a library that is put there by hand, may bring is no error (DEP110, DEP112)."""
+"""What an image of others, or a library that is put there by hand, may bring is no error (CMK117, DEP110, DEP112)."""
 
 from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, existing_files, scripts, setup_py
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest, scripts, setup_py
 from rospkg_cli.testing import lint_files
 
 PACKAGE = {
@@ -49,6 +49,20 @@ def test_an_image_that_may_bring_anything(path: str, text: str) -> None:
     level, message = found({path: text, "src/my_pkg/my_pkg/talker.py": TALKER.format(lookup)}, "DEP112")
     assert level == "warning"
     assert message.endswith(", which may bring it")
+
+
+@pytest.mark.parametrize(
+    ("base", "level"), [("acme/ros:humble", "warning"), ("ros:humble", "error"), ("osrf/ros:humble-desktop", "error")]
+)
+def test_a_package_that_cmake_looks_for(base: str, level: str) -> None:
+    lines = "find_package(rclpcp REQUIRED)\nament_package"
+    cmake = {
+        "package.xml": manifest("  <depend>rclcpp</depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace("ament_package", lines),
+        "Dockerfile": f"FROM {base}\nRUN colcon build\n",
+    }
+    (only,) = lint_files(cmake, ["CMK117"]).findings
+    assert only.severity.value == level
 
 
 @pytest.mark.parametrize(("path", "text"), PLAIN)

@@ -18,6 +18,7 @@ from ...ros.config_files import in_other_case
 from ...ros.link_targets import ROS_NAME
 from ...ros.names import NameKind
 from ...suggest import slips
+from ..foreign_images import foreign_image
 from .consumers import Consumers
 from .foreign_targets import TAKING, ForeignTargets, foreign_targets
 from .found_elsewhere import may_be_found_elsewhere
@@ -121,8 +122,12 @@ class MistypedPackages:
 
     def may_be_elsewhere(self, each: MistypedPackage) -> bool:
         """Return whether what is looked for under a name that is near to another one may be a package of its own."""
-        is_guess = each.kind == "misspelt" and each.call.name != HANDED
-        return is_guess and may_be_found_elsewhere(each.word.text, self.package.cmake, self.workspace)
+        return is_guess(each) and may_be_found_elsewhere(each.word.text, self.package.cmake, self.workspace)
+
+    def may_be_brought(self, each: MistypedPackage) -> str:
+        """Return what is said where an image that the repository builds on may have the package; "" elsewhere."""
+        image = foreign_image(self.package.cmake.package_files) if is_guess(each) else None
+        return image.may_bring if image is not None else ""
 
     def alike(self, name: str) -> str | None:
         """Return the one package found whose name differs in case and underscores, or is one of a vendor without the
@@ -243,3 +248,8 @@ class MistypedPackages:
 def is_end(one: str, other: str) -> bool:
     """Return whether one name is the other without the words before it."""
     return one.endswith(f"_{other}") or other.endswith(f"_{one}")
+
+
+def is_guess(each: MistypedPackage) -> bool:
+    """Return whether a package is looked for that another one is meant by, as far as names tell."""
+    return each.kind == "misspelt" and each.call.name != HANDED

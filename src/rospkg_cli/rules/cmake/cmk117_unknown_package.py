@@ -39,7 +39,8 @@ def cmake_handed(keyword: str) -> str:
     over=MistypedPackages,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "nobody here knows it; or it is the package itself, which may be installed from an earlier "
+        Severity.WARNING: "nobody here knows it, or an image that the repository builds on may bring it; or it is the "
+        "package itself, which may be installed from an earlier "
         "build; or it is found in other letters; or a target is looked for and not required; or it is exported by a "
         "library for others",
         Severity.INFO: "it is exported, no package of the workspace is built with this one, and it is no library for "
@@ -91,7 +92,8 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     that are not found otherwise. Under a condition that can't be evaluated. What is exported is an info where no
     package of the workspace is built with this one, unless it is a library for others, which is released and whose
     pages tell how to use it. So is a name near to another one where a list names repositories that are not here, where
-    CMake looks in folders outside of the package (`CMAKE_MODULE_PATH`), or fetches a project of that name.
+    CMake looks in folders outside of the package (`CMAKE_MODULE_PATH`), or fetches a project of that name. Where the
+    repository builds on an image that is none of the plain ones (`ros`, `ubuntu`, …), that may bring it: a warning.
 
     ## Fix safety
     The nearest name may not be the one that was intended.
@@ -106,8 +108,9 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
         is_asked = each.kind == "imported" and "REQUIRED" not in each.call.texts
         level = Severity.WARNING if is_asked or each.kind in ("own", "nowhere", "case") else None
         level = met_by(packages, level) if each.call.name == EXPORT else level
-        is_open = packages.may_be_elsewhere(each)
-        text = message(each) + (ELSEWHERE if is_open else "")
+        is_open, brought = packages.may_be_elsewhere(each), packages.may_be_brought(each)
+        level = Severity.WARNING if brought and level is None else level
+        text = message(each) + (ELSEWHERE if is_open else brought)
         yield Hit(each.word.path, each.word.span, text, Severity.INFO if is_open else level, fix=fix)
     for given in packages.foreign():
         if (given.words[0].path, given.words[0].span) not in told:
