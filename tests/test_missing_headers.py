@@ -139,9 +139,12 @@ def test_a_header_that_git_ignores_is_made_by_somebody() -> None:
         ('#if __has_include("x")\n#endif\n#include <ros/ros.h>', []),
         ("#include <std_msgs/String.h>", [(ERROR, "std_msgs/msg/string.hpp")]),
         ("#include <sensor_msgs/NavSatFix.h>", [(ERROR, "sensor_msgs/msg/nav_sat_fix.hpp")]),
-        ("#include <std_msgs/Whatever.h>", []),
+        ("#include <std_msgs/Whatever.h>", [(INFO, "pkg/msg/name.hpp")]),
+        ("#include <std_msgs/Whatever.h>\n#include <std_msgs/String.h>", [(ERROR, "std_msgs/msg/string.hpp")]),
         ("#include <nobody_msgs/String.h>", []),
-        ("#include <std_msgs/string.h>", []),
+        ("#include <std_msgs/string.h>", [(ERROR, "std_msgs/msg/string.h")]),
+        ("#include <std_msgs/strange.hpp>", []),
+        ("#include <sensor_msgs/imu.hpp>", []),
     ],
 )
 def test_headers_of_ros_1(line: str, expected: list[GIVEN]) -> None:
@@ -179,7 +182,9 @@ def test_a_folder_that_is_there_is_not_misspelt() -> None:
 
 def test_a_package_of_ros_1_has_its_headers() -> None:
     line = "#include <ros/ros.h>"
-    assert of_nobody(line, find="find_package(roscpp REQUIRED)\n") == []
+    find, declared = "find_package(roscpp REQUIRED)\n", manifest("<depend>roscpp</depend>", "ament_cmake")
+    assert of_nobody(f"{line}\n#include <tf/tf.h>", find=find) == [(INFO, "")]
+    assert of_nobody(line, find=find, **{"package.xml": declared}) == []
     header = {"include/my_pkg/a.hpp": f"{line}\n"}
     assert of_nobody("", **header) == []
     assert of_nobody('#include "my_pkg/a.hpp"', **header) == [(ERROR, "rclcpp/rclcpp.hpp")]

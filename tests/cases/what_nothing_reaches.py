@@ -62,7 +62,7 @@ def registered(lines: str, path: str = "test/test_talk.py") -> Example:
 
 MAIN_CPP = "int main() { return 0; }\n"
 TYPED = f"#include <geometry_msgs/msg/pose_stamped.hpp>\nstd_msgs::msg::Header header;\n{MAIN_CPP}"
-FOR_ROS1 = f"#include <nav_msgs/Path.h>\n{MAIN_CPP}"
+FOR_ROS1 = f"#include <nav_msgs/msg/path.hpp>\n{MAIN_CPP}"
 
 
 def compiled(lines: str, text: str, needs: str = "") -> Example:

@@ -11,3 +11,6 @@ LIBRARIES: Mapping[str, str] = pairs("headers.txt", "libraries")
 
 SHARED = words("headers.txt", "shared")
 """Folders that several packages put headers into, or that are no package's at all."""
+
+BESIDE_INTERFACES = words("headers.txt", "beside interfaces")
+"""Packages of messages that have headers of their own beside those of their messages."""

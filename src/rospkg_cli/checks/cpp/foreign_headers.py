@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import islice
 from typing import Literal
 
 from ...languages.cpp.file import CppFile, IncludeDirective
@@ -13,17 +14,16 @@ from ...package.cmake.made_headers import HEADERS
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.interfaces import KINDS, header_name
 from ...ros.names import NameKind
-from ...ros.read_table import rows
 from ...source import Span
 from ...suggest import near_names
 from ..cmake.mistyped_links import digits
 from ..depends.compiled_sources import compiled_sources
+from ..depends.ros1_sources import Ros1Use
 from ..fault import Level
 from ..interfaces.known_interfaces import KnownInterfaces
 from .missing_headers import MissingHeaders
 
 FOLDER = regex(r"[a-z][a-z0-9_]{4,}")
-OLD_INTERFACE = regex(r"([a-z]\w*)/([A-Z]\w*)\.h")
 SHORT = 8
 """Letters of a folder's name from which two may be wrong."""
 PREFIX = regex(r"/opt/ros/(?:hydro|indigo|jade|kinetic|lunar|melodic|noetic)\b")
@@ -35,11 +35,14 @@ class ForeignHeader:
     path: str
     span: Span
     header: str
-    kind: Literal["folder", "ros1"]
+    kind: Literal["folder", "ros1", "both", "unsure"]
+    """A name of no package, a header of ROS 1, one in a package that looks for ROS 1 too, or one that is called so."""
     meant: str
     """The header that is intended, or that ROS 2 has; "" where there is none."""
     level: Level
     """How bad it is, by who compiles the file."""
+    behind: Ros1Use | None = None
+    """What of ROS 1 ends the build of all targets with the file before it is met."""
 
 
 @dataclass(frozen=True)
@@ -50,11 +53,17 @@ class ForeignHeaders:
     def all(self) -> Iterator[ForeignHeader]:
         """Yield each include in what is compiled or installed whose header is certainly somewhere else.
 
-        Headers of ROS 1 are told where the build meets them, one a file: what is left aside was not yet ported.
+        Headers of ROS 1 are told where the build meets them, one a file: what is left aside was not yet ported. Where
+        CMake looks for ROS 1 itself, and package.xml declares it, all is meant so.
         """
-        package, sources = self.headers.package, self.headers.sources
-        if not package.is_ament or self.is_for_both:
+        package = self.headers.package
+        if not package.is_ament or (self.is_for_both and not ROS_1.isdisjoint(self.declared)):
             return
+        found = self.in_files()
+        yield from islice((each for each in found if each.kind == "both"), 1) if self.is_for_both else found
+
+    def in_files(self) -> Iterator[ForeignHeader]:
+        package, sources = self.headers.package, self.headers.sources
         for source, role in compiled_sources(package.cmake, sources):
             if role == "aside" or "__has_include" in source.source.text or source.path in self.headers.guarded:
                 continue
@@ -65,7 +74,7 @@ class ForeignHeaders:
                 for foreign in self.judged(source, each)
                 if not self.headers.is_there(each.path)  # last, as it looks into all packages
             ]
-            old = [each for each in found if each.kind == "ros1"]
+            old = sorted((each for each in found if each.kind != "folder"), key=lambda each: each.kind == "unsure")
             yield from (each for each in found if each.kind == "folder")
             yield from old[:1] if source.path in self.headers.compiled else ()
 
@@ -78,25 +87,18 @@ class ForeignHeaders:
         return is_found or any(text in ROS_1 or PREFIX.match(text) for text in texts)
 
     def judged(self, source: CppFile, each: IncludeDirective) -> Iterator[ForeignHeader]:
-        kind: Literal["folder", "ros1"] = "ros1"
-        meant = self.of_ros_1(each.path)
-        if meant is None:
-            kind, meant = "folder", self.in_right_folder(each.path)
-        if meant is not None:
-            level = self.headers.harm_in(source.path)
-            is_other = kind == "folder" and digits(folder_of(meant)) != digits(folder_of(each.path))
+        level = self.headers.harm_in(source.path)
+        if (old := self.headers.ros1.headers.find(each.path)) is not None:
+            kind: Literal["ros1", "both", "unsure"] = "both" if self.is_for_both else "ros1"
+            kind = kind if old.is_certain else "unsure"
+            yield ForeignHeader(source.path, each.span, each.path, kind, old.meant, level if kind == "ros1" else "info")
+            return
+        meant = self.headers.ros1.headers.with_kind(each.path) or self.in_right_folder(each.path)
+        if meant:
+            is_other = digits(folder_of(meant)) != digits(folder_of(each.path))
             level = "warning" if is_other and level == "error" else level
-            yield ForeignHeader(source.path, each.span, each.path, kind, meant.strip("-"), level)
-
-    def of_ros_1(self, header: str) -> str | None:
-        """Return what ROS 2 has instead of a header of ROS 1, `-` for nothing; None for any other header."""
-        if (found := rows("ros1_headers.txt").get(header)) is not None:
-            return found[0]
-        if (old := OLD_INTERFACE.fullmatch(header)) is None:
-            return None
-        package, name = old.groups()
-        kinds = [kind for kind, names in (self.interfaces.of(package) or {}).items() if name in names]
-        return f"{package}/{kinds[0]}/{header_name(name)}.hpp" if kinds else None
+            behind = self.headers.ros1.stopping_all([source.path])
+            yield ForeignHeader(source.path, each.span, each.path, "folder", meant, level, behind)
 
     def in_right_folder(self, header: str) -> str | None:
         """Return the header in the folder of the one package that is near and has it; None where there is none."""

@@ -17,6 +17,8 @@ from ...ros.interfaces import KINDS
 from ...source import Span
 from ...suggest import near_names, nearest
 from ..depends.compiled_sources import compiled_sources, harm_in, only_under_conditions, own_compiled
+from ..depends.ros1_headers import Ros1Headers
+from ..depends.ros1_sources import Ros1Sources, Ros1Use
 from ..fault import Level
 from .installed_headers import is_installed_header
 
@@ -37,6 +39,8 @@ class MissingHeader:
     """The header that is near; "" where none is."""
     level: Level
     """How bad it is, by who compiles the file."""
+    behind: Ros1Use | None = None
+    """What of ROS 1 ends the build of all targets with the file."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +60,8 @@ class MissingHeaders:
                     owner, meant = found
                     if not meant and not each.path.endswith(HEADERS):
                         continue  # `.inc`, `.def`: anything may make it
-                    yield MissingHeader(source.path, each.span, each.path, owner, meant, self.harm_in(source.path))
+                    level, behind = self.harm_in(source.path), self.ros1.stopping_all([source.path])
+                    yield MissingHeader(source.path, each.span, each.path, owner, meant, level, behind)
 
     def is_header(self, path: str) -> bool:
         """Return whether a path may be that of a header that people write: interfaces have generated ones."""
@@ -151,6 +156,12 @@ class MissingHeaders:
         name = self.package.facts.name
         inside = (f"/{path}".rpartition(f"/{name}/") for path in self.package.cmake.package_files.paths)
         return frozenset(f"{name}/{rest}" for _, found, rest in inside if found and rest.endswith(HEADERS))
+
+    @cached_property
+    def ros1(self) -> Ros1Sources:
+        package = self.package
+        headers = Ros1Headers(package.facts, package.cmake.package_files, self.workspace)
+        return Ros1Sources(headers, package.cmake, self.sources)
 
     @cached_property
     def may_make(self) -> bool:

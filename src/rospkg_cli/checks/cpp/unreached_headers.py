@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import islice
 
 from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
@@ -12,6 +13,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.foreign_commands import foreign_commands
 from ...source import Span
 from ..cmake.source_targets import SourceTargets
+from ..depends.ros1_sources import Ros1Use
 from .include_folders import IncludeFolders
 from .missing_headers import MissingHeaders
 
@@ -30,6 +32,8 @@ class UnreachedHeader:
     """Where it lies, below the package."""
     target: str = ""
     """What is not told of the folder; "" where nothing is told of any."""
+    behind: Ros1Use | None = None
+    """What of ROS 1 ends the build of all targets with the file."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +41,11 @@ class UnreachedHeaders:
     headers: MissingHeaders
 
     def first(self) -> Iterator[UnreachedHeader]:
-        """Yield the first include of a header that no compiler finds: one cause."""
+        """Yield the first include of a header that no compiler finds, one that the build comes to before others."""
+        yield from sorted(self.all(), key=lambda each: each.behind is not None)[:1]
+
+    def all(self) -> Iterator[UnreachedHeader]:
+        """Yield the first of each file."""
         cmake = self.headers.package.cmake
         is_known = cmake.is_complete and not cmake.reads_unknown_files and next(foreign_commands(cmake), None) is None
         finds_itself = any(found.name == self.headers.package.facts.name for found in cmake.packages)
@@ -45,10 +53,7 @@ class UnreachedHeaders:
             return
         for source in self.headers.sources:
             if source.path in self.headers.compiled - self.headers.guarded:
-                found = next(self.within(source), None)
-                if found is not None:
-                    yield found
-                    return
+                yield from islice(self.within(source), 1)
 
     def within(self, source: CppFile) -> Iterator[UnreachedHeader]:
         workspace, name = self.headers.workspace, self.headers.package.facts.name
@@ -61,7 +66,8 @@ class UnreachedHeaders:
             folders = [path.removesuffix(f"/{each.path}") for path in paths if path.endswith(f"/{each.path}")]
             is_clear = len(folders) == 1 and not owners and posixpath.basename(folders[0]) == "include"
             if is_clear and (target := self.without(source.path, folders[0])) is not None:
-                yield UnreachedHeader(source.path, each.span, each.path, folders[0], target)
+                behind = self.headers.ros1.stopping_all([source.path])
+                yield UnreachedHeader(source.path, each.span, each.path, folders[0], target, behind)
 
     def without(self, source: str, folder: str) -> str | None:
         """Return a target that compiles a source without a folder; "" where no folder is named, None for nobody."""

@@ -12,6 +12,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.foreign_commands import foreign_commands
 from ...ros.interfaces import KINDS
 from ...source import Span
+from .ros1_sources import Ros1Use
 from .unlinked_includes import PLAIN, UnlinkedIncludes
 
 TYPESUPPORT = "typesupport"
@@ -25,6 +26,8 @@ class OwnInterface:
     header: str
     path: str
     span: Span
+    behind: Ros1Use | None
+    """What of ROS 1 ends the build of the target."""
 
 
 @dataclass(frozen=True)
@@ -86,4 +89,5 @@ class OwnInterfaces:
                 first, _, rest = each.path.partition("/")
                 is_generated = first == self.name and rest.partition("/")[0] in KINDS and not each.is_conditional
                 if is_generated and not any(other.endswith(f"/{each.path}") for other in there):
-                    yield OwnInterface(target, each.path, path, each.span)
+                    use = unlinked.includes.ros1.stopping(target.name)
+                    yield OwnInterface(target, each.path, path, each.span, use)

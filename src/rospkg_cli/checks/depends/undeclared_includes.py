@@ -34,6 +34,8 @@ from .compiled_sources import (
 from .declared_dependencies import DeclaredDependencies
 from .hand_installs import HandInstalls
 from .required_by_cmake import required_modules, required_packages
+from .ros1_headers import Ros1Headers
+from .ros1_sources import Ros1Sources
 from .undeclared_find_package import FindPackageDependencies
 from .unnamed_sources import UnnamedSources
 
@@ -86,6 +88,11 @@ class IncludeDependencies:
     def find_packages(self) -> FindPackageDependencies:
         return FindPackageDependencies(self.declared, self.cmake, self.interfaces)
 
+    @cached_property
+    def ros1(self) -> Ros1Sources:
+        headers = Ros1Headers(self.declared.facts, self.files, self.declared.workspace)
+        return Ros1Sources(headers, self.cmake, self.sources)
+
     def brought(self) -> Iterator[tuple[IncludedPackage, Bringer]]:
         """Yield what is included and not declared, and comes or may come with something else."""
         for each in self.undeclared():
@@ -117,7 +124,8 @@ class IncludeDependencies:
                 is_certain = not each.is_conditional or folder in always or self.is_switched_on(source, each)
                 if (slash or keys_of_header(each.path)) and is_certain and not self.is_own(each.path):
                     names, cmake = self.providers(each.path)
-                    if names and source.path not in self.guarded and self.outside.isdisjoint((folder, *names)):
+                    is_open = source.path in self.guarded or not self.ros1.headers.may_be_in_ros2(each.path)
+                    if names and not is_open and self.outside.isdisjoint((folder, *names)):
                         use = IncludeUse(source.path, each.span, each.path)
                         found.setdefault((role, names, cmake), []).append(use)
         for (role, names, cmake), uses in sorted(found.items(), key=lambda item: item[0][0] == "test"):

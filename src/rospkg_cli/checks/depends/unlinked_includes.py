@@ -24,6 +24,7 @@ from .compiled_sources import Inclusions, sources_by_use
 from .header_folders import HeaderFolders
 from .linked_at_run_time import VARIABLE
 from .own_typesupport import with_own_interfaces
+from .ros1_sources import Ros1Use
 from .undeclared_includes import IncludeDependencies
 
 PLAIN = frozenset({"add_executable", "add_library"})
@@ -46,6 +47,8 @@ class UnlinkedInclude:
     keeper: str = ""
     """The package that brings it up to Humble alone."""
     is_found: bool = True
+    behind: Ros1Use | None = None
+    """What of ROS 1 ends the build of the target."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +65,8 @@ class UnlinkedIncludes:
         if self.folders.for_all is None or any(cmake.target(call.texts[0]) is None for call in links if call.texts):
             return  # a link of a target that is not there is one that another lacks
         seen: set[str] = set()
-        for target in sorted(cmake.targets, key=lambda each: each.call.testing):
+        stopping = self.includes.ros1.stopping
+        for target in sorted(cmake.targets, key=lambda each: (each.call.testing, stopping(each.name) is not None)):
             if target.call.name in PLAIN | OF_TESTS and target.is_built and not target.call.maybe:
                 for each in self.of(target):
                     if each.package not in seen:
@@ -87,7 +91,10 @@ class UnlinkedIncludes:
                     keeper = there.bringer_of(name, BEFORE_JAZZY)
                 if name in known or keeper:
                     has_own = self.has_own_folder(name)
-                    yield UnlinkedInclude(target, name, header, file, span, has_own, bringer, keeper, name in known)
+                    use = self.includes.ros1.stopping(target.name)
+                    yield UnlinkedInclude(
+                        target, name, header, file, span, has_own, bringer, keeper, name in known, use
+                    )
 
     @cached_property
     def made_elsewhere(self) -> str:
@@ -106,7 +113,8 @@ class UnlinkedIncludes:
         for path in sorted(self.inclusions.reached(path for path in opened if path in self.files)):
             for each in self.files[path].includes:
                 slash = "/" in each.path
-                if slash and not each.is_conditional and not self.includes.is_own(each.path):
+                is_certain = not each.is_conditional and not self.includes.is_own(each.path)
+                if slash and is_certain and self.includes.ros1.headers.may_be_in_ros2(each.path):
                     names, cmake = self.includes.providers(each.path)
                     if names[:1] == (cmake,) and path not in self.includes.guarded:
                         yield cmake, (path, each.path, each.span)
@@ -117,7 +125,7 @@ class UnlinkedIncludes:
 
     @cached_property
     def inclusions(self) -> Inclusions:
-        return Inclusions(self.files, only_certain=True)
+        return Inclusions(self.files, only_certain=True, unconditional=True)
 
     @cached_property
     def links(self) -> TargetLinks:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from ...checks.depends.idle_links import IdleLink, idle_links
 from ...checks.depends.own_interfaces import OwnInterface, OwnInterfaces
 from ...checks.depends.unlinked_includes import UnlinkedInclude, UnlinkedIncludes
+from ...checks.depends.unlinked_sentences import is_met, lacking
 from ...checks.enumeration import in_ticks
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
@@ -42,7 +43,7 @@ def example(package: str, header: str, linked: str) -> Example:
     levels={
         Severity.INFO: "where another package's folder of headers may hold them as well, or another one that the "
         "target is linked with may bring them, or a library is given in vain, or the repository is for distributions "
-        "before Humble"
+        "before Humble, or a source of ROS 1 ends the build of the target"
     },
     examples=(
         example("sensor_msgs", "sensor_msgs/msg/image.hpp", "${sensor_msgs_TARGETS}"),
@@ -71,6 +72,9 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     What rclcpp is linked with for itself alone from Jazzy on, as it is with ament_index_cpp, it does not bring; where
     the run checks for Humble alone, or nothing of the repository names Jazzy or a later distribution, that is an info,
     and all is where pages, scripts and workflows name distributions before Humble alone.
+    A target with a source that includes headers of ROS 1 (`ros/ros.h`, `std_msgs/String.h`) or calls
+    `ros::NodeHandle` and the like stops there: an info. A header that no package of interfaces has, as rosidl makes
+    `std_msgs/msg/string.hpp` alone, is not a matter of linking.
     Targets of `ament_auto_add_…()`, includes under `#if`, and calls under a condition are left alone.
 
     ## References
@@ -79,26 +83,11 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     if hit := without_own(list(OwnInterfaces(includes).all())):
         yield hit
     yield from map(given_in_vain, idle_links(includes))
-    perhaps: list[UnlinkedInclude] = []
-    for each in includes.all():
-        if each.bringer:
-            perhaps.append(each)
-            continue
-        ends = 'the build ends with "No such file or directory"'
-        is_shared = includes.distribution.is_before_humble and each.is_own_folder
-        if each.keeper:
-            ends = f"up to Humble `{each.keeper}` brings it, from Jazzy on the build stops"
-        elif is_shared:
-            ends = "from Humble on the build stops, as each package has a folder of headers of its own"
-        elif not each.is_own_folder:
-            ends = "it builds only where the headers lie in a folder that others share"
-        message = (
-            f"`{each.header}` is included here, and `{each.target.name}` is not linked with `{each.package}`: {ends}; "
-            f"{'' if each.is_found else 'find it, and '}add it to `target_link_libraries({each.target.name} …)`"
-        )
-        is_later = is_shared or (each.keeper and not includes.distribution.reaches_jazzy)
-        is_told = (each.is_own_folder or each.keeper) and not is_later
-        yield Hit(each.path, each.span, message, None if is_told else Severity.INFO)
+    found = list(includes.all())
+    for each in (each for each in found if not each.bringer):
+        level = None if is_met(each, includes.distribution) else Severity.INFO
+        yield Hit(each.path, each.span, lacking(each, includes.distribution), level)
+    perhaps = [each for each in found if each.bringer]
     for target in dict.fromkeys(each.target.name for each in perhaps):
         yield perhaps_brought([each for each in perhaps if each.target.name == target])
 
@@ -119,12 +108,13 @@ def without_own(found: Sequence[OwnInterface]) -> Hit | None:
     """Return the hit of all targets that include what is generated here and are not linked with it."""
     if not found:
         return None
-    first, *others = found
+    first, *others = sorted(found, key=lambda each: each.behind is not None)
     start = f"`{first.header}` is generated in this package, and `{first.target.name}` is not linked with it"
     link = "link what `rosidl_get_typesupport_target()` returns"
     related = tuple(Related(each.path, each.span, f"`{each.target.name}` lacks it, too") for each in others)
     message = f'{start}: the build ends with "No such file or directory"; {link}'
-    return Hit(first.path, first.span, message, related=related)
+    behind, level = ("", None) if first.behind is None else (first.behind.sentence, Severity.INFO)
+    return Hit(first.path, first.span, message + behind, level, related)
 
 
 def perhaps_brought(found: Sequence[UnlinkedInclude]) -> Hit:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from ...checks.cpp.foreign_headers import ForeignHeader, ForeignHeaders
 from ...checks.cpp.missing_headers import MissingHeader, MissingHeaders
 from ...checks.cpp.unreached_headers import UnreachedHeader, UnreachedHeaders
+from ...checks.depends.ros1_sources import Ros1Use
 from ...checks.fault import WORST_FIRST
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -35,7 +36,8 @@ int main()
     levels={
         Severity.WARNING: "in a file that only others compile, tests do, or that is compiled on demand, or in a folder "
         "that no command names",
-        Severity.INFO: "in a file that nothing compiles, beside others or in a package that installs nothing",
+        Severity.INFO: "in a file that nothing compiles, beside others or in a package that installs nothing, or "
+        "behind a header of ROS 1",
     },
     examples=(
         Example(
@@ -65,7 +67,8 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     They begin with the name of that package (`my_pkg/words.hpp`), or are nearly called like a header in the same
     folder. So are headers in a folder whose name is one or two letters, or a digit at its end, off that of a package
     that has them, and headers of ROS 1 (`ros/ros.h`, `std_msgs/String.h`), the first of each file that the build
-    compiles. Of headers that are there it finds the first, where no command of CMake tells its target of the folder.
+    compiles, and of messages without their kind (`std_msgs/string.hpp`). Of headers that are there it finds the
+    first, where no command of CMake tells its target of the folder.
 
     ## Why is this bad?
     The compiler stops with "No such file or directory". This is what is left when a header was renamed or moved.
@@ -76,7 +79,9 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     Inside of `#if`, in headers that others include there alone, in files with `__has_include`, for the path that an
     install or an export gives a header, where git ignores the header or a submodule is not checked out, and in files
     that nothing compiles or installs. A header that the build does not open, beside sources that it compiles, may be a
-    leftover: an info. So is one in a package that has no target and installs nothing.
+    leftover: an info. So is one in a package that has no target and installs nothing, one in a target that stops at a
+    source of ROS 1 anyway, a name as ROS 1 would have it of an interface that is not known (`foo_msgs/Foo.h`), and the
+    first header of ROS 1 where CMake looks for roscpp or catkin, unless package.xml declares these.
 
     ## Fix safety
     The intended header is a guess.
@@ -85,11 +90,16 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
         edits = tuple(Edit(each.path, each.span, each.meant) for each in (first, *others))
         fix = Fix(f"include `{first.meant}`", edits, Safety.UNSAFE) if first.meant else None
         related = tuple(Related(each.path, each.span, "and here") for each in others)
-        yield Hit(first.path, first.span, message(first), Severity(first.level), related, fix)
+        yield Hit(first.path, first.span, *said(message(first), Severity(first.level), first.behind), related, fix)
     for lost in UnreachedHeaders(headers).first():
-        yield Hit(lost.path, lost.span, unreached(lost), Severity.WARNING)
+        yield Hit(lost.path, lost.span, *said(unreached(lost), Severity.WARNING, lost.behind))
     for other in ForeignHeaders(headers).all():
-        yield Hit(other.path, other.span, of_nobody(other), Severity(other.level))
+        yield Hit(other.path, other.span, *said(of_nobody(other), Severity(other.level), other.behind))
+
+
+def said(text: str, level: Severity, behind: Ros1Use | None) -> tuple[str, Severity]:
+    """Return a message and its level; an info where what is of ROS 1 ends the build of all that compiles the file."""
+    return (text, level) if behind is None else (text + behind.sentence, Severity.INFO)
 
 
 def unreached(each: UnreachedHeader) -> str:
@@ -111,6 +121,10 @@ def of_nobody(each: ForeignHeader) -> str:
     stops = 'the compiler stops with "No such file"'
     if each.kind == "folder":
         return f"no package has a header `{each.header}` (did you mean `{each.meant}`?): {stops}; correct the name"
+    if each.kind == "unsure":
+        return f"`{each.header}` is called like a header of ROS 1: rosidl makes `pkg/msg/name.hpp` of an interface"
+    if each.kind == "both":
+        return f"`{each.header}` is a header of ROS 1: it compiles only where that, which CMake looks for, is there too"
     instead = f"include `{each.meant}`" if each.meant else "nothing took its place, remove it"
     return f"`{each.header}` is a header of ROS 1: {stops}; {instead}"
 

@@ -69,7 +69,8 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     does not hold (`$ROS_VERSION == 1`), where no build is sure to compile what includes it, and types whose package
     comes with another undeclared one. What an empty submodule that CMake looks into may hold is an info, and a library
     that a page tells to install by hand, and what another package of the repository declares where nothing shows a
-    release.
+    release. So is what only targets include that stop at a source of ROS 1 before. Headers of ROS 1
+    (`std_msgs/String.h`), and others that no package of interfaces has, come with no declaration: CMK201 tells of them.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -91,8 +92,9 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
         places = related((use.path, use.span) for use in each.uses)
         is_mild = is_unmet(declared, name, each.names) or includes.are_optional(each) or includes.are_idle(each)
         by_page = BY_PAGE if includes.are_by_hand(each.cmake, each.names, [use.header for use in each.uses]) else ""
-        is_mild = is_mild or includes.may_be_submodule(each) or bool(by_page)
-        level = Severity.INFO if is_mild else None
-        yield Hit(first.path, first.span, message + by_page, level, places, declaration(declared, kind, name))
+        behind = None if includes.are_required(each) else includes.ros1.stopping_all(use.path for use in each.uses)
+        is_mild = is_mild or includes.may_be_submodule(each) or bool(by_page) or behind is not None
+        level, end = Severity.INFO if is_mild else None, "" if behind is None else behind.sentence
+        yield Hit(first.path, first.span, message + by_page + end, level, places, declaration(declared, kind, name))
     if not any(missing.bringer for missing in includes.find_packages.missing()):  # else DEP104 tells of both
         yield from left_to_others(declared, brought_includes(includes), "included")
