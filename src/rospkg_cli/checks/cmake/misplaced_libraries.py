@@ -25,17 +25,9 @@ class MisplacedLibrary:
     def fault(self) -> str:
         return f"the library `{self.word.text}` is installed into `{self.place}`, where no loader looks"
 
-    @property
-    def idle_sentence(self) -> str:
-        """What is said where no program may need the library that is linked with it."""
-        return (
-            f"{self.fault}: `{self.needed_by.name}`, which is linked with it, includes none of its headers; use `lib`"
-        )
-
-    @property
-    def open_sentence(self) -> str:
+    def idle_sentence(self, why: str) -> str:
         """What is said where it is not certain that anything needs it when it starts."""
-        return f"{self.fault}: `{self.needed_by.name}`, which is linked with it, may not find it; use `lib`"
+        return f"{self.fault}: `{self.needed_by.name}`, which is linked with it, {why}; use `lib`"
 
     @property
     def sentence(self) -> str:

@@ -21,8 +21,7 @@ from ...package.cmake.uninstalled_targets import UninstalledTarget, UninstalledT
 from ...rule import rule
 from ...suggest import near_names
 
-MAIN = "int main() {return 0;}\n"
-README = "Run `ros2 run my_pkg listener` beside it.\n"
+MAIN, README = "int main() {return 0;}\n", "Run `ros2 run my_pkg listener` beside it.\n"
 TWO = """\
 add_executable(talker src/talker.cpp)
 add_executable(«listener» src/listener.cpp)
@@ -64,7 +63,8 @@ def cmake(lines: str) -> str:
         Severity.ERROR: "an exported target needs it: CMake stops",
         Severity.INFO: "an executable is no node: its sources leave ROS alone, and nothing starts it by `ros2 run`; or "
         "a comment has its `install()`, a page starts it where it is built, or it is a test or demonstration by its "
-        "name beside programs that are installed; or it is not certain that a program needs a library",
+        "name beside programs that are installed; or it is not certain that a program needs a library, or no package "
+        "here looks for this one, which exports it; or a source of ROS 1 ends its build",
     },
     examples=(
         Example(
@@ -86,8 +86,8 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
     ## What it does
     Finds executables, and shared libraries needed at run time, that are built and not installed.
     It also finds libraries that are installed into another folder than `lib`, and libraries that are left out where the
-    name of the one before stands twice. A shared library is needed where a
-    component, another installed target, or users need it. What serves the build or the tests is left alone.
+    name of the one before stands twice. A shared library is needed where a component, another installed target, or
+    users need it. What serves the build or the tests is left alone.
 
     ## Why is this bad?
     The build is green. `ros2 run` finds no such executable; a program ends with "error while loading shared libraries",
@@ -98,9 +98,10 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
     Where an install rule can't be evaluated or runs code. For executables that a test or another command uses, and in
     folders of tests, benchmarks, examples or third parties. For static libraries, with EXCLUDE_FROM_ALL, and for what
     is linked where the RPATH of what is installed names the build folder. A library is an info where what is linked
-    with it does not surely include a header of it, or compiles its sources itself: the linker leaves it out
-    (`--as-needed`); and one in another folder where that is a MODULE, or lies beside it: a host loads these. So are
-    programs that a README starts as `./talker`, and tests by their names that nothing starts, beside installed ones.
+    with it does not surely include a header of it that declares a function, or compiles a source of it itself, as
+    `#include "core.cpp"` does too: the linker leaves it out (`--as-needed`); and one in another folder where that is a
+    MODULE, or lies beside it: a host loads these. So are one that is only exported, where no package here looks for
+    this one, targets that stop at a source of ROS 1, programs that a README starts as `./talker`, and unstarted tests.
     """
     package = dropped.package
     if not package.is_ament:
@@ -113,18 +114,17 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
             continue  # the install rule that means it is CMK110's
         fix = only_plain_names(Fix(f"install `{word.text}`", (edit(package, forgotten),)), word.text)
         told.add(word.text)
-        why_idle = dropped.why_idle(forgotten)
+        why_idle, unmet = dropped.why_idle(forgotten), dropped.why_unmet(forgotten)
         text, worth = uninstalled(package, forgotten, why_idle=why_idle), level(forgotten, programs, dropped)
-        yield Hit(word.path, word.span, text, Severity.INFO if why_idle else worth, fix=fix)
+        yield Hit(word.path, word.span, text + unmet, Severity.INFO if why_idle or unmet else worth, fix=fix)
     for each in DoubledNames(package.cmake).all():
         if each.target.name not in told:
             related = (Related(each.first.path, each.first.span, "it stands here first"),)
             yield Hit(each.word.path, each.word.span, said_twice(each), related=related)
     for misplaced in MisplacedLibraries(package.cmake).all():
-        idle, word = dropped.has(misplaced), misplaced.word
-        unsure = misplaced.idle_sentence if idle and dropped.includes_nothing(misplaced) else misplaced.open_sentence
-        text = unsure if idle else misplaced.sentence
-        yield Hit(word.path, word.span, text, Severity.INFO if idle else None)
+        why, word = dropped.why_misplaced(misplaced), misplaced.word
+        text = misplaced.idle_sentence(why) if why else misplaced.sentence
+        yield Hit(word.path, word.span, text, Severity.INFO if why else None)
 
 
 def level(forgotten: UninstalledTarget, programs: NodePrograms, dropped: DroppedLinks) -> Severity | None:
