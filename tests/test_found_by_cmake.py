@@ -128,6 +128,9 @@ def test_a_target_is_no_package(command: str) -> None:
         ("macro(install)\n  if(TRUE)\n    install(FILES a DESTINATION b)\n  endif()\nendmacro()", [ERROR]),
         ("macro(install)\n  if(TRUE)\n  else()\n    _install(${ARGV})\n  endif()\nendmacro()", []),
         ("function(ament_package)\nendfunction()", [WARNING]),
+        ("function(ament_package)\nendfunction()\nfind_package(rclcpp REQUIRED)", [WARNING]),
+        ("function(ament_package)\nendfunction()\nfind_package(ament_cmake REQUIRED)", [INFO]),
+        ("function(install)\nendfunction()\nfind_package(ament_cmake REQUIRED)", [WARNING]),
         ("function(tell)\nendfunction()", []),
         ("function()\nendfunction()", []),
         ("if(NOT COMMAND ament_package)\n  function(ament_package)\n  endfunction()\nendif()", []),
@@ -135,6 +138,19 @@ def test_a_target_is_no_package(command: str) -> None:
 )
 def test_functions_that_replace_a_command(lines: str, expected: list[Severity]) -> None:
     assert levels(package(lines), "CMK116") == expected
+
+
+@pytest.mark.parametrize(
+    ("include", "expected"),
+    [
+        ("include(cmake/tell.cmake)", [WARNING]),
+        ("if(${ANYTHING})\n  include(cmake/tell.cmake)\nendif()", [INFO]),
+        ("if(${ANYTHING})\n  include(cmake/tell.cmake)\nendif()\ninclude(cmake/tell.cmake)", [WARNING]),
+    ],
+)
+def test_a_file_that_is_included_under_a_condition_may_replace_nothing(include: str, expected: list[Severity]) -> None:
+    files = package(include) | {"cmake/tell.cmake": "function(message text)\nendfunction()\n"}
+    assert levels(files, "CMK116") == expected
 
 
 CORE = "add_library(core SHARED a.cpp)\nadd_executable(talker a.cpp)\nadd_library(plain INTERFACE)\n"

@@ -32,7 +32,11 @@ class RedefinedCommand:
     """Whether its body calls the command, which is then itself, without end."""
     is_called: bool
     """Whether the package calls it, or files do that any package finds."""
+    lost: str = ""
+    """Why the definition may not hold: the end of a sentence."""
 
+
+AMENT = "ament_"
 
 OF_QT = regex(r"qt\d?_\w+")
 """Commands that Qt has with and without its version: who writes for several defines one by the other."""
@@ -72,7 +76,18 @@ class RedefinedCommands:
             is_wrapper = bool(OF_QT.fullmatch(name)) and any(OF_QT.fullmatch(each) for each in called)
             is_copy = is_definer(file.path, name)
             if name in self.known and f"_{name}" not in called and not is_wrapper and not is_copy:
-                yield RedefinedCommand(name, file.path, argument.span, name in called, self.is_called(name, block))
+                lost, is_called = self.why_lost(file, block, name), self.is_called(name, block)
+                yield RedefinedCommand(name, file.path, argument.span, name in called, is_called, lost)
+
+    def why_lost(self, file: CMakeFile, block: Block, name: str) -> str:
+        """Return why a definition may not hold: ament's own comes behind it, or its file is read under a condition."""
+        later = (each for each in self.cmake.packages if each.call.path == file.path)
+        behind = (each for each in later if each.call.command.span.start > block.command.span.start)
+        if name.startswith(AMENT) and any(each.name.startswith(AMENT) for each in behind):
+            return "; ament's own, which CMake finds behind it, takes its place again"
+        stem = file.path.rpartition("/")[2].removesuffix(".cmake")
+        reads = [c for c in self.cmake.named("include") if c.texts and stem in c.texts[0].rpartition("/")[2]]
+        return "; its file is read under a condition alone" if reads and all(c.maybe for c in reads) else ""
 
     def is_called(self, name: str, block: Block) -> bool:
         """Return whether a command is run besides in its own definition, which calls nothing by itself."""

@@ -28,7 +28,8 @@ def cmake(lines: str) -> str:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "its body calls the command, and so itself",
-        Severity.INFO: "the package does not call it, and it is none that nearly all packages call",
+        Severity.INFO: "the package does not call it, and it is none that nearly all packages call, or ament's own "
+        "takes its place again",
     },
     examples=(
         Example(
@@ -56,7 +57,8 @@ def redefined_command(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     It is an info where the package does not call it and it is no command that the files of nearly all packages call
-    (`message`, `install`). It is quiet inside of an `if`, which may ask whether the command exists, and where the body
+    (`message`, `install`), where `find_package()` defines ament's own behind it again, or where its file is included
+    under a condition. It is quiet inside of an `if`, which may ask whether the command exists, and where the body
     calls the former command by the name that CMake keeps for it (`_install`). In a copy of the file in which CMake or
     ament defines the command (`GoogleTest.cmake`). Commands of others, such as pybind11, Qt or rosidl, are none of
     these.
@@ -69,4 +71,5 @@ def redefined_command(package: CMakePackage) -> Iterator[Hit]:
             whose = "every later call in the build of this package runs this one, in files that it finds too"
             message = f"{start}: {whose}; give it another name"
         level = Severity.ERROR if each.calls_itself else None
-        yield Hit(each.path, each.span, message, level if each.is_called else Severity.INFO)
+        is_met = each.is_called and not each.lost
+        yield Hit(each.path, each.span, message + each.lost, level if is_met else Severity.INFO)
