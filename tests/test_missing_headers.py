@@ -174,6 +174,22 @@ def test_a_folder_of_no_package(line: str, expected: list[GIVEN]) -> None:
     assert of_nobody(line) == expected
 
 
+@pytest.mark.parametrize(
+    ("find", "expected"),
+    [
+        ("find_package(other REQUIRED)", [(ERROR, "my_pkg/whole_world.h")]),
+        ("find_package(my_pkg_msgs REQUIRED)", [(ERROR, "my_pkg/whole_world.h")]),
+        ("find_package(my_pkg_core REQUIRED)", []),
+        ("find_library(MY_PKG libmy_pkg)", []),
+        ("find_path(MY_PKG_DIR my_pkg/whole_world.h)", []),
+        ("pkg_check_modules(MINE REQUIRED my_pkg)", []),
+    ],
+)
+def test_a_library_called_like_the_package_may_have_its_headers(find: str, expected: list[GIVEN]) -> None:
+    assert of_nobody("#include <my_pkg/whole_world.h>", find=f"{find}\n") == expected
+    assert [level for level, _ in of_nobody("#include <my_pkg/wrods.hpp>", find=f"{find}\n")] == [ERROR]
+
+
 def test_a_folder_that_is_there_is_not_misspelt() -> None:
     line = '#include "my_pkgg/words.hpp"'
     assert of_nobody(line, **{"src/my_pkgg/more.hpp": ""}) == []

@@ -13,7 +13,7 @@ from ...package.cmake.made_headers import HEADERS, made_header_names, may_make_h
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.headers import LIBRARIES, SHARED
-from ...ros.interfaces import KINDS
+from ...ros.interfaces import KINDS, OF_INTERFACES
 from ...source import Span
 from ...suggest import near_names, nearest
 from ..depends.compiled_sources import compiled_sources, harm_in, only_under_conditions, own_compiled
@@ -24,6 +24,9 @@ from .installed_headers import is_installed_header
 
 MADE = (".pb.h", ".pb.hpp", "_generated.h")
 """What compilers of protobuf and flatbuffers write: by hand too, into folders that git ignores."""
+LOOKING = (
+    "find_package find_path find_library pkg_check_modules pkg_search_module externalproject_add fetchcontent_declare"
+).split()
 SHORT = 10
 """Letters of a file's name from which two may be wrong."""
 
@@ -79,7 +82,7 @@ class MissingHeaders:
             return (self.package.facts.name, meant) if meant and self.knows_own(each.path) else None
         is_open = folder in LIBRARIES or folder in SHARED  # the library's headers are outside of the workspace
         if folder == self.package.facts.name:
-            is_open = is_open or self.may_make
+            is_open = is_open or self.may_make or self.is_of_library
             meant = self.near(each.path, self.others(source, self.own), is_open)
             return (folder, meant) if self.knows_own(each.path) and (meant or not is_open) else None
         if (facts := self.workspace.named(folder)) is None:
@@ -162,6 +165,15 @@ class MissingHeaders:
         package = self.package
         headers = Ros1Headers(package.facts, package.cmake.package_files, self.workspace)
         return Ros1Sources(headers, package.cmake, self.sources)
+
+    @cached_property
+    def is_of_library(self) -> bool:
+        """Whether CMake looks outside for what is called like the package: its headers may be in the same folder."""
+        name, calls = self.package.facts.name.lower(), self.package.cmake.named(*LOOKING)
+        texts = {text for call in calls for text in call.texts if not OF_INTERFACES.fullmatch(text)}
+        outside = (text for text in texts if text == self.package.facts.name or self.workspace.named(text) is None)
+        alike = (text.lower().removeprefix("lib") for text in outside)
+        return any(text == name or text.startswith(tuple(f"{name}{sign}" for sign in "-_./:")) for text in alike)
 
     @cached_property
     def may_make(self) -> bool:
