@@ -115,6 +115,9 @@ LOADED = (
         (PART, "launch/a.launch.xml", LOADED.format("my_pkg::Part"), "warning"),
         (PART, "launch/a.launch.xml", LOADED.format("my_pkg::Other"), "info"),
         (PLUGIN, "config/a.yaml", "controller:\n  plugin: my_pkg::Part\n", "warning"),
+        (PLUGIN, "config/a.yaml", "controller:\n  # plugin: my_pkg::Part\n", "info"),
+        (PLUGIN, "config/a.yaml", "controller:\n  plugin: my_pkg::PartOfMore\n", "info"),
+        (PLUGIN, "config/a.yaml", "controller:\n  plugin: 'my_pkg::Part'  # ours\n", "warning"),
         (PLUGIN, "plugins.xml", '<class type="my_pkg::Part"/>\n', "info"),
         (PLUGIN, "config/plugins.yaml", "plugin: my_pkg::Part\n", "warning"),
         (PLUGIN, "plugins.xml", '<class type="my_pkg::Pump"/>\n', "info"),
@@ -185,3 +188,13 @@ def test_a_description_offers_a_class_and_loads_none() -> None:
     assert [each.severity.value for each in lint_files(files, ["CMK202"]).findings] == ["info"]
     files |= {"config/parts.yaml": "loader:\n  ros__parameters:\n    part: my_pkg::Part\n"}
     assert [each.severity.value for each in lint_files(files, ["CMK202"]).findings] == ["warning"]
+
+
+@pytest.mark.parametrize(("more", "level"), [("", "warning"), ("#include <ros/ros.h>\n", "info")])
+def test_a_target_that_stops_at_a_source_of_ros_1_is_never_linked(more: str, level: str) -> None:
+    files = {
+        "src/part.hpp": "class Part\n{\npublic:\n  void start();\n};\n",
+        "src/part.cpp": '#include "part.hpp"\nvoid Part::start() {}\n',
+        "src/talker.cpp": f'{more}#include "part.hpp"\nint main() {{auto start = &Part::start;}}\n',
+    }
+    assert levels(files) == [level]

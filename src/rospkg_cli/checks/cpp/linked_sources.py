@@ -19,10 +19,12 @@ class LinkedSources:
     def has(self, path: str) -> bool:
         """Return whether a file is certainly part of a program or a shared library, a header that it includes too.
 
-        A compiled library that lies in the package may define what is used.
+        A compiled library that lies in the package may define what is used, and a target that stops at a source of
+        ROS 1 is never linked.
         """
         is_linked = path.endswith(HEADERS) or not self.linked.isdisjoint(self.targets.targets_of(path))
-        return is_linked and path in self.certain and not self.are_built
+        is_certain = path in self.certain and self.sources.ros1.stopping_all([path]) is None
+        return is_linked and is_certain and not self.are_built
 
     @cached_property
     def linked(self) -> frozenset[str]:

@@ -16,10 +16,13 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.cmake.referenced_paths import ReferencedPaths
 from ...package.file_role import is_set_aside, role_of
+from ...package.launch.text import uncommented
 from ...package.workspace import Workspace
 from ...source import Span
 from ..cmake.target_references import TargetReferences
 from ..depends.compiled_sources import are_sources_known, own_compiled
+from ..depends.ros1_headers import Ros1Headers
+from ..depends.ros1_sources import Ros1Sources
 from .other_builds import is_built_elsewhere
 
 SOURCES = (".cpp", ".cc", ".cxx", ".c++")
@@ -65,6 +68,11 @@ class UncompiledSources:
                 yield from self.judged(source)
 
     @cached_property
+    def ros1(self) -> Ros1Sources:
+        headers = Ros1Headers(self.package.facts, self.package.cmake.package_files, self.workspace)
+        return Ros1Sources(headers, self.package.cmake, self.sources)
+
+    @cached_property
     def are_known(self) -> bool:
         """Whether the sources of all targets are known, and no other rule tells of a target or a source."""
         cmake = self.package.cmake
@@ -84,8 +92,10 @@ class UncompiledSources:
             is_started = bool(self.workspace.having("started_nodes", package, name))
             return is_started or any(map(started.search, self.texts(PAGES)))
         is_loaded = any((package, name) in facts.loaded_components for facts in self.workspace.packages)
+        named = re.compile(rf"(?<![\w:]){re.escape(name)}(?![\w:])")
+        texts = ((path, text) for path, text in self.named_texts(LOADING) if name in text and OFFERS not in text)
         return is_loaded or any(
-            name in text and OFFERS not in text for path, text in self.named_texts(LOADING) if self.is_handed_out(path)
+            self.is_handed_out(path) and named.search(uncommented(path, text)) for path, text in texts
         )
 
     def beside(self, source: UncompiledSource) -> str:

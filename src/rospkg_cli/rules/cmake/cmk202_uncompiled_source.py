@@ -68,9 +68,10 @@ def uncompiled_source(sources: UncompiledSources) -> Iterator[Hit]:
     tests, examples, demos or third parties, in a file whose name says `template`, `old` or the like, where git ignores
     the file, where the sources of a target can't be evaluated, where a command of another package may add targets, and
     where a Makefile or the like lies around the file, or one at the top names it. Where what uses a member is in a
-    static library that nothing links, or a compiled library lies in the package, nothing may miss it: an info.
-    Where no launch file or page starts the node, and no launch file or description that CMake installs or exports names
-    the class, or where a program of the node's name is made of other files, the file may be a leftover: an info.
+    static library that nothing links, or in a target that stops at a source of ROS 1, or a compiled library lies in the
+    package, nothing may miss it: an info. Where no launch file or page starts the node, and no launch file or
+    description that CMake installs or exports names the class, or where a program of the node's name is made of other
+    files, the file may be a leftover: an info.
     """
     for each in sources.all():
         beside = sources.beside(each)
