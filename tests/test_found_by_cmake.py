@@ -198,7 +198,13 @@ def test_a_library_that_nobody_links() -> None:
     assert levels(workspace(base=base, user=user), "CMK118") == [INFO]
     header = {"include/base/base.hpp": "int base();\n"}
     including = {**user, "user.cpp": "#include <base/base.hpp>\n"}
-    assert levels(workspace(base={**base, **header}, user=including), "CMK118") == [WARNING]
+    assert levels(workspace(base={**base, **header}, user=including), "CMK118") == [INFO]  # CMake only warns of it
+    slip = {**package(f"{CORE}ament_export_libraries(croe)"), **header}
+    assert levels(workspace(base=slip, user=including), "CMK118") == [WARNING]
+    unsought = {**including, "CMakeLists.txt": including["CMakeLists.txt"].replace("find_package(base REQUIRED)\n", "")}
+    assert levels(workspace(base=slip, user=unsought), "CMK118") == [INFO]
+    whole = package(f"{CORE}ament_export_libraries(croe core)")
+    assert levels(workspace(base={**whole, **header}, user=including), "CMK118") == [INFO]
     python = {"package.xml": user["package.xml"].replace("ament_cmake", "ament_python")}
     assert levels(workspace(base=base, user=python), "CMK118") == [INFO]
 

@@ -29,6 +29,7 @@ SET = """\
 add_library(core SHARED src/core.cpp)
 install(TARGETS core EXPORT core_targets DESTINATION lib)
 """
+ONLY_HEADERS = SET.replace("SHARED src/core.cpp", "INTERFACE")
 HEADERS = "install(DIRECTORY include/ DESTINATION include)\n"
 BASE = "add_library(base {})\ninstall(TARGETS base EXPORT core_targets DESTINATION lib)\n"
 NODES = FILES | {"src/core.cpp": "BT_REGISTER_NODES(factory) {}\n"}
@@ -131,5 +132,7 @@ CASES = {
         package(SET + HEADERS + BASE.format("src/base.cpp"), NODES),
         beside_user(package(SET + HEADERS, NODES)),
         beside_user(package(SET)),
+        beside_user(package(ONLY_HEADERS + HEADERS)),
+        beside_user(package(ONLY_HEADERS + HEADERS + TELLS)),
     ),
 }

@@ -16,8 +16,11 @@ from ...ros.manifest import BUILDS
 from ..pages_and_scripts import pages_and_scripts
 from ..released import Release
 from .found_with import built_against, found_with
+from .known_packages import is_known_package
 
 BUILD = ("build_depend",)
+TOOLS = "ament_"
+"""What the tools of ament begin with, which find no package for others."""
 OFFERED = "include/"
 """The folder of headers for others."""
 
@@ -47,9 +50,9 @@ class Consumers:
 
     @cached_property
     def including(self) -> tuple[PackageFacts, ...]:
-        """Those that certainly include a header of include/ and have no copy of it: they stop without it."""
+        """Those of them that certainly include a header of include/ and have no copy of it: they stop without it."""
         offered = {path.removeprefix(OFFERED) for path in self.files.below(OFFERED)}
-        return tuple(each for each in self.builders if offered & each.included_headers - each.header_files)
+        return tuple(each for each in self.finders if offered & each.included_headers - each.header_files)
 
     def lacking(self, name: str) -> Iterator[PackageFacts]:
         """Yield those that include a header, and certainly find a package in no other way than by this one."""
@@ -57,10 +60,16 @@ class Consumers:
         yield from (each for each in self.including if self.lacks(each, wanted))
 
     def lacks(self, user: PackageFacts, names: Collection[str]) -> bool:
-        """Return whether a package certainly finds none of some others by what it declares beside this one."""
-        needs = {need.name for need in user.dependencies if need.tag in BUILDS} - {self.facts.name}
+        """Return whether a package certainly finds none of some others by what it declares or looks for beside this.
+
+        A package that nobody here knows may find anything.
+        """
+        declared = {need.name for need in user.dependencies if need.tag in BUILDS}
+        needs = {name for name in declared | user.sought_packages if not name.startswith(TOOLS)}
+        needs -= {self.facts.name, ANY}
         there, known = found_with(needs, self.workspace)
-        return known and there.isdisjoint(names)
+        is_all = all(is_known_package(name, self.workspace) for name in needs)
+        return known and is_all and there.isdisjoint(names)
 
     def lack_any(self, names: Collection[str]) -> bool:
         """Return whether one of them lacks a package that this one does not hand on."""

@@ -69,12 +69,6 @@ class ExportedHeaders:
         """Whether a package that is built against this one includes a header of it and has no copy of its own."""
         return bool(self.consumers.including)
 
-    @property
-    def are_for_others(self) -> bool:
-        """Whether somebody here needs the headers, or the package is plainly a library for others."""
-        is_library = self.may_be_used and not self.are_of_plugins and self.consumers.are_elsewhere
-        return self.are_needed or is_library
-
     def wanted(self) -> tuple[str, str] | None:
         """Return the first header of include/ that is not installed and that another package includes, and that one.
 

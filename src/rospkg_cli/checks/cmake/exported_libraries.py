@@ -67,6 +67,13 @@ class ExportedLibraries:
         if near is not None or name == self.package.facts.name or self.is_called_like(name, libraries):
             yield WrongExport(word, "unknown", near or "")
 
+    def is_lost(self, wrong: WrongExport) -> bool:
+        """Return whether users get the library that is intended by no other export."""
+        cmake = self.package.cmake
+        exported = {word.text for call in cmake.named("ament_export_libraries") for word in call.words}
+        targets = bool(cmake.exports) or any(rule.kind == "EXPORT" for rule in cmake.installs)
+        return bool(wrong.near) and wrong.near not in exported and not targets
+
     def is_called_like(self, name: str, libraries: set[str]) -> bool:
         """Return whether a name begins like one of the package: with its own, or with that of a library of it.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
+from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.values import UNKNOWN, Word
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -18,7 +18,6 @@ from ...ros.link_targets import MESSAGES
 from ...ros.read_table import rows
 from .consumers import Consumers
 from .found_with import TABLES, found_with
-from .told_folders import tells_of_any
 
 IN_OTHERS = frozenset({"Boost", "Eigen3", "OpenMP", "Qt5"})
 """What many other libraries look for themselves."""
@@ -41,9 +40,6 @@ class MissingExportDependency:
     link: TargetLink
     is_target: bool
     """Whether the library is exported as a target: what a target is linked with must be there."""
-    is_only_loaded: bool
-    """Whether it is a plugin or a component, or no header includes it, or users are told of no folder of headers, and
-    so include none."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +59,6 @@ class ExportedDependencies:
         unused = plugins and not cmake.named(*INCLUDES) and not self.is_built_against
         if unclear or not self.headers.installed or unused:
             return
-        components = {each.target.text for each in cmake.components}
         seen: set[str] = set()
         for link in TargetLinks(cmake).all:
             package = self.package_of(link)
@@ -73,10 +68,7 @@ class ExportedDependencies:
             needed = included or (link.target in self.targets and is_target)
             if passed and needed and package not in seen and not self.is_there(package):
                 seen.add(package)
-                loads = plugins or link.target in components or self.registers_classes(link.target)
-                is_hidden = link.target not in self.targets and not tells_of_any(cmake)
-                loaded = is_hidden or loads or not included
-                yield MissingExportDependency(package, link.word, link, link.target in self.targets, loaded)
+                yield MissingExportDependency(package, link.word, link, link.target in self.targets)
 
     def is_there(self, package: str) -> bool:
         """Return whether a package is exported, maybe in other letters, or most likely with one of its family."""
@@ -110,13 +102,6 @@ class ExportedDependencies:
     def is_built_against(self) -> bool:
         """Whether a package of the workspace builds against this one: plugins and components are only loaded."""
         return bool(self.consumers.builders)
-
-    def registers_classes(self, name: str) -> bool:
-        """Return whether a source of a library registers a class that pluginlib or a container loads."""
-        target = self.headers.package.cmake.target(name)
-        words = target.sources if target is not None else ()
-        paths = {path_in_package(word.text, target.call.folder) for word in words} if target is not None else set()
-        return any(any(True for _ in file.calls_to(*REGISTERS)) for file in self.headers.sources if file.path in paths)
 
     def package_of(self, link: TargetLink) -> str:
         """Return the package that an argument of a link refers to: `pkg::lib`, `${pkg_TARGETS}`, `pkg`."""

@@ -10,12 +10,11 @@ from ...package.cmake.artifacts import PYTHON_MODULES, Artifacts
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.cmake.installed_headers import LIBRARIES, TARGETS, PublicHeaders
 from .exported_headers import AUTOMATIC, ExportedHeaders
+from .told_folders import tells_of_any
 from .unexported_targets import LOADED, UnexportedSet, UnexportedTargets
 
 EXPORTING = (LIBRARIES, *TARGETS, *AUTOMATIC, "ament_export_link_flags", "export")
 """Commands that hand a library on, or may do so."""
-UNSEEN = ("FILE_SET", "PUBLIC_HEADER")
-"""What installs headers along with a target."""
 OWN_WAY = (".cmake", ".cmake.in", ".pc", ".pc.in")
 """Endings of files in which a package may itself tell others of its libraries."""
 
@@ -68,18 +67,10 @@ class UnexportedLibraries:
             return False
         return any(each.path in ends for file in files for each in file.includes)
 
-    def is_unused(self, found: UnexportedSet) -> bool:
-        """Return whether nobody is shown who links the libraries of a set.
-
-        A package of the workspace that includes a header of this one does, and who follows the pages of a release, but
-        for plugins, and where there are no headers for users.
-        """
-        cmake = self.headers.package.cmake
-        has_unseen = any(text in UNSEEN for call in cmake.calls for text in call.texts)
-        is_known = self.headers.table.knows("header") and not has_unseen and not cmake.interface_targets
-        has_none = is_known and not self.headers.installed and found.is_built
-        is_told = self.exported.consumers.are_elsewhere and not (found.is_of_plugins or has_none)
-        return not (self.exported.are_needed or is_told)
+    def is_missed(self, found: UnexportedSet) -> bool:
+        """Return whether a package of the workspace includes a header of this one, for which it needs the set."""
+        has_all = not found.is_built and tells_of_any(self.headers.package.cmake)
+        return self.exported.are_needed and not (found.is_handed_on or has_all)
 
     @property
     def is_needed(self) -> bool:

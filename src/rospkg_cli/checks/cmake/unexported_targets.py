@@ -34,10 +34,8 @@ class UnexportedSet:
     """The first library in it, as others would link it."""
     is_handed_on: bool
     """Whether libraries are handed on without targets, by `ament_export_libraries`."""
-    is_of_plugins: bool
-    """Whether all libraries in it may be loaded as plugins alone."""
     is_built: bool
-    """Whether all of them have code; a library of headers or options alone is linked for what it tells."""
+    """Whether one of them has code; one of headers alone is not missed where users are told of the folder."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +60,7 @@ class UnexportedTargets:
                 project = self.project_around(words[0][0].path)
                 shown = f"{project}::{cmake.export_names.get(first.name, first.name)}"
                 handed_on = bool(cmake.named("ament_export_libraries"))
-                yield UnexportedSet(words[0][0], shown, handed_on, not linked, all(each.is_built for _, each in words))
+                yield UnexportedSet(words[0][0], shown, handed_on, any(each.is_built for _, each in words))
 
     def project_around(self, path: str) -> str:
         """Return the name of the project that a CMakeLists.txt is part of: its own, or the one around it."""

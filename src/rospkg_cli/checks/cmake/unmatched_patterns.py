@@ -65,7 +65,7 @@ class UnmatchedPatterns:
         Launch files are opened by those who start them.
         """
         if found.others[0].endswith(HEADERS):
-            return bool(self.consumers.including) or self.consumers.are_elsewhere
+            return bool(self.consumers.including)
         uses = ShareUses(self.package.cmake.package_files, self.package.facts.name, self.workspace)
         names = {posixpath.basename(path) for path in found.others}
         is_started = any(LAUNCH.fullmatch(name) for name in names)

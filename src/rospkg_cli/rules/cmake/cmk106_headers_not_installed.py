@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.cmake.exported_headers import ExportedHeaders
 from ...checks.cmake.header_sentences import lacking, not_told, private
+from ...checks.cmake.met_here import by_whom
 from ...checks.cmake.private_includes import PrivateIncludes
 from ...checks.cmake.told_folders import ToldFolders
 from ...checks.cmake.unmatched_patterns import unmatched_patterns
@@ -45,8 +46,8 @@ FILES = {"src/core.cpp": "int core() {return 1;}\n", "include/my_pkg/core.hpp": 
     over=ExportedHeaders,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "no package of the workspace is known to include its headers, or each that does has copies, and "
-        "it is no library for others"
+        Severity.INFO: "no package of the workspace that looks for this one is known to include its headers, or each "
+        "that does has copies"
     },
     examples=(
         Example(
@@ -74,9 +75,8 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     ## When it is quiet
     Where an install rule or CMake itself can't be evaluated, in `ament_auto_package()`, for a package that exports only
     plugins as targets, and as soon as one header is installed, but for one that another package includes and that has
-    no CMake file that looks elsewhere. It is a warning where a package of the workspace includes one of the headers and
-    has no copy of it, or where this one is a library for others, and no one of plugins: it is released and its pages
-    tell how to use it. It is an info elsewhere.
+    no CMake file that looks elsewhere. It is a warning where a package of the workspace looks for this one, includes
+    one of the headers and has no copy of it; an info elsewhere, also for what is released: its users build.
     """
     cmake = exported.headers.package.cmake
     if not exported.headers.package.is_ament:
@@ -120,7 +120,9 @@ def none_installed(exported: ExportedHeaders) -> Iterator[Hit]:
         "the first `#include`; add `install(DIRECTORY include/ …)`"
     )
     fix = Fix("install the headers", (install_headers(package.cmake),))
-    yield Hit(call.path, call.command.span, message, None if exported.are_for_others else Severity.INFO, fix=fix)
+    is_met = exported.are_needed
+    text, level = by_whom(message, is_met), None if is_met else Severity.INFO
+    yield Hit(call.path, call.command.span, text, level, fix=fix)
 
 
 def misplaced(exported: ExportedHeaders) -> Iterator[Hit]:
@@ -129,12 +131,11 @@ def misplaced(exported: ExportedHeaders) -> Iterator[Hit]:
     if doubled := exported.in_doubled_folder():
         (word, place), name = doubled, headers.package.facts.name
         message = f"the headers land in `{place}/`: who uses `{name}` stops at the first `#include`"
-        is_met = exported.are_needed or (bool(headers.exports) and exported.are_for_others)
-        yield Hit(
-            word.path, word.span, f"{message}; install `include/`, with a slash", None if is_met else Severity.INFO
-        )
+        level = None if exported.are_needed else Severity.INFO
+        text = by_whom(f"{message}; install `include/`, with a slash", exported.are_needed)
+        yield Hit(word.path, word.span, text, level)
     elif untold := ToldFolders(headers).untold():
         if not untold.told and (exported.are_of_plugins or (untold.is_shared and not exported.is_built_against)):
             return
         level = None if exported.are_needed else Severity.INFO
-        yield Hit(untold.row.path, untold.row.span, not_told(untold), level)
+        yield Hit(untold.row.path, untold.row.span, by_whom(not_told(untold), exported.are_needed), level)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.exported_components import components_not_handed_on
-from ...checks.cmake.missing_export_dependencies import ExportedDependencies, MissingExportDependency
+from ...checks.cmake.met_here import by_whom
+from ...checks.cmake.missing_export_dependencies import ExportedDependencies
 from ...edits.cmake_export import export_dependencies
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
@@ -51,8 +52,8 @@ def cmake(lines: str) -> str:
     over=ExportedDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "no package of the workspace that includes a header of it lacks what is missing, and it is no "
-        "library for others, or is a plugin or a component"
+        Severity.INFO: "no package of the workspace that looks for this one and includes a header of it is known to "
+        "lack what is missing"
     },
     examples=(
         Example(
@@ -71,9 +72,8 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     installed headers includes it, or the library is exported as a target that names one of the dependency, also where
     that is of the system (`yaml-cpp::yaml-cpp`). What comes with a package that is named is left alone. Where Boost is
     exported, it also finds components (`Boost::filesystem`): `ament_export_dependencies(Boost)` asks for none.
-    It is a warning where a package of the workspace includes a header and certainly finds what is missing in no other
-    way, or where this one is a library for others (it is released and its pages tell how to use it) and links it where
-    it is not only loaded, as plugins are; an info elsewhere.
+    It is a warning where a package of the workspace looks for this one, includes a header and certainly finds what is
+    missing in no other way: neither by itself nor with another package. It is an info elsewhere.
 
     ## Why is this bad?
     This package builds. Another one that links the library stops with "the target was not found", or at the first
@@ -104,15 +104,9 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     related = tuple(Related(each.word.path, each.word.span, f"`{each.package}` is linked here") for each in others)
     edit = export_dependencies(package.cmake, names)
     fix = Fix(f"export {', '.join(names)}", (edit,), Safety.UNSAFE)
-    level = None if are_met(exported, found) else Severity.INFO
+    is_met = exported.consumers.lack_any(names)
+    level, message = None if is_met else Severity.INFO, by_whom(message, is_met)
     yield Hit(first.word.path, first.word.span, message, level, related, only_plain_names(fix, *names))
-
-
-def are_met(exported: ExportedDependencies, found: list[MissingExportDependency]) -> bool:
-    """Return whether a package of the workspace lacks one of them, or users elsewhere do."""
-    consumers = exported.consumers
-    is_linked = not all(each.is_only_loaded for each in found)
-    return consumers.lack_any([each.package for each in found]) or (is_linked and consumers.are_elsewhere)
 
 
 def unasked(exported: ExportedDependencies) -> Iterator[Hit]:
@@ -120,6 +114,5 @@ def unasked(exported: ExportedDependencies) -> Iterator[Hit]:
     for each in components_not_handed_on(exported):
         start = f"`{each.target}` is exported and passes `{each.name}` on, and exporting `{each.package}` asks for no"
         end = "component: linking it stops because this target was not found; find it in a file of CONFIG_EXTRAS"
-        is_met = exported.consumers.are_elsewhere or exported.consumers.lack_any([each.package])
-        level = None if each.is_certain and is_met else Severity.INFO
-        yield Hit(each.word.path, each.word.span, f"{start} {end}", level)
+        is_met = each.is_certain and exported.consumers.lack_any([each.package])
+        yield Hit(each.word.path, each.word.span, by_whom(f"{start} {end}", is_met), None if is_met else Severity.INFO)

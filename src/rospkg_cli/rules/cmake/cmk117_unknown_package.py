@@ -119,9 +119,7 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
 
 def met_by(packages: MistypedPackages, level: Severity | None) -> Severity | None:
     """Return the level of a fault in what is exported: an info where nobody is known who finds this package."""
-    if packages.consumers.finders:
-        return level
-    return Severity.WARNING if packages.consumers.are_elsewhere else Severity.INFO
+    return level if packages.consumers.finders else Severity.INFO
 
 
 def given_targets(packages: MistypedPackages, each: ForeignTargets) -> Hit:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.exported_libraries import ExportedLibraries, WrongExport
+from ...checks.cmake.met_here import by_whom
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -37,7 +38,8 @@ def cmake(lines: str) -> str:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "it has no library, and a package of the workspace is built with this one",
-        Severity.INFO: "no package of the workspace is built with this one, and it is no library for others",
+        Severity.INFO: "no package of the workspace looks for this one and, for a name that nothing makes, includes a "
+        "header of it; or no library, or one that is handed on otherwise, is near to such a name",
     },
     examples=(
         Example(
@@ -67,21 +69,22 @@ def unknown_exported_library(exported: ExportedLibraries) -> Iterator[Hit]:
     ## When it is quiet
     For other names, which may be libraries of the system, for those that a command of another package is given, and
     where a file that can't be read is included. Under a condition that can't be evaluated. It is an info where no
-    package of the workspace looks for this one to be built, unless it is a library for others, which is released and
-    whose pages tell how to use it.
+    package of the workspace looks for this one to be built. A name that nothing makes only warns there: it is more than
+    an info where it is a slip of a library of the package which is handed on in no other way, and a package of the
+    workspace includes a header of this one.
 
     ## Fix safety
     The nearest library may not be the one that was intended.
     """
     consumers = exported.consumers
     for each in exported.wrong():
-        is_needed = bool(consumers.including if each.kind == "unknown" else consumers.finders)
+        is_unknown = each.kind == "unknown"
+        is_needed = bool(consumers.including) and exported.is_lost(each) if is_unknown else bool(consumers.finders)
         fix = None
         if each.near and exported.package.cmake.source_text(each.word).strip('"') == each.word.text:
             fix = Fix(f"write `{each.near}`", (Edit(each.word.path, each.word.span, each.near),), Safety.UNSAFE)
-        level = Severity.ERROR if is_needed and each.kind != "unknown" else None
-        level = level if is_needed or consumers.are_elsewhere else Severity.INFO
-        yield Hit(each.word.path, each.word.span, message(exported, each), level, fix=fix)
+        level = (None if is_unknown else Severity.ERROR) if is_needed else Severity.INFO
+        yield Hit(each.word.path, each.word.span, by_whom(message(exported, each), is_needed), level, fix=fix)
 
 
 def message(exported: ExportedLibraries, each: WrongExport) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.met_here import by_whom
 from ...checks.cmake.unexported_libraries import UnexportedLibraries
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
@@ -40,8 +41,8 @@ def cmake(lines: str) -> str:
     over=UnexportedLibraries,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "the package hands its libraries on with `ament_export_libraries()`; or no package here "
-        "includes its headers, and it is no library for others or is in no set"
+        Severity.INFO: "the package hands its libraries on with `ament_export_libraries()`; or no package here that "
+        "looks for it includes its headers"
     },
     examples=(
         Example(
@@ -76,19 +77,18 @@ def unexported_targets(unexported: UnexportedLibraries) -> Iterator[Hit]:
     ## When it is quiet
     Where any other command is given the name of the set, where a macro of another package or a file that can't be read
     may export it, and for sets of executables, registered classes and components alone, which nothing links. It is an
-    info where no package of the workspace is built with this one and includes a header of it, unless it is a library
-    for others, which is released and whose pages tell how to use it: then sets of other plugins (tree nodes, what a
-    description names) and of a package that installs no headers are infos, and a library that is in no set, which may
-    be for this package's programs alone. It is left alone where a CMake or pkg-config file of the package may tell
-    others of it.
+    info where no package of the workspace looks for this one and includes a header of it: it may be for this package's
+    programs alone. It is left alone where a CMake or pkg-config file of the package may tell others of it.
     """
     for found in unexported.sets.all():
         name = found.word.text
         message = f"nothing exports the set `{name}`: packages that link `{found.library}` stop, as it is not found"
-        level = Severity.INFO if found.is_handed_on or unexported.is_unused(found) else None
-        yield Hit(found.word.path, found.word.span, f"{message}; add `ament_export_targets({name})`", level)
+        is_met = unexported.is_missed(found)
+        text = by_whom(f"{message}; add `ament_export_targets({name})`", is_met)
+        yield Hit(found.word.path, found.word.span, text, None if is_met else Severity.INFO)
     if word := unexported.first():
         what = f"`{word.text}` and its headers are installed, and nothing exports the library"
         stops = f"packages that use `{unexported.headers.package.facts.name}` don't link it"
         message = f"{what}: {stops}; add `ament_export_libraries({word.text})`, or `ament_export_targets(…)`"
-        yield Hit(word.path, word.span, message, None if unexported.is_needed else Severity.INFO)
+        level = None if unexported.is_needed else Severity.INFO
+        yield Hit(word.path, word.span, by_whom(message, unexported.is_needed), level)

@@ -54,9 +54,8 @@ def unmatched_pattern(patterns: UnmatchedPatterns) -> Iterator[Hit]:
     ignores or the build makes such files, for folders that are not there (CMK102), and below a condition that can't be
     evaluated. It is an info in a function or a macro, which others may call for other folders, and where a pattern
     beside it takes files of the folder to a place that is not known; and where CMake chooses between ament and catkin
-    and all sources are of ROS 1. So it is where nobody is known to look for the files: no package of the workspace
-    includes a header, and this one is no library for others (it is released and its pages tell how to use it), or
-    nothing opens the files. Launch files are there to be started.
+    and all sources are of ROS 1. So it is where nobody is known to look for the files: no package of the workspace that
+    looks for this one includes a header, or nothing opens the files. Launch files are there to be started.
     """
     for each in patterns.all():
         names = in_ticks(each.patterns)
