@@ -36,10 +36,16 @@ def handed(words: str, finds: str) -> list[str]:
 @pytest.mark.parametrize(
     "words, finds, expected",
     [
-        ("fast_thing", "FastThing", ["error find_package"]),
-        ("FastThing", "fast_thing", ["error find_package"]),
-        ("old_fast_thing_vendor", "fast_thing_vendor", ["error find_package"]),
-        ("thing_vendor", "fast_thing_vendor", ["error find_package"]),
+        ("fast_thing", "FastThing", ["info find_package"]),
+        ("FastThing", "fast_thing", ["info find_package"]),
+        ("RCLCPP", "rclcpp", ["error find_package"]),
+        ("old_fast_thing_vendor", "fast_thing_vendor", ["info find_package"]),
+        ("thing_vendor", "fast_thing_vendor", ["info find_package"]),
+        ("rclpcp", "rclcpp", ["error find_package"]),
+        ("std_mgs", "std_msgs", ["error find_package"]),
+        ("st_mgss", "std_msgs", ["info find_package"]),
+        ("geometri_mgss", "geometry_msgs", ["error find_package"]),
+        ("acme_cam_msgs", "acme_arm_msgs", ["info find_package"]),
         ("old_fast_thing", "fast_thing", []),
         ("thing_vendor", "fast_thing_vendor slow_thing_vendor", []),
         ("rclcpp", "rclcpp", []),
@@ -136,8 +142,8 @@ def test_nodes_that_a_class_of_another_package_makes(maker: str, key: str, expec
 @pytest.mark.parametrize(
     ("words", "finds", "expected"),
     [
-        ("pcl", "PCL", ["warning pcl"]),
-        ("boost", "Boost", ["warning boost"]),
+        ("pcl", "PCL", ["info pcl"]),
+        ("boost", "Boost", ["info boost"]),
         ("EIGEN3", "Eigen3", []),
         ("pcl", "PCL pcl", []),
         ("pcl", "pcl_ros", []),
@@ -151,3 +157,39 @@ def test_a_library_in_other_letters_than_it_is_found_by(words: str, finds: str, 
     assert said("CMK117", lines, f"  <depend>{words}</depend>\n") == expected
     assert said("CMK117", f"set({words}_FOUND ON)\n{lines}", f"  <depend>{words}</depend>\n") == []
     assert said("CMK117", f"include(${{MORE}})\n{lines}", f"  <depend>{words}</depend>\n") == []
+
+
+@pytest.mark.parametrize(
+    "name, declared, expected",
+    [
+        ("std_mgs", "std_msgs", ["error std_mgs"]),
+        ("geometri_mgss", "geometry_msgs", ["error geometri_mgss"]),
+        ("gemetry_msgs", "std_msgs", ["info gemetry_msgs"]),
+        ("goemetry_msgs", "std_msgs", ["error goemetry_msgs"]),
+        ("st_mgss", "std_msgs", ["info st_mgss"]),
+    ],
+)
+def test_what_package_xml_declares_is_meant(name: str, declared: str, expected: list[str]) -> None:
+    lines, body = f"find_package({name} REQUIRED)\n", f"  <depend>{declared}</depend>\n"
+    assert said("CMK117", lines, body) == expected
+    outside = "list(APPEND CMAKE_MODULE_PATH ${WHEREVER}/cmake)\n"
+    assert said("CMK117", outside + lines, body) == [each.replace("error", "info") for each in expected]
+
+
+@pytest.mark.parametrize(
+    "lines, level",
+    [
+        ("find_package(Eigen3::Eigen REQUIRED)\n", "error"),
+        ("find_package(Eigen3::Eigen)\n", "info"),
+        ("find_package(Eigen3::Eigen)\n{NODE}target_link_libraries(node Eigen3::Eigen)\n", "warning"),
+        (
+            "find_package(Eigen3::Eigen)\nfind_package(Eigen3)\n{NODE}target_link_libraries(node Eigen3::Eigen)\n",
+            "info",
+        ),
+        ("find_package(a REQUIRED)\n", "warning"),
+        ("set(CMAKE_PREFIX_PATH ${WHEREVER})\nfind_package(a REQUIRED)\n", "info"),
+    ],
+)
+def test_targets_and_the_package_itself_are_looked_for(lines: str, level: str) -> None:
+    (found,) = said("CMK117", lines.replace("{NODE}", NODE))
+    assert found.startswith(level)

@@ -11,10 +11,13 @@ from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...package.workspace import Workspace
 from ...ros.link_targets import ROS_NAME, link_targets
 from ...ros.names import NameKind
-from ...suggest import near_names
+from ...suggest import distance, near_names
 
 LONG, LONG_WORD = 8, 4
 """Letters of a name, and of a word in it, from which it is a slip of another one, whatever is not known."""
+
+LEAST = 5
+"""Letters of a name of which another one is one letter off, and no name of its own."""
 
 SHORTEST = 8
 """Letters of a package's name from which its target may be one letter off."""
@@ -118,6 +121,17 @@ def nearest(text: str, names: frozenset[str] | set[str], limit: int) -> str | No
 def is_clear_slip(text: str, near: str) -> bool:
     """Return whether a long name is a slip of another one, whatever is not known."""
     return len(text) >= LONG and differ_in_long_words(text, near)
+
+
+def is_likely_slip(text: str, near: str) -> bool:
+    """Return whether a name is one letter off another one, or is a clear slip of it; short names have neighbours."""
+    is_near = len(text) >= LEAST and distance(text, near, 1) <= 1
+    return is_near or are_swapped(text, near) or is_clear_slip(text, near)
+
+
+def are_swapped(text: str, near: str) -> bool:
+    """Return whether only two letters stand in the other order: nobody calls two things so."""
+    return sorted(text) == sorted(near) and distance(text, near, 1) == 1
 
 
 def differ_in_long_words(text: str, near: str) -> bool:

@@ -9,9 +9,10 @@ from typing import Literal
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.values import Word
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.set_variables import SetVariables
+from ...package.cmake.target_links import TargetLinks
 from ...package.workspace import Workspace
 from ...ros.aliases import keys_for_cmake
 from ...ros.config_files import in_other_case
@@ -21,8 +22,8 @@ from ...suggest import slips
 from ..foreign_images import foreign_image
 from .consumers import Consumers
 from .foreign_targets import TAKING, ForeignTargets, foreign_targets
-from .found_elsewhere import may_be_found_elsewhere
-from .mistyped_links import nearest
+from .found_elsewhere import looks_outside, may_be_found_elsewhere
+from .mistyped_links import are_swapped, is_likely_slip, nearest
 
 EXPORTED, HANDED = "ament_export_dependencies", "ament_target_dependencies"
 AMENT = "ament_"
@@ -39,6 +40,8 @@ class MistypedPackage:
     """The package that is certainly intended, of one that is misspelt."""
     variable: str = ""
     """The variable that stands where packages belong, as it is written."""
+    is_certain: bool = True
+    """Whether what the package itself says shows that there is none of this name, whatever is installed."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +64,13 @@ class MistypedPackages:
         for each in self.package.cmake.packages:
             package, colons, _ = each.name.partition("::")
             if colons and each.word.is_known and not each.word.maybe and not each.call.maybe:
-                yield MistypedPackage(each.word, each.call, "imported", package)
+                is_certain = "REQUIRED" in each.call.texts or self.is_linked(each.name, package)
+                yield MistypedPackage(each.word, each.call, "imported", package, is_certain=is_certain)
+
+    def is_linked(self, target: str, package: str) -> bool:
+        """Return whether something is linked with a target of a package that no other command looks for."""
+        links = TargetLinks(self.package.cmake).all
+        return package not in self.found and any(link.word.text == target for link in links)
 
     def foreign(self) -> Iterator[ForeignTargets]:
         """Yield the calls that are given targets of packages."""
@@ -87,7 +96,7 @@ class MistypedPackages:
                 if match is not None and words and not self.variables.may_be_set(f"{match[1]}_{match[2]}"):
                     near = next((each for each in (match[1], match[1].lower()) if each in self.found), None)
                     if near is not None:
-                        yield MistypedPackage(words[0], call, "variable", near, argument.text)
+                        yield MistypedPackage(words[0], call, "variable", near, argument.text, is_certain=False)
 
     def named(self) -> Iterator[tuple[Word, EvaluatedCommand]]:
         """Yield the packages that commands are given; of those that are looked for, the required ones."""
@@ -100,12 +109,12 @@ class MistypedPackages:
 
     def judged(self, word: Word, call: EvaluatedCommand) -> MistypedPackage | None:
         if self.is_own(word, call):
-            return MistypedPackage(word, call, "own")
+            return MistypedPackage(word, call, "own", is_certain=not any(looks_outside(self.package.cmake)))
         if call.name == HANDED and self.is_own_target(word.text):
             return MistypedPackage(word, call, "target")
         if self.is_known(word.text):
             written = self.in_other_case(word.text) if call.name == HANDED else None
-            return MistypedPackage(word, call, "case", written) if written is not None else None
+            return MistypedPackage(word, call, "case", written, is_certain=False) if written is not None else None
         if call.name != HANDED and self.is_found_in_other_case(word.text):
             return None
         if call.name not in TAKING:
@@ -117,8 +126,9 @@ class MistypedPackages:
         if (misspelt := self.misspelt(word, call, self.found | self.declared)) is not None:
             return misspelt
         if (alike := self.alike(word.text)) is not None:
-            return MistypedPackage(word, call, "misspelt", alike)
-        return MistypedPackage(word, call, "nowhere") if self.is_nowhere(word, call) else None
+            is_certain = alike.lower() == word.text.lower() and self.workspace.is_cased(alike)
+            return MistypedPackage(word, call, "misspelt", alike, is_certain=is_certain)
+        return MistypedPackage(word, call, "nowhere", is_certain=False) if self.is_nowhere(word, call) else None
 
     def may_be_elsewhere(self, each: MistypedPackage) -> bool:
         """Return whether what is looked for under a name that is near to another one may be a package of its own."""
@@ -191,17 +201,27 @@ class MistypedPackages:
 
     def misspelt(self, word: Word, call: EvaluatedCommand, names: frozenset[str]) -> MistypedPackage | None:
         near = nearest(word.text, names, 2)
-        return MistypedPackage(word, call, "misspelt", near) if near is not None else None
+        if near is None:
+            return None
+        return MistypedPackage(word, call, "misspelt", near, is_certain=is_likely_slip(word.text, near))
 
     def misspelt_search(self, word: Word, call: EvaluatedCommand) -> MistypedPackage | None:
         """Return what `find_package` is meant to find: nearly what is declared, or a slip of one known package.
 
-        One of the workspace counts where CMake finds it elsewhere, too.
+        One of the workspace counts where CMake finds it elsewhere, too. What is not declared may be another one.
         """
         if (found := self.misspelt(word, call, self.unfound)) is not None:
-            return found
+            return replace(found, is_certain=found.is_certain and self.is_meant(word.text, found.near))
         meant = slips(word.text, self.workspace.names) or slips(word.text, self.workspace.index.packages)
-        return MistypedPackage(word, call, "misspelt", meant[0]) if len(meant) == 1 else None
+        return (
+            MistypedPackage(word, call, "misspelt", meant[0], is_certain=are_swapped(word.text, meant[0]))
+            if len(meant) == 1
+            else None
+        )
+
+    def is_meant(self, name: str, near: str) -> bool:
+        """Return whether a package is declared, or is written with two letters swapped, which is no name of its own."""
+        return near in self.declared or are_swapped(name, near)
 
     def is_looked_for_in_vain(self, name: str) -> bool:
         """Return whether a name can only be that of a ROS package: the package brings no module to find it by."""

@@ -15,6 +15,20 @@ ELSEWHERE = ", unless what is not here brings it"
 """What is added where a package that nobody here knows may be there all the same."""
 
 
+DOUBTS = {
+    "variable": ", unless it is empty",
+    "imported": ", though without REQUIRED CMake goes on",
+}
+"""What is added where nobody certainly meets a fault of some kind."""
+
+
+def with_doubt(each: MistypedPackage, is_open: bool) -> str:
+    """Return the message, with what may keep CMake from stopping."""
+    if each.is_certain and not is_open:
+        return message(each)
+    return message(each) + DOUBTS.get(each.kind, ELSEWHERE)
+
+
 def message(each: MistypedPackage) -> str:
     name, stops = each.word.text, STOPS.get(each.call.name)
     if each.kind == "target":

@@ -120,8 +120,7 @@ def none_installed(exported: ExportedHeaders) -> Iterator[Hit]:
         "the first `#include`; add `install(DIRECTORY include/ …)`"
     )
     fix = Fix("install the headers", (install_headers(package.cmake),))
-    is_met = exported.are_needed
-    text, level = by_whom(message, is_met), None if is_met else Severity.INFO
+    text, level = by_whom(message, exported.are_needed), None if exported.are_needed else Severity.INFO
     yield Hit(call.path, call.command.span, text, level, fix=fix)
 
 

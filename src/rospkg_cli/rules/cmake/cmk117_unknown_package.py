@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.foreign_targets import ForeignTargets
+from ...checks.cmake.met_here import by_whom
 from ...checks.cmake.mistyped_packages import MistypedPackages
-from ...checks.cmake.package_sentences import ELSEWHERE, EXPORT, STOPS, message
+from ...checks.cmake.package_sentences import EXPORT, STOPS, with_doubt
 from ...checks.enumeration import in_ticks
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
@@ -39,12 +40,11 @@ def cmake_handed(keyword: str) -> str:
     over=MistypedPackages,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "nobody here knows it, or an image that the repository builds on may bring it; or it is the "
-        "package itself, which may be installed from an earlier "
-        "build; or it is found in other letters; or a target is looked for and not required; or it is exported by a "
-        "library for others",
-        Severity.INFO: "it is exported, no package of the workspace is built with this one, and it is no library for "
-        "others; or what is not here may bring it: a repository that is listed, a folder or project outside",
+        Severity.WARNING: "it is the package itself, which may be installed from an earlier build; or a target is "
+        "looked for that is linked, and not required; or an image that the repository builds on may bring it",
+        Severity.INFO: "it is exported, and no package of the workspace looks for this one; or another package, a "
+        "folder outside or a repository that is listed may bring it: it is found in other letters, nobody knows it, or "
+        "a package that is not declared, or a short name two letters off, is near",
     },
     examples=(
         Example(
@@ -90,10 +90,14 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     CMake finds `<name>-config.cmake` by any. Near are only
     packages that CMake finds or package.xml declares; what `find_package()` looks for is compared with those declared
     that are not found otherwise. Under a condition that can't be evaluated. What is exported is an info where no
-    package of the workspace is built with this one, unless it is a library for others, which is released and whose
-    pages tell how to use it. So is a name near to another one where a list names repositories that are not here, where
-    CMake looks in folders outside of the package (`CMAKE_MODULE_PATH`), or fetches a project of that name. Where the
-    repository builds on an image that is none of the plain ones (`ros`, `ubuntu`, …), that may bring it: a warning.
+    package of the workspace looks for this one. So is a name near to another one where a list names repositories that
+    are not here, where CMake looks in folders outside of the package (`CMAKE_MODULE_PATH`), or fetches a project of
+    that name. What rests on other packages is one, too: names that nobody knows and none is near to, those in other
+    letters or with a word less where the right one is not of ament, a name near to a package that package.xml does not
+    declare (but for swapped letters), one of less than eight letters that is two letters off, variables that hold no
+    packages (`${OpenCV_LIBRARIES}`, maybe empty), and targets that are looked for without REQUIRED and not linked.
+    Where the repository builds on an image that is none of the plain ones (`ros`, `ubuntu`, …), that may bring it: a
+    warning.
 
     ## Fix safety
     The nearest name may not be the one that was intended.
@@ -106,20 +110,14 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
             edit = Edit(each.word.path, each.word.span, each.near)
             fix = Fix(f"write `{each.near}`", (edit,), Safety.UNSAFE)
         is_asked = each.kind == "imported" and "REQUIRED" not in each.call.texts
-        level = Severity.WARNING if is_asked or each.kind in ("own", "nowhere", "case") else None
-        level = met_by(packages, level) if each.call.name == EXPORT else level
-        is_open, brought = packages.may_be_elsewhere(each), packages.may_be_brought(each)
-        level = Severity.WARNING if brought and level is None else level
-        text = message(each) + (ELSEWHERE if is_open else brought)
-        yield Hit(each.word.path, each.word.span, text, Severity.INFO if is_open else level, fix=fix)
+        is_open, is_met = packages.may_be_elsewhere(each), each.call.name != EXPORT or bool(packages.consumers.finders)
+        is_sure, brought = is_met and each.is_certain and not is_open, packages.may_be_brought(each)
+        level = Severity.WARNING if is_asked or each.kind == "own" or brought else None
+        text = by_whom(with_doubt(each, is_open) + (brought if is_sure else ""), is_met)
+        yield Hit(each.word.path, each.word.span, text, level if is_sure else Severity.INFO, fix=fix)
     for given in packages.foreign():
         if (given.words[0].path, given.words[0].span) not in told:
             yield given_targets(packages, given)
-
-
-def met_by(packages: MistypedPackages, level: Severity | None) -> Severity | None:
-    """Return the level of a fault in what is exported: an info where nobody is known who finds this package."""
-    return level if packages.consumers.finders else Severity.INFO
 
 
 def given_targets(packages: MistypedPackages, each: ForeignTargets) -> Hit:
@@ -132,5 +130,5 @@ def given_targets(packages: MistypedPackages, each: ForeignTargets) -> Hit:
     if own is not None and each.packages[0] in packages.found and packages.package.cmake.source_text(own) == own.text:
         name = each.packages[0]
         fix = Fix(f"write `{name}`", (Edit(own.path, own.span, name),), Safety.UNSAFE)
-    level = met_by(packages, None) if each.call.name == EXPORT else None
-    return Hit(word.path, word.span, text, level, fix=fix)
+    is_met = each.call.name != EXPORT or bool(packages.consumers.finders)
+    return Hit(word.path, word.span, by_whom(text, is_met), None if is_met else Severity.INFO, fix=fix)
