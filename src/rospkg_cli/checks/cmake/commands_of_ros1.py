@@ -8,8 +8,6 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.workspace import Workspace
-from ...ros.aliases import keys_for_cmake
-from ...ros.names import NameKind
 from ...ros.read_table import rows
 
 TABLE = "ros1_commands.txt"
@@ -40,10 +38,3 @@ class CommandsOfRos1:
         found = (each.name for each in self.package.cmake.packages)
         every = (*found, *(each.name for each in self.package.manifest.dependencies))
         return any(part in name for part in BRINGING for name in every)
-
-    @property
-    def is_certain(self) -> bool:
-        """Whether all packages are known that are looked for."""
-        known = (NameKind.PACKAGE, NameKind.KEY)
-        found = (each.name for each in self.package.cmake.packages)
-        return all(self.workspace.kind_of(name) in known or keys_for_cmake(name) for name in found)

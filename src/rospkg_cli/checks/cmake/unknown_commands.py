@@ -11,7 +11,7 @@ from ...languages.cmake.targets import MAKERS
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...ros.read_table import words
-from ...suggest import near_names
+from ...suggest import distance, near_names, same_words
 from .mistyped_links import digits
 
 SHORTEST = 6
@@ -77,3 +77,8 @@ class UnknownCommands:
     @cached_property
     def words(self) -> frozenset[str]:
         return frozenset(word for name in self.known for word in name.split("_"))
+
+
+def is_one_slip(name: str, near: str) -> bool:
+    """Return whether a name is that of a command but for one letter, or for the order of its words."""
+    return distance(name, near, 1) <= 1 or near in same_words(name, [near])

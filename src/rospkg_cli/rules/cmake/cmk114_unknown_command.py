@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.commands_of_ros1 import CommandsOfRos1
+from ...checks.cmake.known_packages import are_all_known
 from ...checks.cmake.module_commands import ModuleCommand, ModuleCommands
-from ...checks.cmake.unknown_commands import UnknownCommands
+from ...checks.cmake.unknown_commands import UnknownCommands, is_one_slip
 from ...checks.depends.unfound_commands import UnfoundCommand, UnfoundCommands
 from ...edits.cmake_find import add_find_package
 from ...example import CMAKE, Example
@@ -31,8 +32,8 @@ def cmake(lines: str) -> str:
     over=UnfoundCommands,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a command of ROS 1, where a package is found that nobody knows and that may define it",
-        Severity.INFO: "another package that is found may find the one that defines it",
+        Severity.INFO: "another package that is found may find the one that defines it, or define it itself: nobody "
+        "knows that package, or the name is two letters or a word off",
     },
     examples=(
         Example(
@@ -63,25 +64,25 @@ def unknown_command(commands: UnfoundCommands) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a file is included that can't be read: it may define the command. So may, for those of ROS 1, a package that
-    is declared or found and has `catkin` in its name. Where a package that is found certainly
-    brings the one that defines it, or `ament_lint_auto_find_test_dependencies()` finds what package.xml declares. For
-    names that consist of words which
-    commands have (`add_gtest`), names with another number in them (`qt4_wrap_cpp`), and names of less than six letters.
-    Under a condition that can't be evaluated, and where the command is never run. For a module of CMake where a .cmake
-    file of the package names it.
+    is declared or found and has `catkin` in its name. Where a package that is found certainly brings the one that
+    defines it, or `ament_lint_auto_find_test_dependencies()` finds what package.xml declares. For names that consist
+    of words which commands have (`add_gtest`), names with another number in them (`qt4_wrap_cpp`), and names of less
+    than six letters. Under a condition that can't be evaluated, and where the command is never run. For a module of
+    CMake where a .cmake file of the package names it. A name that is near to a known one, or is of ROS 1, is an info
+    where a package is found that nobody knows, or one of the workspace that has nothing but CMake files for others;
+    the first also where two letters or a word are other.
     """
     cmake = commands.package.cmake
+    are_known = are_all_known(cmake, commands.missing.declared.workspace)
     for call, near in UnknownCommands(cmake).all():
-        message = (
-            f"`{call.name}` is no command (did you mean `{near}`?): "
-            'CMake stops with "Unknown CMake command"; correct the name'
-        )
-        yield Hit(call.path, call.command.name_span, message)
+        is_certain = are_known and is_one_slip(call.name, near)
+        message = f"`{call.name}` is no command (did you mean `{near}`?): {stops(is_certain)}; correct the name"
+        yield Hit(call.path, call.command.name_span, message, None if is_certain else Severity.INFO)
     of_ros1 = CommandsOfRos1(commands.package, commands.missing.declared.workspace)
     for call, new in of_ros1.all():
         todo = f"call `{new}`" if new else "remove the call"
-        message = f'`{call.name}` is a command of ROS 1: CMake stops with "Unknown CMake command"; {todo}'
-        yield Hit(call.path, call.command.name_span, message, None if of_ros1.is_certain else Severity.WARNING)
+        message = f"`{call.name}` is a command of ROS 1: {stops(are_known)}; {todo}"
+        yield Hit(call.path, call.command.name_span, message, None if are_known else Severity.INFO)
     for of_module in ModuleCommands(cmake).all():
         severity = None if of_module.is_certain else Severity.INFO
         yield Hit(of_module.call.path, of_module.call.command.name_span, not_included(of_module), severity)
@@ -91,6 +92,12 @@ def unknown_command(commands: UnfoundCommands) -> Iterator[Hit]:
         fix = Fix(f"add {line}", edits) if edits else None
         level = Severity.INFO if each.may_be_brought else None
         yield Hit(each.call.path, each.call.command.name_span, unfound(each, line), level, fix=fix)
+
+
+def stops(is_certain: bool) -> str:
+    return (
+        f'CMake stops with "Unknown CMake command"{"" if is_certain else ", unless a package that is found defines it"}'
+    )
 
 
 def not_included(each: ModuleCommand) -> str:
