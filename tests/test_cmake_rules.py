@@ -460,6 +460,29 @@ def test_variables_that_are_nearly_one_of_a_package(lines: str, near: str) -> No
     assert [message.partition("did you mean `")[2].partition("`")[0] for message in found] == ([near] if near else [])
 
 
+@pytest.mark.parametrize(
+    ("lines", "level", "strange"),
+    [
+        ("set(SOURCES src/a.cpp)\nadd_executable(a ${SORCES})", "warning", "info"),
+        ("set(SOURCES src/a.cpp)\nadd_executable(a ${SOUCRES})", "warning", "warning"),
+        ("set(SOURCES src/a.cpp)\nadd_executable(a ${Sources})", "info", "info"),
+        ("set(SOURCE_FILES src/a.cpp)\nadd_executable(a ${SOURCES_FIELS})", "info", "info"),
+        ("install(FILES a.txt DESTINATION share/${PROJECTNAME})", "error", "error"),
+        ("install(FILES a.txt DESTINATION share/${PROJCETNAME})", "info", "info"),
+        ("install(FILES a.txt DESTINATION share/${RCLCPP_LIBS})", "info", "info"),
+        ("add_executable(${NODES} src/a.cpp)", "warning", "info"),
+        ("set(CORE_FILES a)\nlist(APPEND CORE_FILSE b)\nmessage(${CORE_FILES})", "warning", "info"),
+        ("set(CORE_FILES a)\nlist(APPEND CORE_FIELDS b)\nmessage(${CORE_FILES})", "info", "info"),
+    ],
+)
+def test_what_another_package_may_set_is_an_info(lines: str, level: str, strange: str) -> None:
+    files = {"a.txt": "", "src/a.cpp": "int main() {return 0;}\n"}
+    for found, expected in (("rclcpp", level), ("rclcpp)\nfind_package(team_tools", strange)):
+        whole = {**package(f"find_package({found})\n{lines}"), **files}
+        levels = [each.severity.value for each in lint_files(whole, ["CMK115"]).findings]
+        assert levels == [expected]
+
+
 BUILT = "add_executable(talker src/a.cpp)\nadd_executable(spare src/a.cpp)\nset(NODES talker)\n"
 
 

@@ -168,8 +168,8 @@ def test_one_of_two_parameters_is_a_slip(clean, name: str, expected: list[str]) 
     "name, expected",
     [
         ("PROJECT_NAME", []),
-        ("PROJECTNAME", ["CMK115 warning"]),
-        ("PROJECT_NAMES", ["CMK115 warning"]),
+        ("PROJECTNAME", ["CMK115 info"]),
+        ("PROJECT_NAMES", ["CMK115 info"]),
         ("PROJECT_SOURCEDIR", []),
         ("OTHER", []),
     ],

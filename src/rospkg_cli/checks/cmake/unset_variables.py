@@ -21,9 +21,10 @@ from ...ros.link_targets import MESSAGES, ROS_NAME
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...source import Span
-from ...suggest import near_names
+from ...suggest import distance, near_names
 from .given_variables import given_variables
-from .mistyped_links import digits
+from .known_packages import are_all_known
+from .mistyped_links import are_swapped, digits
 
 SET_BY_CMAKE = frozenset("""
     PROJECT_NAME PROJECT_SOURCE_DIR PROJECT_BINARY_DIR PROJECT_VERSION CMAKE_PROJECT_NAME CMAKE_SOURCE_DIR
@@ -134,6 +135,18 @@ class UnsetVariables:
         adding = (call for call in self.cmake.named(*ADDING) if call is not each.call)
         arguments = (argument.text for call in adding for argument in call.command.arguments[1:])
         return is_linked or any(f"${{{each.near}}}" in text for text in arguments)
+
+    def is_certain(self, each: UnsetVariable) -> bool:
+        """Return whether a variable is certainly empty and certainly a slip: it is one letter off the intended one, and
+        nothing that nobody knows may set it. One of CMake is set by no package under nearly its name."""
+        if self.cmake.reads_unknown_files or (each.near and not is_one_letter_off(each.name, each.near)):
+            return False
+        is_own = not each.near or each.near in self.assigned
+        return each.near in SET_BY_CMAKE or (is_own and (self.are_known or are_swapped(each.name, each.near)))
+
+    @cached_property
+    def are_known(self) -> bool:
+        return are_all_known(self.cmake, self.workspace)
 
     def is_harmless(self, each: UnsetVariable) -> bool:
         """Return whether flags are to be kept, and the package has set none before."""
@@ -272,6 +285,10 @@ class UnsetVariables:
     @cached_property
     def variables(self) -> SetVariables:
         return SetVariables(self.cmake)
+
+
+def is_one_letter_off(name: str, near: str) -> bool:
+    return distance(name, near, 1) <= 1 and name.lower() != near.lower()
 
 
 def package_of(variable: str) -> str:

@@ -8,7 +8,7 @@ from ...checks.cmake.dead_branches import DeadBranches
 from ...checks.cmake.switched_off import SwitchedOff
 from ...checks.cmake.unread_lists import UnreadLists
 from ...checks.cmake.unread_twins import UnreadTwins
-from ...checks.cmake.unset_variables import UnsetVariable, UnsetVariables
+from ...checks.cmake.unset_variables import UnsetVariable, UnsetVariables, is_one_letter_off
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -33,9 +33,10 @@ def cmake(lines: str) -> str:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "it says what is installed, or where",
-        Severity.INFO: "it would name targets to install, and no other variable is near; or the intended one stands "
-        "beside it, or a target is given a folder or a library by it, which the build itself tells where it is needed; "
-        "or a branch reads it that is not taken",
+        Severity.INFO: "another package may set it, as it is more than one letter off, differs in case, or is like one "
+        "that a package sets; or it would name targets to install, and no other variable is near; or the intended one "
+        "stands beside it, or a target is given a folder or a library by it, which the build itself tells where it is "
+        "needed; or a branch reads it that is not taken",
     },
     examples=(
         Example(
@@ -69,32 +70,35 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     a macro of another one is called; where `find_library()` and its like look for something below them, or the file
     reads `$ENV{…}` of the same name: the user gives them. In `message()`. Under an unknown condition only names near to
     those of CMake are told, as warnings; where a file is included that can't be read, those near to PROJECT_NAME in
-    `install()`, and those beside a variable that nothing reads. It is an info where the right one stands in the same
-    command, as nothing is lost; where targets get a folder or a library by it, for the build tells where they need it;
-    where flags are kept that nothing sets before; and so is what is read where a package is found
-    (`if(OpenMP_FOUND)`) that nothing looks for. What packages set that are not built with ament (`octomap`) is known of
-    none.
+    `install()`, and those beside a variable that nothing reads, as infos. A name is an info, too, that is more than one
+    letter off, differs in case alone, or is like one that a package sets, and one like the package's own where a
+    package is found that nobody knows, or that has nothing but CMake files for others. So it is where the right one
+    stands in the same command, as nothing is lost; where targets get a folder or a library by it, for the build tells
+    where they need it; where flags are kept that nothing sets before; and what is read where a package is found
+    (`if(OpenMP_FOUND)`) that nothing looks for. What packages set that are not built with ament (`octomap`) is known
+    of none.
     """
     dead, off = DeadBranches(variables.cmake), SwitchedOff(variables.cmake)
     for each in (*variables.all(), *UnreadTwins(variables).all()):
-        is_sure = each.call.name == "install" and not each.call.maybe and not variables.cmake.reads_unknown_files
+        is_sure = each.call.name == "install" and not each.call.maybe
         is_mild = (
             (not each.near and each.call.name == "install") or bool(dead.package_of(each.call)) or off.has(each.call)
         )
         is_mild = is_mild or bool(each.beside) or each.is_told_by_build
         is_mild = is_mild or variables.brings(each) or variables.is_harmless(each)
-        level = Severity.INFO if is_mild else Severity.ERROR if is_sure else None
-        yield Hit(each.call.path, each.span, message(each), level)
+        is_certain = variables.is_certain(each)
+        level = Severity.INFO if is_mild or not is_certain else Severity.ERROR if is_sure else None
+        yield Hit(each.call.path, each.span, message(each, is_certain or is_mild), level)
     for lost in UnreadLists(variables.cmake).all():
         text = f"nothing reads `{lost.name}` (did you mean `{lost.near}`?): what is appended is lost; correct the name"
-        yield Hit(lost.path, lost.span, text)
+        is_certain = variables.are_known and is_one_letter_off(lost.name, lost.near)
+        yield Hit(lost.path, lost.span, text, None if is_certain else Severity.INFO)
 
 
-def message(each: UnsetVariable) -> str:
+def message(each: UnsetVariable, is_certain: bool) -> str:
+    empty = "it is empty" if is_certain else "it is empty, unless another package sets it"
     if not each.near and each.call.name != "install":
-        return (
-            f"`{each.name}` is set nowhere: it is empty, and `{each.call.name}` stops CMake; set it, or remove the call"
-        )
+        return f"`{each.name}` is set nowhere: {empty}, and `{each.call.name}` stops CMake; set it, or remove the call"
     if not each.near:
         return f"`{each.name}` is set nowhere: it is empty, and no target is installed by it; set it, or remove it"
     if each.beside:
@@ -102,4 +106,4 @@ def message(each: UnsetVariable) -> str:
     shown = len(each.before) <= LONGEST and "\n" not in each.before
     result = f"`{each.after}`" if each.after else "nothing"
     becomes = f", and `{each.before}` becomes {result}" if shown else ""
-    return f"`{each.name}` is set nowhere (did you mean `{each.near}`?): it is empty{becomes}; correct the name"
+    return f"`{each.name}` is set nowhere (did you mean `{each.near}`?): {empty}{becomes}; correct the name"
