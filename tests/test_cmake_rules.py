@@ -595,7 +595,9 @@ def test_what_one_install_breaks_is_one_finding() -> None:
     findings = lint_files({**files, **scripts}, ["CMK105"]).findings
     assert [[place.path for place, _ in finding.related] for finding in findings] == [["scripts/b.py"], []]
     assert findings[0].message.startswith("`scripts/a.py` and `scripts/b.py` are not executable: ")
-    assert findings[0].message.endswith("; `chmod +x` them")
+    assert findings[0].message.endswith(
+        "; `chmod +x` them (nothing here starts it, and a copy of files may lose the bit)"
+    )
     assert findings[0].fix is not None
     assert len(findings[0].fix.operations) == 2
 
@@ -637,7 +639,10 @@ def test_scripts_that_cmake_gives_to_chmod() -> None:
     ("keeps", "end"),
     [
         ("", "`chmod +x scripts/a.py` (`git update-index --chmod=+x`), and add USE_SOURCE_PERMISSIONS"),
-        (" USE_SOURCE_PERMISSIONS", "; `chmod +x scripts/a.py`"),
+        (
+            " USE_SOURCE_PERMISSIONS",
+            "; `chmod +x scripts/a.py` (nothing here starts it, and a copy of files may lose the bit)",
+        ),
     ],
 )
 def test_a_folder_whose_scripts_have_no_bit_to_keep(keeps: str, end: str) -> None:

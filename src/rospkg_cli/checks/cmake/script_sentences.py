@@ -9,6 +9,8 @@ from .installed_scripts import BrokenScript, InstalledScripts
 
 FEW = 3
 """So many scripts are named one by one."""
+LOST = " (nothing here starts it, and a copy of files may lose the bit)"
+"""What is added where only the bit of a script is missing."""
 SHEBANG = "#!/usr/bin/env python3"
 
 

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator
 from itertools import chain
 
 from ...checks.cmake.installed_scripts import BrokenScript, InstalledScripts
-from ...checks.cmake.script_sentences import message, title
-from ...checks.cmake.swept_scripts import is_swept_along
+from ...checks.cmake.script_harm import harm, may_be_lost
+from ...checks.cmake.script_sentences import LOST, message, title
 from ...edits.cmake_scripts import make_executable
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -33,10 +33,11 @@ def cmake(lines: str) -> str:
     over=InstalledScripts,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "only its executable bit is missing: it can't be run after `colcon build --symlink-install`; "
-        "or it has no word of ROS, and nothing starts it",
-        Severity.INFO: "it has no bit, and another file of its folder imports it: it may be a module; or it came with "
-        "its folder, nothing starts it, and a file imports it, a comment names it, or it has no word of ROS",
+        Severity.WARNING: "only the bit of its source is missing: it can't be run after `colcon build "
+        "--symlink-install`; or it is no node, and nothing starts it",
+        Severity.INFO: "only its bit is missing, which a copy may have lost, and nothing starts it; or it has no bit, "
+        "and another file of its folder imports it; or it came with its folder, nothing starts it, and a file imports "
+        "it, a comment names it, or it has no word of ROS",
     },
     examples=(
         Example(
@@ -76,32 +77,27 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     or a macro in a .cmake file of the package to whom it calls, and that CMake gives to `chmod` by name. For what is
     installed under a condition that can't be evaluated, or for tests. A file without the bit that another Python file
     of its folder imports may be a module: an info, unless a launch file names it or a README starts it.
-    A file without `#!` that has no word of ROS, and that neither does, is a warning. What a rule takes along with its
+    What only lacks its bit here is an info where neither does so: archives and some file systems lose it. A file
+    without `#!` that has no word of ROS, and a script that is no node (it uses rclpy and asks for `__name__`), are
+    warnings there. What a rule takes along with its
     folder is an info where neither does so and any file of the package imports it, a comment of CMake names it (its
     line was taken out), or it has no word of ROS.
     """
     if not scripts.package.is_ament:
         return
     for script, *others in together(scripts):
-        mild = script.wrong == "no bit" or (script.wrong in ("directory", "neither") and scripts.uses_programs)
-        mild = mild or scripts.is_tool(script)
-        level = Severity.INFO if is_idle(scripts, script) else Severity.WARNING if mild else None
         related = tuple(Related(other.copy.source, Span(0, 0), "the same") for other in others)
         operations = [make_executable(scripts, each) for each in (script, *others)]
         fix = Fix(title(script, others), tuple(dict.fromkeys(chain(*operations)))) if all(operations) else None
-        yield Hit(script.copy.item.path, script.copy.item.span, message(scripts, script, others), level, related, fix)
+        text = message(scripts, script, others) + (LOST if may_be_lost(scripts, script) else "")
+        yield Hit(script.copy.item.path, script.copy.item.span, text, Severity(harm(scripts, script)), related, fix)
 
 
 def together(scripts: InstalledScripts) -> Iterable[list[BrokenScript]]:
-    """Return the scripts of one install() that are broken in the same way, which is one fault."""
-    calls: dict[tuple[str, int, str, bool, bool], list[BrokenScript]] = {}
+    """Return the scripts of one install() that are broken in the same way and as badly, which is one fault."""
+    calls: dict[tuple[str, int, str, str, bool], list[BrokenScript]] = {}
     for script in scripts.broken():
         call = script.copy.rule.call
-        key = (call.path, call.command.span.start, script.wrong, is_idle(scripts, script), scripts.is_tool(script))
-        calls.setdefault(key, []).append(script)
+        place, how = (call.path, call.command.span.start), (harm(scripts, script), may_be_lost(scripts, script))
+        calls.setdefault((*place, script.wrong, *how), []).append(script)
     return calls.values()
-
-
-def is_idle(scripts: InstalledScripts, script: BrokenScript) -> bool:
-    """Return whether nobody is shown to run a script."""
-    return scripts.is_module(script) or is_swept_along(scripts, script)
