@@ -193,3 +193,21 @@ def test_what_package_xml_declares_is_meant(name: str, declared: str, expected: 
 def test_targets_and_the_package_itself_are_looked_for(lines: str, level: str) -> None:
     (found,) = said("CMK117", lines.replace("{NODE}", NODE))
     assert found.startswith(level)
+
+
+@pytest.mark.parametrize(
+    ("target", "level"),
+    [("rclcpp::rclpcp", "error"), ("tf2_ros::tf2_rxx", "info"), ("tf2::tf2", "")],
+)
+def test_a_target_that_is_nearly_one_of_a_package(target: str, level: str) -> None:
+    lines = f"find_package(rclcpp REQUIRED)\nfind_package(tf2_ros REQUIRED)\n{NODE}"
+    found = said("CMK110", f"{lines}target_link_libraries(node {target})\n")
+    assert [each.partition(" ")[0] for each in found] == [level] * bool(level)
+
+
+@pytest.mark.parametrize(
+    "call, level", [("ament_export_dependencies(", "info"), (f"{NODE}ament_target_dependencies(node ", "error")]
+)
+def test_names_that_are_run_together(call: str, level: str) -> None:
+    lines = f"find_package(rclcpp REQUIRED)\nfind_package(std_msgs REQUIRED)\n{call}rclcppstd_msgs)\n"
+    assert said("CMK110", lines) == [f"{level} rclcppstd_msgs"]

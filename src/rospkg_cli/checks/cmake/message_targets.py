@@ -15,6 +15,7 @@ from ...ros.distros import Targets
 from ...ros.link_targets import link_targets
 from ..fault import Level
 from ..older_distribution import OlderDistribution
+from .consumers import Consumers
 from .mistyped_links import MistypedLinks
 
 OF_ROS = regex(
@@ -57,6 +58,7 @@ class MessageTargets:
     links: MistypedLinks
     targets: Targets
     distribution: OlderDistribution
+    consumers: Consumers
 
     def all(self) -> Iterator[MessageTarget]:
         """Yield each name at its first place; nothing where other files may make targets."""

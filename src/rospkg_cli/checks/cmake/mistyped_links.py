@@ -31,6 +31,11 @@ class MistypedLink:
     exported: tuple[str, ...] | None = None
     """All targets of a package of the workspace of which no other is known; None where something is near."""
 
+    @property
+    def is_certain(self) -> bool:
+        """Whether a target is near that is likely meant; a package may have one more of a short name."""
+        return self.exported is not None or is_likely_slip(self.link.word.text, self.near)
+
 
 @dataclass(frozen=True)
 class MistypedLinks:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...package.cmake.cmake_project import CMake
 from .early_references import EarlyReference
+from .met_here import by_whom
 from .mistyped_links import MistypedLink
 from .target_references import TargetReference
 
@@ -32,6 +33,12 @@ def mistyped(each: MistypedLink) -> str:
         f"no package makes the target `{text}` (did you mean `{each.near}`?): CMake stops with "
         '"the target was not found"; correct it'
     )
+
+
+def run_together(each: TargetReference, first: str, second: str, is_met: bool) -> str:
+    stops = "users of this package stop" if "export" in each.call.name else "CMake stops"
+    start = f"`{each.word.text}` is no package, but `{first}` and `{second}` without a space between them"
+    return by_whom(f"{start}: {stops} because it is not found; separate them", is_met)
 
 
 def said(cmake: CMake, reference: TargetReference) -> str:

@@ -8,7 +8,7 @@ from ...checks.cmake.early_references import EarlyReferences
 from ...checks.cmake.message_targets import MessageTargets
 from ...checks.cmake.mistyped_libraries import MistypedLibraries
 from ...checks.cmake.target_references import TargetReferences, by_name
-from ...checks.cmake.target_sentences import made_below, mistyped, said, stops
+from ...checks.cmake.target_sentences import made_below, mistyped, run_together, said, stops
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...rule import rule
@@ -53,7 +53,8 @@ def cmake(lines: str) -> str:
         Severity.WARNING: "under a condition, or where other files may make it: it is a slip of a long name; or some "
         "distributions have it",
         Severity.INFO: "CMake chooses between ament and catkin, and all sources are of ROS 1; or it waits for a "
-        "package that nothing looks for",
+        "package that nothing looks for; or names that are run together are exported, and no package here looks for "
+        "this one; or a short word of the name is two letters off: another package may have it",
     },
     examples=(
         Example(
@@ -93,11 +94,10 @@ def unknown_target(messages: MessageTargets) -> Iterator[Hit]:
     It reads `install(TARGETS)`, `target_link_libraries()` and the like, and exports (`ament_export_targets()`) that no
     `install(… EXPORT …)` fills. Of imported targets (`rclcpp::rclcpp`) it finds those that are one or two letters off,
     those that a package of the workspace does not export, and `std_msgs::std_msgs` and the like, which Lyrical is the
-    first to have (`std_msgs` alone is in none); of libraries by a plain name those that are one or two
-    letters off a library of the package, and packages of ROS (`rclcpp`) that export a target of another name, where no
-    folder is given to the linker.
-    It finds targets that are named above the command that makes them, and in lists of packages two names without a
-    space between them.
+    first to have (`std_msgs` alone is in none); of libraries by a plain name those that are one or two letters off a
+    library of the package, and packages of ROS (`rclcpp`) that export a target of another name, where no folder is
+    given to the linker. It finds targets that are named above the command that makes them, and in lists of packages two
+    names without a space between them.
 
     ## Why is this bad?
     CMake stops, or the linker does where a library is misspelt. This is what is left when a target was renamed or
@@ -111,23 +111,23 @@ def unknown_target(messages: MessageTargets) -> Iterator[Hit]:
     before Lyrical is asked for or named alone by the pages, scripts and workflows of the repository. Under a condition
     that can't be evaluated. In the first and the last case, names of eight letters and more that are one or two off one
     that the package makes are reported. Where CMake chooses between ament and catkin and all sources are of ROS 1, a
-    target that nothing creates is an info, and so is one in a branch for a package (`if(OpenMP_FOUND)`) that nothing
-    looks for.
+    target that nothing creates is an info, as is one in a branch for a package that nothing looks for
+    (`if(OpenMP_FOUND)`), names run together in an export that no package here meets, and two letters in a short word.
     """
     package = messages.links.package
-    for of_messages in messages.all():
-        yield Hit(of_messages.word.path, of_messages.word.span, of_messages.sentence, Severity(of_messages.level))
+    for one in messages.all():
+        yield Hit(one.word.path, one.word.span, one.sentence, Severity(one.level))
     for each in messages.links.all():
-        yield Hit(each.link.word.path, each.link.word.span, mistyped(each))
+        yield Hit(each.link.word.path, each.link.word.span, mistyped(each), None if each.is_certain else Severity.INFO)
     references = TargetReferences(package.cmake)
     for reference, *others in by_name(references.broken()):
         known = references.targets if reference.kind == "target" else references.exports
         near = did_you_mean(reference.word.text, known)
         message = f"{said(package.cmake, reference)}{near}: CMake stops with {stops(reference)}"
-        related = [Related(each.word.path, each.word.span, "and here") for each in others]
+        related = tuple(Related(each.word.path, each.word.span, "and here") for each in others)
         level = None if any(map(references.is_certain, (reference, *others))) else Severity.WARNING
         level = Severity.INFO if references.is_met_by_none((reference, *others)) else level
-        yield Hit(reference.word.path, reference.word.span, message, level, tuple(related))
+        yield Hit(reference.word.path, reference.word.span, message, level, related)
     for early in EarlyReferences(package.cmake).all():
         yield Hit(early.reference.word.path, early.reference.word.span, made_below(package.cmake, early))
     for word, near, is_certain in MistypedLibraries(package.cmake).all():
@@ -135,6 +135,6 @@ def unknown_target(messages: MessageTargets) -> Iterator[Hit]:
         yield Hit(word.path, word.span, f"{message}; correct it", None if is_certain else Severity.WARNING)
     names = {found.name for found in package.cmake.packages} | {each.name for each in package.manifest.dependencies}
     for reference, first, second in references.run_together(names):
-        start = f"`{reference.word.text}` is no package, but `{first}` and `{second}` without a space between them"
-        message = f"{start}: users of this package stop because it is not found; separate them"
-        yield Hit(reference.word.path, reference.word.span, message)
+        is_met = "export" not in reference.call.name or bool(messages.consumers.finders)
+        message, level = run_together(reference, first, second, is_met), None if is_met else Severity.INFO
+        yield Hit(reference.word.path, reference.word.span, message, level)

@@ -20,6 +20,8 @@ OUTSIDE = regex(r"/|~|\$ENV\{HOME\}")
 SYSTEM = regex(r"/(?:etc|lib/udev|(?:usr/)?lib/systemd|usr/lib/udev)(?:/|$)")
 STANDARD = regex(r"(?:.*/install(?:/[^/]+)?)?/((?:share|lib|include|bin)/.*)")
 """A folder below the prefix, with a slash or the path of a workspace before it."""
+OF_SOMEBODY = regex(r"/home/|/Users/|~")
+"""What only one machine has; other folders are there for whoever builds as root, as in a container."""
 SLASH_TOO_MANY = regex(r"/(?:share|lib)/\$\{PROJECT_NAME\}(?:/|$)")
 """What is meant nowhere, whatever the condition around it."""
 
@@ -30,7 +32,8 @@ SLASH_TOO_MANY = regex(r"/(?:share|lib)/\$\{PROJECT_NAME\}(?:/|$)")
     over=CMakePackage,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the folder is for settings of the system, or in `$ENV{HOME}`, or a condition is around it"
+        Severity.WARNING: "the folder is one of the system, where root may write, or in `$ENV{HOME}`, or a condition "
+        "is around it"
     },
     examples=(
         Example(
@@ -60,8 +63,8 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
     For what begins with a variable (`${CMAKE_INSTALL_PREFIX}/share`), also behind a slash where the variable holds the
     prefix or is unknown. Under a condition that can't be evaluated only `/share/${PROJECT_NAME}` and
     `/lib/${PROJECT_NAME}` are told, as warnings.
-    Rules of udev and units of systemd may belong in the system's folders: a warning. So is `$ENV{HOME}`, the home of
-    whoever builds.
+    Rules of udev and units of systemd may belong in the system's folders: a warning. So are all its other folders
+    (`/opt/tools`), where the build may write as root, and `$ENV{HOME}`, the home of whoever builds.
     """
     seen = set()
     for install in package.cmake.installs:
@@ -84,7 +87,8 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
                 f"`DESTINATION {raw}` is absolute: the files don't go to the install prefix, where ROS looks; write "
                 f"`{wanted(raw, install)}`"
             )
-            is_mild = install.call.maybe or raw.startswith("$ENV{HOME}")
+            is_sure = STANDARD.fullmatch(raw) or OF_SOMEBODY.match(raw)
+            is_mild = install.call.maybe or not is_sure
             level = Severity.WARNING if is_mild else None
             yield Hit(word.path, word.span, message, level, fix=fix(package, word, raw))
 
