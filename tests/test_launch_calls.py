@@ -32,7 +32,7 @@ from ament_index_python.packages import get_package_share_directory
 from pathlib import Path
 a, b = LaunchConfiguration('a'), LaunchConfiguration('b')
 c = LaunchConfiguration('c')
-source = get_package_share_directory('other') + '/launch/other.launch.py'
+source = get_package_share_directory('nav2_bringup') + '/launch/other.launch.py'
 """
 
 

@@ -259,7 +259,7 @@ REFERENCES = python(
             f"{SHARE} + '/launch/other.launch.py'",
             f"{SHARE} + 'launch/other.launch.py'",
             f"{SHARE} + '/launch/nothing.launch.py'",
-            "FindPackageShare('unknown_pkg')",
+            "FindPackageShare('nav2_bringup')",
             "unknown",
         )
     ),

@@ -179,9 +179,9 @@ ABSENT = including(
     "str(share.joinpath('launch', 'c.launch.py').absolute())",
     "os.path.normpath(get_package_share_directory('my_pkg') + '/launch/d.launch.py')",
     "os.path.realpath('launch/e.launch.py')",
-    "get_package_share_directory('other') + '/launch/b.launch.py.py'",
-    "get_package_share_directory('other') + '/launch/b.launch.py.launch.py'",
-    "get_package_share_directory('other') + '/launch/b.launch.py'",
+    "get_package_share_directory('nav2_bringup') + '/launch/b.launch.py.py'",
+    "get_package_share_directory('nav2_bringup') + '/launch/b.launch.py.launch.py'",
+    "get_package_share_directory('nav2_bringup') + '/launch/b.launch.py'",
     "get_package_share_directory('my_pkg') + '/launch/b.launch.py.py'",
 )
 RELATIVE = Example(

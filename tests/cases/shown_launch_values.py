@@ -64,7 +64,7 @@ LATE = (
 
 
 def included(*lines: str) -> Example:
-    return xml('<include file="$(find-pkg-share other)/launch/b.launch.xml"/>', *lines)
+    return xml('<include file="$(find-pkg-share nav2_bringup)/launch/b.launch.xml"/>', *lines)
 
 
 UNSURE = (
@@ -78,7 +78,7 @@ UNSURE = (
         },
         good={},
     ),
-    xml('<arg name="rate" default="1"/>', "<group>", '<include file="$(find-pkg-share other)/b.launch.xml"/>',
+    xml('<arg name="rate" default="1"/>', "<group>", '<include file="$(find-pkg-share nav2_bringup)/b.launch.xml"/>',
         "</group>", '<log message="$(var rat)"/>'),
 )  # fmt: skip
 UNREAD = Example(
@@ -172,7 +172,7 @@ BLOCKS = (
     block(ONE, node(NAMED), node(' name="other"')),
     block(ONE, node(NAMED, ' if="$(var x)"')),
     block(ONE, node(NAMED), '<node pkg="turtlesim" exec="turtlesim_node" name="elsewhere"/>'),
-    block(ONE, node(NAMED), '<include file="$(find-pkg-share other)/launch/b.launch.xml"/>'),
+    block(ONE, node(NAMED), '<include file="$(find-pkg-share nav2_bringup)/launch/b.launch.xml"/>'),
     block(ONE, node(NAMED), **{"launch/b.launch.xml": '<launch>\n  <let name="f" value="robot.yaml"/>\n</launch>\n'}),
 )
 BRIDGE_OFF = Example(

@@ -129,6 +129,14 @@ def packages_with_plugin(name: str) -> tuple[str, ...]:
     return tuple(package for package, names in rows(TABLE, "plugins").items() if found in names)
 
 
+@cache
+def is_well_known(package: str) -> bool:
+    """Return whether users know what a package offers, or offered once."""
+    kinds: tuple[Kind, ...] = ("programs", "components", "plugins")
+    known = any(package in rows(TABLE, kind) or package in removed(kind) for kind in kinds)
+    return known or package in sets(LAUNCH_FILES)
+
+
 def other_launch_file(package: str, path: str) -> tuple[str, str] | None:
     """Return package and path of the launch file that a path is meant for; None where it is there, or none is near.
 

@@ -17,6 +17,7 @@ from ...suggest import as_near, near_names, nearest
 from ...unreadable import READABLE
 from .missing_references import LaunchContext, MissingReference
 from .one_cause import CausedPlace, told_at
+from .who_meets import why_unmet
 
 SHORTEST = 5
 DIGITS = regex(r"\d")
@@ -37,6 +38,8 @@ class ArgumentMismatch:
     """Whether nothing that the file includes may take it."""
     rivals: tuple[str, ...] = ()
     """Other arguments that are about as near as the suggestion."""
+    why: str = ""
+    """Why no launch comes to the include; "" where it may."""
 
     @property
     def is_fault(self) -> bool:
@@ -64,13 +67,14 @@ class IncludeContext:
                     replace(each, span=Span(0, 0)),
                     (file.path, each.span) if each.is_missing and not each.suggestion else "",
                 ),
-                None if each.is_fault else "info",
+                None if each.is_fault and not why else "info",
                 file.path,
                 each.span,
-                each,
+                replace(each, why=f", {why}" if why else ""),
             )
             for file in files
             for each in IncludeContext(replace(self.scope, file=file)).mismatches()
+            for why in (why_unmet(file, each.span, self.scope.workspace),)
         ]
         yield from told_at(own, places)
 

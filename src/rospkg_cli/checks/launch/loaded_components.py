@@ -19,8 +19,8 @@ from ..cmake.component_registration import ComponentRegistration
 from ..fault import Level
 from ..older_distribution import OlderDistribution
 from .forked_packages import is_of_fork
-from .idle_actions import level_at
 from .one_cause import CausedPlace, told_at
+from .who_meets import level_met
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +75,7 @@ class LoadedComponents:
 
     def level_of(self, each: UnknownComponent) -> tuple[Level | None, str]:
         """Return the level of a component, None for the rule's own, and why it is not that."""
-        level, why = level_at(self.file, each.plugin.span)
+        level, why = level_met(self.file, each.plugin.span, self.workspace)
         if each.wrong is None or not each.wrong.is_removed:
             return level, why
         if self.distribution.is_for_unsupported(self.file.path):

@@ -8,6 +8,7 @@ from ..fault import Fault, Level, softer_advice
 from .idle_actions import NEVER_ADDED, NEVER_CALLED, OFF, UNUSED, level_at
 from .missing_references import LaunchContext
 from .unread_values import UnreadValues
+from .who_meets import as_python_meets, why_unmet
 
 LOST = (NEVER_ADDED, NEVER_CALLED, OFF, UNUSED)
 """Why nobody meets a fault in a plain launch."""
@@ -22,7 +23,7 @@ def where_met(scope: LaunchContext, faults: Iterable[Fault], late: tuple[Level |
     """
     for fault in faults:
         why = why_lost(scope, fault) if fault.level in late else ""
-        yield softer_advice(fault, "info", why) if why else fault
+        yield softer_advice(fault, "info", why) if why else as_python_meets(scope.file, fault, scope.workspace)
 
 
 def why_lost(scope: LaunchContext, fault: Fault) -> str:
@@ -30,4 +31,5 @@ def why_lost(scope: LaunchContext, fault: Fault) -> str:
     level, why = level_at(scope.file, fault.span)
     if level == "info" and why in LOST:
         return why
-    return UNUSED if UnreadValues(scope).holds(fault.span) else ""
+    unused = UNUSED if UnreadValues(scope).holds(fault.span) else ""
+    return unused or why_unmet(scope.file, fault.span, scope.workspace)

@@ -24,6 +24,7 @@ from .missing_references import LaunchContext
 from .named_programs import named_programs
 from .one_cause import CausedPlace, told_at
 from .removed_arguments import is_taken_by_old_launch_alone
+from .who_meets import level_met
 
 PROGRAM = regex(r"[^.]+(\.(py|sh|bash|pl|rb|js))?")
 
@@ -139,12 +140,12 @@ class NodeExecutables:
 
     def nodes(self) -> Iterator[ExecutableUse]:
         """Yield what is started of packages of the workspace, under literal names; a component is no program."""
-        file = self.scope.file
+        file, workspace = self.scope.file, self.scope.workspace
         for each in named_programs(file):
-            facts, span = self.scope.workspace.named(each.package), each.executable.span
+            facts, span = workspace.named(each.package), each.executable.span
             if facts is not None:
                 name = each.executable.literal or ""
-                level, why = milder(level_at(file, each.span), level_at(file, span))
+                level, why = milder(level_met(file, each.span, workspace), level_at(file, span))
                 if each.is_command and not level:
                     level, why = "warning", "and the launch goes on"
                 if not level and is_taken_by_old_launch_alone(file):
@@ -195,7 +196,7 @@ class NodeExecutables:
             wrong = None if is_here or each.is_command else wrong_name("programs", each.package, name)
             if wrong is not None and each.executable.span not in seen:
                 seen.add(each.executable.span)
-                level = milder(level_at(file, each.span), level_at(file, each.executable.span))
+                level = milder(level_met(file, each.span, workspace), level_at(file, each.executable.span))
                 is_plain = file.source.slice(each.executable.span) == name
                 yield WellKnownUse(each.package, each.executable, name, wrong, *level, is_plain)
 

@@ -25,6 +25,8 @@ Failure = Literal["launch", "import", "component", "controller", "command", "pro
 launch goes on without a component, a controller or another process, and an error is logged
 (launch_ros/actions/load_composable_nodes and launch/actions/execute_local)."""
 
+FILES_OF = "looks for files of"
+"""What a file does with a package whose folder it asks for."""
 PROGRAMS = {"xacro": "xacro", "rviz2": "rviz2", "rqt": "rqt_gui"}
 """Programs on the PATH that come with a package of ROS."""
 
@@ -115,7 +117,7 @@ def package_named(file: LaunchFile, text: LaunchText | None, does: str) -> Itera
 def found_by(file: LaunchFile, each: Substitution) -> Iterator[PackageReference]:
     match each:
         case Substitution(name="find-pkg-share" | "find-pkg-prefix", arguments=(package, *_)):
-            yield from package_named(file, package, "looks for files of")
+            yield from package_named(file, package, FILES_OF)
         case Substitution(name="exec-in-pkg", arguments=(_, package, *_)):
             yield from package_named(file, package, "runs a program of")
         case Substitution(name="find-exec", arguments=(program, *_)):

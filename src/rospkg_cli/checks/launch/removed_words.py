@@ -7,6 +7,7 @@ from typing import Annotated
 
 from ...light_dataclasses import dataclass, replace
 from ...package.launch.launch_file import LaunchFile
+from ...package.workspace import Workspace
 from ...unreadable import READABLE
 from ..fault import Fault, Level, TextRepair, softer_advice
 from .call_errors import LaunchCalls
@@ -14,6 +15,7 @@ from .idle_actions import IN_BRANCH, NO_ENTRY, level_at
 from .one_cause import CausedPlace, told_at
 from .removed_arguments import LATER, removed_arguments, told_of
 from .removed_commands import removed_commands
+from .who_meets import level_met, why_python_stops
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +43,7 @@ class RemovedWord:
 @dataclass(frozen=True)
 class RemovedWords:
     calls: LaunchCalls
+    workspace: Workspace
     around: Annotated[tuple[LaunchFile, ...], READABLE] = ()
     """All launch files of the package that can be read."""
 
@@ -74,10 +77,12 @@ class RemovedWords:
                 when.append(("warning", why))
             elif level == "info":
                 when.append((level, ""))
+            elif lacked := why_python_stops(file, fault.span, self.workspace):
+                when.append(("info", lacked))
             edits = fault.repair.edits if is_later and fault.repair else ()
             yield RemovedWord(fault, tuple(dict.fromkeys(file.source.slice(span) for span, _ in edits)), tuple(when))
         for fault in removed_commands(file):
-            level, why = level_at(file, fault.span)
+            level, why = level_met(file, fault.span, self.workspace)
             is_older = distribution.is_for_unsupported(file.path)
             is_older = is_older or self.is_for_older(file, is_info="info" in (level, fault.level))
             older: list[tuple[Level, str]] = [("info", "but not in Foxy and Galactic")] if is_older else []

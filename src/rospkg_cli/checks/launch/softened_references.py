@@ -8,7 +8,9 @@ from .include_arguments import IncludeContext
 from .missing_references import LaunchContext, MissingReference
 from .relative_parameter_files import has_others_beside, is_for_nodes
 from .undeclared_files import undeclared_for
+from .unmet_lookups import package_lacked
 from .unread_values import UnreadValues
+from .who_meets import ENDS_BEFORE
 
 
 def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None, str]:
@@ -16,6 +18,9 @@ def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None
     softer, why = level_at(scope.file, each.span) if each.use != "caught" else ("info", "")
     if softer != "info" and (unmet := unmet_by_all(scope, each)):
         softer, why = "info", unmet
+    lacked = package_lacked(scope.file, each.span, scope.workspace) if softer != "info" else ""
+    if lacked and lacked != each.package:
+        softer, why = "info", ENDS_BEFORE.format(lacked)
     if softer != "info" and each.state in ("absent", "no slash") and has_others(scope, each):
         softer = "info"
     if not softer and each.state != "elsewhere" and not scope.is_installed:

@@ -10,8 +10,8 @@ from ...package.launch.text import LaunchText
 from ...ros.well_known import packages_with_program
 from ..fault import Level
 from .entity_schema import entity_faults
-from .idle_actions import level_at
 from .missing_references import LaunchContext
+from .who_meets import level_met
 
 PROGRAMS = ("node", "lifecycle_node", "node_container")
 
@@ -39,7 +39,7 @@ class NodesWithoutPackage:
             if is_without_package(node) and executable is not None and executable.literal:
                 packages = self.packages_with(executable.literal)
                 if packages:
-                    yield PathUse(executable, packages, *level_at(file, node.span))
+                    yield PathUse(executable, packages, *level_met(file, node.span, self.scope.workspace))
 
     def packages_with(self, executable: str) -> tuple[str, ...]:
         """Return the packages that have an executable in lib/<package>; none where it may be on the PATH."""

@@ -52,7 +52,9 @@ class BlockReaders:
 
     def is_met(self, each: NodeArguments) -> bool:
         """Return whether somebody may start a node: its action is added, and its launch file is not left out."""
-        return may_start(start_of(each.launch, each.node)) and not self.launched.is_left_out(each.launch)
+        return may_start(start_of(each.launch, each.node, self.launched.workspace)) and not self.launched.is_left_out(
+            each.launch
+        )
 
     def is_only_given(self, file: ParameterFile, given: list[NodeArguments]) -> bool:
         """Return whether nothing opens a file but the launch files that give it to some nodes, and these alone."""

@@ -6,12 +6,14 @@ from collections.abc import Hashable, Iterable
 from typing import Protocol, TypeVar
 
 from ...package.launch.launch_file import LaunchedNode, LaunchFile
+from ...package.workspace import Workspace
 from ...source import Span
 from ..fault import Level
-from ..launch.idle_actions import OFF, level_at
+from ..launch.idle_actions import OFF
+from ..launch.who_meets import level_met
 
-Start = tuple[LaunchFile, Span]
-"""A launch file, and where it starts a node."""
+Start = tuple[LaunchFile, Span, Workspace]
+"""A launch file, where it starts a node, and the packages that are there."""
 MILDER: tuple[Level | None, ...] = (None, "warning", "info")
 
 
@@ -25,14 +27,14 @@ class Given(Protocol):
 GivenT = TypeVar("GivenT", bound=Given)
 
 
-def start_of(launch: LaunchFile, node: LaunchedNode) -> Start:
+def start_of(launch: LaunchFile, node: LaunchedNode, workspace: Workspace) -> Start:
     started = node.executable or node.plugin
-    return launch, started.span if started is not None else node.span
+    return launch, started.span if started is not None else node.span, workspace
 
 
 def level_of(start: Start | None) -> tuple[Level | None, str]:
     """Return the level of what a node is given, None for the rule's own, and the end of the sentence."""
-    level, why = level_at(*start) if start is not None else (None, "")
+    level, why = level_met(*start) if start is not None else (None, "")
     return level, f"{why and ', '}{why}"
 
 

@@ -96,7 +96,7 @@ class KnownNodes:
             if package and self.is_known(package):
                 entries = (pair for entry in each.node.parameters for pair in entry.values)
                 values = tuple(found for name, value in entries for found in launch_value(each.launch, name, value))
-                start = start_of(each.launch, each.node)
+                start = start_of(each.launch, each.node, self.launched.workspace)
                 yield KnownGroup(each.launch.path, "node", (package,), values, start=start)
         for file in self.launched.files:
             kinds = dict(controller_types(file))

@@ -109,7 +109,8 @@ class LaunchedNames:
                 near = bare or near_names(name, free, 2 if others else 1) or same_words(name, free)
                 near = near or with_another_word(name, free)
                 if len(near) == 1 and DIGITS.sub("", near[0]) != DIGITS.sub("", name):
-                    start, started = start_of(each.launch, each.node), each.node.executable or each.node.plugin
+                    start = start_of(each.launch, each.node, self.workspace)
+                    started = each.node.executable or each.node.plugin
                     program = started.literal if started is not None else None
                     meant = "" if is_of_another(near[0], program, facts) else near[0]
                     same = same_as_default(value.literal, meant, declared_defaults([facts], meant))
@@ -133,7 +134,7 @@ def given_names(launched: LaunchParameters) -> Iterator[GivenName]:
     """Yield what launch files and parameter files give."""
     for each in launched.started:
         for entry in each.node.parameters:
-            start = start_of(each.launch, each.node)
+            start = start_of(each.launch, each.node, launched.workspace)
             named = ((name.literal, name.span, value) for name, value in entry.values)
             yield from (
                 GivenName(each.launch.path, at, name, value.literal, start) for name, at, value in named if name

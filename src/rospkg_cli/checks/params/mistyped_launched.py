@@ -41,7 +41,7 @@ def all_mistyped(launched: LaunchParameters) -> Iterator[MistypedValue]:
             places = declared(each, facts, value.name) if facts is not None else []
             wanted = type_named(places, value.name)
             if wanted and value.type and value.type != wanted:
-                path, start = each.launch.path, start_of(each.launch, each.node)
+                path, start = each.launch.path, start_of(each.launch, each.node, launched.workspace)
                 yield MistypedValue(path, value, wanted, places[0].path, "node", how=how, start=start)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...lazy_regex import regex
 from ...ros.needed_parameters import NEEDED, Needed
 from ..fault import Fault
-from ..launch.idle_actions import level_at
+from ..launch.who_meets import level_met
 from .launch_parameters import LaunchParameters, NodeArguments
 
 SETS = regex(r"[sS]et_?[pP]arameters?(?:_?[fF]rom_?[fF]ile)?\b")
@@ -24,7 +24,7 @@ def needed_faults(scope: LaunchParameters) -> Iterator[tuple[str, Fault]]:
         if needed is None or started is None or {needed.name, needed.instead} & each.names():
             continue
         if not may_be_given(each, needed):
-            level, why = level_at(each.launch, started.span)
+            level, why = level_met(each.launch, started.span, scope.workspace)
             level = "info" if scope.is_left_out(each.launch) else level
             message = f"this node is not given `{needed.name}`: `{started.literal}` {needed.harm}"
             yield each.launch.path, Fault(started.span, f"{message}{why and ', '}{why}; give a value here", level)

@@ -14,6 +14,6 @@ def spawn_faults(launched: LaunchParameters) -> Iterator[tuple[str, Fault]]:
     """Yield path and fault: an info where nothing adds the spawner, or its launch file is not installed."""
     for launch, spawned, span, meant in misspelt_spawns(launched.files, launched.launches):
         message = f"no controller manager here has a controller `{spawned}`: the spawner ends with an error"
-        softer, why = level_of((launch, span))
+        softer, why = level_of((launch, span, launched.workspace))
         is_mild = softer == "info" or launched.is_left_out(launch)
         yield launch.path, Fault(span, f"{message}{why}; did you mean `{meant}`?", "info" if is_mild else None)

@@ -76,7 +76,8 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     and it is one where a folder around is called after an old one, or parameters of the package name plugins of that
     time (`nav2_recoveries/Spin`). Where no README, script or workflow names one, other pages, launch files,
     docstrings and names of files are asked; where several are named, the package's own description is. It is an info,
-    too, where package.xml declares a sister of the package that no distribution has: a fork may have it.
+    too, where package.xml declares a sister of the package that no distribution has: a fork may have it, and where
+    every launch ends before, as it looks for a package that is neither here, nor released, nor in a listed repository.
 
     ## Fix safety
     The name is replaced by the only similar one; another program may be right.

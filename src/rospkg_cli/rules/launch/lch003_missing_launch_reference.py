@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.idle_actions import level_at
 from ...checks.launch.missing_harm import harm_of
 from ...checks.launch.missing_references import LaunchContext, MissingReference
 from ...checks.launch.relative_parameter_files import relative_parameter_files
 from ...checks.launch.softened_references import softened
+from ...checks.launch.who_meets import level_met
 from ...edits.offers import how_to_have
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
@@ -96,7 +96,8 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     arguments make it false, nothing adds the action, uses the value or calls the function, an info, and so is the
     default of an argument that neither the file nor one that it includes uses, or that the file itself gives another
     value (`context.launch_configurations['x'] = …`). A parameter file of a node that gets other files or values as well
-    is an info, and so is the value of a parameter that no code of the node's package, which is here, declares or gets.
+    is an info, and so is the value of a parameter that no code of the node's package, which is here, declares or gets,
+    and what stands behind the place where every launch ends, as it looks for a package that nothing here brings.
     """
     for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):
@@ -109,7 +110,7 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
 
 def current_folder(scope: LaunchContext) -> Iterator[Hit]:
     for found in relative_parameter_files(scope):
-        softer, why = level_at(scope.file, found.span)
+        softer, why = level_met(scope.file, found.span, scope.workspace)
         where = f"the share directory of `{scope.package.name}`"
         text = f"`{found.path}` is looked for in the current directory: elsewhere the node does not find its parameters"
         text = f"{text}{why and ', '}{why}; join it to {where}: `{found.installed}`"

@@ -66,7 +66,8 @@ def reference_not_installed(package: InstalledReferences) -> Iterator[Hit]:
     Paths that are checked first, that the build writes, and packages whose install rules are not all known, are left
     alone. RViz starts with its default view where its config is missing, and a node with its defaults: what the launch
     itself does not open is a warning, as in an action with a condition. The default of an argument that neither the
-    file nor one that it includes uses is an info, and so is what nothing adds, calls or declares.
+    file nor one that it includes uses is an info, and so is what nothing adds, calls or declares, and what stands
+    behind the place where every launch ends, as it looks for a package that nothing here brings.
     """
     for found in package.missing():
         (files, missing), *others = sorted(found, key=lambda each: level_of(*each)[0].rank, reverse=True)

@@ -6,12 +6,11 @@ from collections.abc import Iterator
 
 from ...checks.fault import once_each, softer
 from ...checks.launch.entity_schema import entity_faults, told_apart
-from ...checks.launch.idle_actions import level_at
 from ...checks.launch.python_expressions import expression_faults
+from ...checks.launch.who_meets import LaunchFileAmongPackages, level_met
 from ...edits.fault_hits import hits
 from ...example import Example, manifest
 from ...finding import Hit, Severity
-from ...package.launch.launch_file import LaunchFile
 from ...rule import rule
 
 BAD = '<launch>\n  <let name="speed" «valeu»="1.0"/>\n</launch>\n'
@@ -37,7 +36,7 @@ def generate_launch_description():
 @rule(
     "LCH007",
     "invalid-launch-structure",
-    over=LaunchFile,
+    over=LaunchFileAmongPackages,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "the default of an argument makes an expression fail, or its condition is not known",
@@ -65,7 +64,7 @@ def generate_launch_description():
         ),
     ),
 )
-def invalid_launch_structure(file: LaunchFile) -> Iterator[Hit]:
+def invalid_launch_structure(scope: LaunchFileAmongPackages) -> Iterator[Hit]:
     """
     ## What it does
     Finds what launch refuses in an XML or YAML launch file, and invalid Python expressions.
@@ -83,7 +82,8 @@ def invalid_launch_structure(file: LaunchFile) -> Iterator[Hit]:
     of them. Expressions are judged with the defaults of the file's own arguments; one with an unknown part is believed
     where any value makes it valid.
     """
+    file = scope.file
     yield from hits(file.path, told_apart(file, once_each(entity_faults(file))))
     for fault in expression_faults(file):
-        level, why = level_at(file, fault.span)
+        level, why = level_met(file, fault.span, scope.workspace)
         yield from hits(file.path, [softer(fault, level, why) if level else fault])

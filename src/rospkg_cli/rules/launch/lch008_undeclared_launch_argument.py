@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.unset_configurations import LaunchConfigurations, UnsetConfiguration
+from ...checks.launch.who_meets import why_unmet
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -37,8 +38,8 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
     over=LaunchConfigurations,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "others include it, or probably do, it declares none, it includes a file that is not here, or "
-        "nothing reads the variable"
+        Severity.INFO: "others include it, or probably do, it declares none, it includes a file that is not here, "
+        "nothing reads the variable, or the launch ends before at a package that nothing brings"
     },
     examples=(
         Example(
@@ -81,13 +82,15 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
     for each in found if not (many and configurations.is_included) else ():
         if many and each.is_passed_on:
             continue
-        is_mild = each.may_be_included or each.is_guess or each.is_unread
+        lacked = why_unmet(file, each.span, configurations.workspace)
+        why = f", {lacked}" if lacked else ""
+        is_mild = each.may_be_included or each.is_guess or each.is_unread or bool(lacked)
         is_mild = is_mild or (is_for_others and each.state == "undeclared")
         mild = Severity.INFO if is_mild else level
         better = "; declare it, or give it a default"
         if each.has_default or each.is_inherited:
             message = always_default(each) if each.has_default else only_inherited(each)
-            yield Hit(file.path, each.span, message, mild)
+            yield Hit(file.path, each.span, f"{message}{why}", mild)
             continue
         if each.state == "not added":
             message = f"the declaration of `{each.name}` is not part of the launch description that is returned"
@@ -98,7 +101,7 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
             message, better = f"no file declares the launch argument `{each.name}`{hint}", "" if hint else better
         raised = f"KeyError: '{each.name}'" if each.is_lookup else f"launch configuration '{each.name}' does not exist"
         unless = "given, or set by a file that it includes" if each.may_be_included else "given"
-        stops = f'unless {unless}, the launch stops ("{raised}"){unread(each)}'
+        stops = f'unless {unless}, the launch stops ("{raised}"){unread(each)}{why}'
         yield Hit(file.path, each.span, f"{message}: {stops}{better}", mild)
 
 

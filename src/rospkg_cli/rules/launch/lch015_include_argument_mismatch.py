@@ -67,7 +67,7 @@ def include_argument_mismatch(context: IncludeContext) -> Iterator[Hit]:
     An unknown argument that is like none of the included file's is left over: an info, since nothing fails. Included
     files that can't be evaluated to the end, or include something unknown, may take any argument: of them a name is an
     info that is one letter from a declared one which is not given. An include whose arguments are not all known lacks
-    none.
+    none. Where every launch ends before, as it looks for a package that nothing here brings, it is an info.
     """
     for places in context.together():
         first = places[0]
@@ -79,12 +79,12 @@ def message(mismatch: ArgumentMismatch) -> str:
     if mismatch.is_missing and mismatch.suggestion:
         return (
             f"`{mismatch.file}`{of} requires an argument `{mismatch.argument}`, and `{mismatch.suggestion}` is given: "
-            f'the launch stops ("missing required argument"); correct the name'
+            f'the launch stops ("missing required argument"){mismatch.why}; correct the name'
         )
     if mismatch.is_missing:
         return (
             f"`{mismatch.file}`{of} requires an argument `{mismatch.argument}`, which is not given here: the launch "
-            f'stops ("missing required argument"); give it'
+            f'stops ("missing required argument"){mismatch.why}; give it'
         )
     if not mismatch.is_sure:
         return (
@@ -94,4 +94,4 @@ def message(mismatch: ArgumentMismatch) -> str:
     meant = " or ".join(f"`{each}`" for each in (mismatch.suggestion, *mismatch.rivals))
     is_clear = mismatch.suggestion and len(mismatch.rivals) < MOST
     hint = f"did you mean {meant}?" if is_clear else "remove it, or declare it there"
-    return f"`{mismatch.file}`{of} takes no argument `{mismatch.argument}`: it has no effect; {hint}"
+    return f"`{mismatch.file}`{of} takes no argument `{mismatch.argument}`: it has no effect{mismatch.why}; {hint}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.unset_configurations import LaunchConfigurations
+from ...checks.launch.who_meets import why_unmet
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -28,6 +29,7 @@ GOOD = """\
     "late-argument",
     over=LaunchConfigurations,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "the launch ends before, at a package that nothing here brings"},
     examples=(
         Example(
             bad={
@@ -50,12 +52,14 @@ def late_argument(configurations: LaunchConfigurations) -> Iterator[Hit]:
     ## When it is quiet
     Nothing is said where the argument has been set by a file that includes this one, or where something of an unknown
     name may have set it. An argument without a default has to be given wherever it is declared: without it the launch
-    stops before it begins, and given it is set from the start.
+    stops before it begins, and given it is set from the start. Where the launch ends before, as it looks for a package
+    that nothing here brings, it is an info.
     """
     for each in configurations.unset():
         if each.state == "late":
+            why = why_unmet(configurations.file, each.span, configurations.workspace)
             message = (
                 f"`{each.name}` is used before it is declared: unless given, the launch stops "
-                f"(\"launch configuration '{each.name}' does not exist\"); move the declaration up"
+                f"(\"launch configuration '{each.name}' does not exist\"){why and ', '}{why}; move the declaration up"
             )
-            yield Hit(configurations.file.path, each.span, message)
+            yield Hit(configurations.file.path, each.span, message, Severity.INFO if why else None)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.idle_actions import level_at
 from ...checks.launch.node_arguments import StartedPrograms
+from ...checks.launch.who_meets import level_met
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -73,7 +73,7 @@ def invalid_node_arguments(started: StartedPrograms) -> Iterator[Hit]:
     is left alone, and so are a program of the workspace, and flags of `create` in a test (`launch_testing`).
     """
     for fault in started.faults():
-        softer, why = level_at(started.file, fault.span)
+        softer, why = level_met(started.file, fault.span, started.workspace)
         message = f"{fault.message}{why and ', '}{why}"
         level = fault.level or softer
         yield Hit(started.file.path, fault.span, message, Severity(level) if level else None)

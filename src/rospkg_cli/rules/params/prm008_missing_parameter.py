@@ -62,8 +62,8 @@ FILES = {
     over=MissingParameters,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "nothing adds the action that starts the node, its launch file is not installed, or no node "
-        "that is started reads the block"
+        Severity.INFO: "nothing adds the action that starts the node, its launch file is not installed or ends "
+        "before at a package that nothing brings, or no node that is started reads the block"
     },
     examples=(
         Example(
@@ -103,7 +103,8 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
     one whose declaration lies behind a condition, or has a default. A launch file that ROS 2 refuses for what it has of
     ROS 1 starts no node (LCH006). Lists of plugins in a file that is called as being for Foxy or another unsupported
     distribution had other names there. Where nobody starts the node, or no node that is started reads the block, it is
-    an info.
+    an info; so it is behind the place where every launch ends, as it looks for a package that is neither here, nor
+    released, nor in a repository that is listed.
     """
     if not scope.launched.is_whole:
         return
@@ -112,7 +113,7 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
         if started is not None:
             names, code = listed([one.name for one in missing]), missing[0].path
             message = f"this node is not given {names}, and `{code}` declares no default: it stops when it starts"
-            _, why = level_of(start_of(given.launch, given.node))
+            _, why = level_of(start_of(given.launch, given.node, scope.launched.workspace))
             level = None if scope.readers.is_met(given) else Severity.INFO
             yield Hit(given.launch.path, started.span, f"{message}{why}; give a value here", level)
     for path, fault in needed_faults(scope.launched):
