@@ -84,7 +84,7 @@ OF_NODES: dict[str, dict[str, str]] = {
         "use_realtime_priority": "false",
     },
     "nav2_planner": {"costmap_update_timeout": "1.0", "expected_planner_frequency": "1.0"},
-    "robot_localization": {"print_diagnostics": "true", "publish_tf": "true", "two_d_mode": "false"},
+    "robot_localization": {"print_diagnostics": "false", "publish_tf": "true", "two_d_mode": "false"},
     "turtlesim": {"background_b": "255", "background_g": "86", "background_r": "69"},
 }  # fmt: skip
 """What the parameters of nodes are where nothing is given, alike in all distributions that have them."""
