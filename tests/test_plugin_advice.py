@@ -73,7 +73,7 @@ def test_who_has_a_class_of_that_name_is_said() -> None:
 )
 def test_a_base_of_another_plugin_is_an_info(source: str, level: str) -> None:
     other = "PLUGINLIB_EXPORT_CLASS(my_pkg::Other, nav2_core::GlobalPlanner)\n"
-    (finding,) = lint(src__planner_DOT_cpp=plg002.SOURCE + other + source)
+    (finding,) = lint(src__planner_DOT_cpp=plg002.SOURCE + other + source, config__nav2_DOT_yaml=plg002.UNNAMED)
     assert finding.severity.value == level
     assert ("the base of `my_pkg::Planner`" in finding.message) is (level == "info")
 
@@ -87,7 +87,7 @@ def test_classes_that_are_nowhere_are_one_finding_of_their_description() -> None
     (finding,) = lint(plugins_DOT_xml=described, src__planner_DOT_cpp="\n")
     assert finding.message == (
         "no source exports `my_pkg::Left` and `my_pkg::Right`: loading the plugins `Left` and `Right` fails; nothing "
-        "here defines the classes: remove them here"
+        "here defines the classes: remove them here; nothing here names them, others may"
     )
     assert [(where.path, where.line, text) for where, text in finding.related] == [
         ("plugins.xml", 3, "`my_pkg::Right`")
@@ -96,7 +96,7 @@ def test_classes_that_are_nowhere_are_one_finding_of_their_description() -> None
 
 def test_classes_that_no_description_has_are_one_finding() -> None:
     source = plg002.SOURCE + MACRO.format("Left") + MACRO.format("Right")
-    (finding,) = lint(src__planner_DOT_cpp=source)
+    (finding,) = lint(src__planner_DOT_cpp=source, config__nav2_DOT_yaml=plg002.UNNAMED)
     assert finding.severity.value == "warning"
     assert finding.message == (
         "`my_pkg::Left` and `my_pkg::Right` are exported here, and no plugin description has them: they can't be "

@@ -50,6 +50,18 @@ def exported_to(name: str) -> Example:
     return on_cmake(plg005.FILES, CMakeLists_DOT_txt=plg005.PACKAGE.replace("file(nav2_core", f"file({name}"))
 
 
+UNNAMED = ("{}\n", plg004.NAMED.replace("my_pkg/Planner", "my_pkg/Second"))
+"""Nothing names the plugin; only another one of the package is named."""
+SECOND = '<class name="my_pkg/Second" type="my_pkg::Planner" base_class_type="nav2_core::GlobalPlanner"/></library>'
+LOST = (
+    "<class_libraries>\n"
+    + plg004.XML.replace('"my_planner"', '"my_palnner"')
+    + '<library path="my_planner">\n'
+    + SECOND
+    + "\n</class_libraries>\n"
+)
+BASE = plg005.XML.replace("nav2_core::GlobalPlanner", "nav2_core::Planner").replace("</library>", SECOND)
+
 RQT = plg006.XML.replace("«", "").replace("»", "")
 
 CASES = {
@@ -81,6 +93,7 @@ CASES = {
         ),
     ),
     "PLG004": (
+        *(on_cmake(plg004.FILES, plugins_DOT_xml=LOST, config__nav2_DOT_yaml=text) for text in UNNAMED),
         described("my_planner", STATIC),
         described("lib/libmy_planner.so", TWICE),
         described("my_planer", TWICE),
@@ -90,6 +103,7 @@ CASES = {
         of_template("my_pkg::Planner&lt;nav_msgs::msg::Path&gt;"),
     ),
     "PLG005": (
+        *(on_cmake(plg005.FILES, plugins_DOT_xml=BASE, config__nav2_DOT_yaml=text) for text in UNNAMED),
         exported_to("rviz_common"),
         *(
             on_cmake(

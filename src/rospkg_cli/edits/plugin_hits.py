@@ -1,12 +1,15 @@
-"""What PLG002 says of several classes of one cause at once."""
+"""What PLG002 says of classes that no source exports, and of several classes of one cause at once."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ..checks.fault import Level
 from ..checks.plugins.export_advice import PluginExports
 from ..checks.plugins.exported_classes import ExportedClass
-from ..finding import Hit, Related, Severity
+from ..checks.plugins.plugin_package import DescribedPlugin
+from ..finding import Edit, Fix, Hit, Related, Safety, Severity
+from .plain_names import only_plain_names
 
 
 def undefined_classes(exports: PluginExports) -> Iterator[Hit]:
@@ -20,14 +23,33 @@ def undefined_classes(exports: PluginExports) -> Iterator[Hit]:
 
 
 def undescribed_classes(exports: PluginExports) -> Iterator[Hit]:
-    """Yield one hit for all exported classes that no description has, and one for each that is a base of another."""
-    lost: list[ExportedClass] = []
+    """Yield one hit for all exported classes that no description has, by level, and one for each base of another."""
+    lost: dict[tuple[Level, str], list[ExportedClass]] = {}
     for each in exports.package.undescribed():
         if derived := exports.derived(each):
             yield Hit(each.path, each.span, exports.base_alone(each, derived), Severity.INFO)
         elif not exports.is_described_elsewhere(each):
-            lost.append(each)
-    if lost:
-        first, *others = lost
+            lost.setdefault(exports.lost(each), []).append(each)
+    for (level, why), every in lost.items():
+        first, *others = every
         again = tuple(Related(each.path, each.span, f"`{each.type}`") for each in others)
-        yield Hit(first.path, first.span, exports.undescribed(lost), Severity.WARNING, again)
+        yield Hit(first.path, first.span, exports.undescribed(every) + why, Severity(level), again)
+
+
+def without_source(exports: PluginExports, entry: DescribedPlugin) -> Hit:
+    kind, file, meant = entry.plugin.type, entry.description.file, exports.package.suggestion(entry)
+    if meant is None:
+        text, level = exports.weighed(*exports.advice(entry), [entry.plugin])
+        return Hit(file, kind.value_span, text, Severity(level))
+    related = (Related(meant.path, meant.span, "exported here"),)
+    if text := exports.uncompiled(entry, meant):
+        text, level = exports.weighed(text, "warning", [entry.plugin])
+        return Hit(file, kind.value_span, text, Severity(level), related)
+    safety = Safety.SAFE if entry.plugin.name is not None else Safety.UNSAFE
+    message = (
+        f"no source exports `{entry.type}`: `{meant.path}` exports `{meant.type}`, and pluginlib wants the same name "
+        f"on both sides, so loading `{entry.plugin.lookup_name}` fails; write `{meant.type}`"
+    )
+    fix = Fix(f"write `{meant.type}`", (Edit(file, kind.value_span, meant.type),), safety)
+    message, level = exports.weighed(message, "error", [entry.plugin])
+    return Hit(file, kind.value_span, message, Severity(level), related, only_plain_names(fix, meant.type))

@@ -18,5 +18,11 @@ BASE_HEADERS: Mapping[str, str] = pairs("plugins.txt", "headers")
 PLUGIN_PACKAGES: Mapping[str, str] = pairs("plugins.txt", "packages")
 """The packages of plugins whose names begin with another name than the package's, by that name or by the whole one."""
 
+LOADED_WHOLE = ("image_transport::", "point_cloud_transport::")
+"""The beginnings of base classes of which every described plugin is loaded, wherever something publishes."""
+
+OFFERED = ("rviz_common::", "rqt_gui_cpp::")
+"""The beginnings of base classes of which a program shows every described plugin in a menu."""
+
 TOOLS = frozenset({"rviz_common", "rviz_default_plugins"})
 """What comes with the only program that reads their names."""

@@ -15,6 +15,7 @@ from ...package.plugins.loaders import PluginLoader, PluginLoaders
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
 from ...suggest import near_names, nearest
+from .named_plugins import NamedPlugins
 from .plugin_package import PluginPackage, spaceless
 
 
@@ -53,6 +54,7 @@ class UnmatchedLoader:
 class PluginBases:
     package: PluginPackage | None
     loaders: PluginLoaders
+    named: NamedPlugins
     facts: PackageFacts
     workspace: Workspace
 

@@ -8,12 +8,16 @@ from collections.abc import Sequence
 from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
+from ...package.plugins.description import PluginClass
 from ...package.workspace import Workspace
 from ..enumeration import in_ticks
-from ..fault import Level
+from ..fault import WORST_FIRST, Level
 from .exported_classes import ExportedClass, tail
+from .named_plugins import NamedPlugins
 from .plugin_package import DescribedPlugin, PluginPackage
 
+OTHER_LOADERS = regex(r"\bclass_loader::(?:MultiLibrary)?ClassLoader\b")
+"""What loads a library by its path, and the classes in it by what the macro has."""
 NAME = regex(r"[A-Za-z_]\w{0,200}")
 
 
@@ -21,6 +25,12 @@ NAME = regex(r"[A-Za-z_]\w{0,200}")
 class PluginExports:
     package: PluginPackage
     workspace: Workspace
+    named: NamedPlugins
+
+    def weighed(self, message: str, level: Level, plugins: Sequence[PluginClass]) -> tuple[str, Level]:
+        """Return a message and its level, which is lower where nothing loads any of some plugins by its name."""
+        most, why = self.named.worst(plugins)
+        return f"{message}{why}", max(level, most, key=WORST_FIRST.index)
 
     def advice(self, entry: DescribedPlugin) -> tuple[str, Level]:
         """Return the message and the level of a class that no source exports.
@@ -54,10 +64,13 @@ class PluginExports:
         there = f" (there is `{others[0]}`)" if others else ""
         level: Level = "warning" if self.linked else "error"
         but = f", unless `{self.linked[0]}` has {them}" if self.linked else ""
-        return (
+        message = (
             f"no source exports {types}: loading the {plugins} {names} fails; nothing here defines {classes}: remove "
             f"{them} here{but}{there}"
-        ), level
+        )
+        if self.package.exported and not self.named.is_asked([each.plugin for each in entries]):
+            return f"{message}; nothing here names {them}", "info"
+        return self.weighed(message, level, [each.plugin for each in entries])
 
     @property
     def linked(self) -> list[str]:
@@ -88,6 +101,14 @@ class PluginExports:
         """Return whether another package of the workspace describes a class, for a process that has loaded this one."""
         others = (facts for facts in self.workspace.packages if facts.folder != self.package.facts.folder)
         return any(plugin.type == exported.type for facts in others for plugin in facts.plugins)
+
+    def lost(self, exported: ExportedClass) -> tuple[Level, str]:
+        """Return how grave it is that no description has an exported class, and why it is no more than an info."""
+        if any(OTHER_LOADERS.search(file.source.text) for file in self.package.sources):
+            return "info", "; class_loader, which this package uses, needs no description"
+        names = (exported.type, f"{self.package.facts.name}/{tail(exported.type)}")
+        level, why = self.named.level(names, exported.base)
+        return ("info", why) if level == "info" else ("warning", "")
 
     def undescribed(self, exported: Sequence[ExportedClass]) -> str:
         """Return the message of exported classes that no description has."""

@@ -12,6 +12,8 @@ from ...package.cmake.cmake_project import CMake
 from ...package.install_table import InstallTable
 from ...suggest import near_names
 from ..cmake.target_references import TargetReferences
+from ..fault import Level
+from .named_plugins import NamedPlugins
 from .plugin_package import DescribedPlugin, PluginPackage, spaceless
 
 LibraryFault = Literal["prefixed", "unknown", "static", "absent"]
@@ -34,10 +36,19 @@ class WrongLibraryPath:
 class PluginLibraries:
     package: PluginPackage
     table: InstallTable
+    named: NamedPlugins
 
     @property
     def cmake(self) -> CMake:
         return self.package.cmake
+
+    def level(self, wrong: WrongLibraryPath) -> tuple[Level, str]:
+        """Return how grave it is that a library can't be loaded, and why it is no error: by who loads its classes."""
+        if wrong.fault == "prefixed":
+            return "warning", ""
+        library = wrong.entry.plugin.library
+        classes = [each.plugin for each in self.package.entries if each.plugin.library is library]
+        return self.named.worst(classes)
 
     def wrong(self) -> Iterator[WrongLibraryPath]:
         """Yield each wrong library once, without those of classes that no source exports."""

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass
-from ...package.file_role import role_of
+from ...package.file_role import is_set_aside, role_of
 from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts
 from ...package.plugins.description import PluginDescription
+from ..enumeration import in_ticks
 
 PYTHON = {"rqt_gui_py::": "rqt_gui", "qt_gui_py::": "qt_gui"}
 """The namespace of the base class, and the tag under which package.xml has the description."""
@@ -31,6 +32,15 @@ class RqtPlugins:
             types = {each.type.value for each in python}
             if types and not description.is_for_rqt and not types & exported and role_of(description.file) == "run":
                 yield description, PYTHON[python[0].base.value.partition("::")[0] + "::"]
+
+    def idle(self, description: PluginDescription) -> str:
+        """Return why nobody misses the plugins of a description in the menu; "" where somebody may."""
+        if is_set_aside(description.file):
+            return "; the file is laid aside"
+        modules = {each.type.value.rpartition(".")[0] for each in description.classes}
+        if self.facts.knows("modules") and modules.isdisjoint(self.facts.modules):
+            return f"; but {in_ticks(sorted(modules))} is not installed either"
+        return ""
 
     def odd(self) -> Iterator[tuple[PluginDescription, list[PluginDescription]]]:
         """Yield the descriptions in C++ that CMake alone exports, where package.xml has all others of the package."""

@@ -10,6 +10,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts, Plugin, PluginUse
+from ...package.urdf.robot_words import may_be_made
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
 from ...ros.rviz_plugins import kind_of
@@ -19,6 +20,7 @@ from ..yaml_elsewhere import is_named_yaml
 from .exported_classes import tail
 
 SEPARATOR = regex(r"/|::")
+YAML, ROBOTS = (".yaml", ".yml"), (".urdf", ".xacro")
 BY_MOVEIT = frozenset({"ros2_controllers.yaml", "moveit_controllers.yaml"})
 """What moveit_configs_utils opens by its usual name."""
 BUILT_IN = frozenset({"rviz_common"})
@@ -182,10 +184,19 @@ def uses(packages: Iterable[PackageFacts], workspace: Workspace) -> Iterator[tup
 
 
 def is_opened(path: str, user: PackageFacts, workspace: Workspace) -> bool:
-    """Return whether anything may open a file: a YAML file is named where there are launch files, but for MoveIt's."""
-    if not path.endswith((".yaml", ".yml")) or path.rpartition("/")[2] in BY_MOVEIT:
+    """Return whether anything may open a file: YAML and robots are named where there are launch files.
+
+    What MoveIt opens by its usual name is not.
+    """
+    name = path.rpartition("/")[2]
+    if not path.endswith((*YAML, *ROBOTS)) or name in BY_MOVEIT:
         return True
-    return is_named_yaml(path, user, workspace) or not any(facts.launch_files for facts in workspace.packages)
+    if not any(facts.launch_files for facts in workspace.packages):
+        return True
+    if path.endswith(YAML):
+        return is_named_yaml(path, user, workspace)
+    texts = (words for facts in workspace.packages for words in facts.robot_words)
+    return any(name in words or may_be_made(name, words) for words in texts)
 
 
 def may_be_loaded(plugin: Plugin, use: PluginUse) -> bool:

@@ -48,6 +48,11 @@ class PluginClass:
         return self.name.value if self.name is not None else self.type.value
 
     @property
+    def names(self) -> frozenset[str]:
+        """What may mean it: the name by which it is loaded, and its class."""
+        return frozenset((self.lookup_name, self.type.value))
+
+    @property
     def is_python(self) -> bool:
         """Whether it is loaded by a loader for Python (rqt_gui_py and qt_gui_py name no C++ class)."""
         return "_py::" in self.base.value or ("::" not in self.type.value and "." in self.type.value)

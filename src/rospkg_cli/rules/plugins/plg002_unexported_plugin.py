@@ -6,12 +6,11 @@ from collections.abc import Iterator
 
 from ...checks.plugins.export_advice import PluginExports
 from ...checks.plugins.exported_classes import ExportedClass
-from ...checks.plugins.plugin_package import DescribedPlugin, PluginPackage
 from ...edits.cmake_commands import add_before
 from ...edits.plain_names import only_plain_names
-from ...edits.plugin_hits import undefined_classes, undescribed_classes
+from ...edits.plugin_hits import undefined_classes, undescribed_classes, without_source
 from ...example import CMAKE, Example, manifest
-from ...finding import Edit, Fix, Hit, Related, Safety, Severity
+from ...finding import Fix, Hit, Related, Safety, Severity
 from ...package.plugins.description import PluginDescription
 from ...rule import rule
 
@@ -24,10 +23,14 @@ find_package(pluginlib REQUIRED)
 add_library(my_planner SHARED src/planner.cpp)
 target_link_libraries(my_planner PUBLIC nav2_core::nav2_core pluginlib::pluginlib)
 install(TARGETS my_planner DESTINATION lib)
+install(DIRECTORY config DESTINATION share/${{PROJECT_NAME}})
 {EXPORT}ament_package()""",
 )
+NAMED = "planner_server:\n  ros__parameters:\n    GridBased:\n      plugin: my_pkg/Planner\n"
+"""What loads the plugin by its name."""
+UNNAMED = "planner_server:\n  ros__parameters:\n    use_sim_time: true\n"
 NEEDS = manifest("  <depend>nav2_core</depend>\n  <depend>pluginlib</depend>\n", "ament_cmake")
-PLUGIN = {"package.xml": NEEDS, "CMakeLists.txt": PACKAGE}
+PLUGIN = {"package.xml": NEEDS, "CMakeLists.txt": PACKAGE, "config/nav2.yaml": NAMED}
 XML = """\
 <library path="my_planner">
   <class name="my_pkg/Planner" type="my_pkg::Planner" base_class_type="nav2_core::GlobalPlanner"/>
@@ -45,8 +48,10 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
     over=PluginExports,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a source exports a class, and no description has it, or no target compiles the source",
-        Severity.INFO: "the class is the base of another one that is exported",
+        Severity.WARNING: "nothing here loads the plugin by its name; a source exports a class, and no description has "
+        "it, or no target compiles the source",
+        Severity.INFO: "nothing names the plugin, where others of the package are named, or nothing defines its class; "
+        "the class is the base of another one that is exported, or class_loader loads it",
     },
     examples=(
         Example(
@@ -63,6 +68,7 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
             on="ament_cmake",
             bad={
                 **PLUGIN,
+                "config/nav2.yaml": UNNAMED,
                 "plugins.xml": XML,
                 "src/planner.cpp": SOURCE + "PLUGINLIB_EXPORT_CLASS(«my_pkg::Other», nav2_core::GlobalPlanner)\n",
             },
@@ -95,7 +101,11 @@ def unexported_plugin(exports: PluginExports) -> Iterator[Hit]:
     ## When it is quiet
     Only sources that certainly become part of a library count. What a macro of another package may register, what is
     compiled conditionally, libraries that are fetched or prebuilt, and sources that could not be read, are left alone.
-    A class from which another exported class derives may well be there for that alone: an info.
+    A class from which another exported class derives may well be there for that alone: an info. A plugin is an error
+    where parameters, robots, views, launch files or code of the workspace name it, or a loader of its base class is
+    here, or one that loads all plugins (image_transport). Where only a page names it, or nothing, others may load it: a
+    warning. It is an info where other plugins of the package are named, where nothing defines or names the class, and
+    for a class without a description where the package uses class_loader, which needs none.
 
     ## Fix safety
     The type of a description is set to what the source exports. A missing export of the description in CMake is added
@@ -105,27 +115,12 @@ def unexported_plugin(exports: PluginExports) -> Iterator[Hit]:
     yield from undefined_classes(exports)
     yield from (without_source(exports, each) for each in package.without_source() if not exports.is_nowhere(each))
     for description, exported in package.unexported():
-        yield unexported(package, description, exported)
+        yield unexported(exports, description, exported)
     yield from undescribed_classes(exports)
 
 
-def without_source(exports: PluginExports, entry: DescribedPlugin) -> Hit:
-    kind, file, meant = entry.plugin.type, entry.description.file, exports.package.suggestion(entry)
-    if meant is None:
-        return Hit(file, kind.value_span, (advice := exports.advice(entry))[0], Severity(advice[1]))
-    related = (Related(meant.path, meant.span, "exported here"),)
-    if text := exports.uncompiled(entry, meant):
-        return Hit(file, kind.value_span, text, Severity.WARNING, related)
-    safety = Safety.SAFE if entry.plugin.name is not None else Safety.UNSAFE
-    message = (
-        f"no source exports `{entry.type}`: `{meant.path}` exports `{meant.type}`, and pluginlib wants the same name "
-        f"on both sides, so loading `{entry.plugin.lookup_name}` fails; write `{meant.type}`"
-    )
-    fix = Fix(f"write `{meant.type}`", (Edit(file, kind.value_span, meant.type),), safety)
-    return Hit(file, kind.value_span, message, related=related, fix=only_plain_names(fix, meant.type))
-
-
-def unexported(package: PluginPackage, description: PluginDescription, exported: ExportedClass) -> Hit:
+def unexported(exports: PluginExports, description: PluginDescription, exported: ExportedClass) -> Hit:
+    package = exports.package
     base = exported.base.lstrip(":").partition("::")[0]
     call = f"pluginlib_export_plugin_description_file({base} {description.file})"
     start = f"CMakeLists.txt does not export `{description.file}`: `{exported.type}` is not found at run time"
@@ -136,4 +131,5 @@ def unexported(package: PluginPackage, description: PluginDescription, exported:
         edit = add_before(package.cmake.root, before.command, call)
         added = Fix(f"export `{description.file}` to `{base}`", (edit,), Safety.UNSAFE)
         fix = only_plain_names(added, description.file, base)
-    return Hit(*where, message, related=(Related(exported.path, exported.span, "this class"),), fix=fix)
+    message, level = exports.weighed(message, "error", description.classes)
+    return Hit(*where, message, Severity(level), (Related(exported.path, exported.span, "this class"),), fix)

@@ -82,9 +82,9 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     ## When it is quiet
     Packages whose plugins are not all known, plugins in Python, and names of components and interfaces, are left alone;
     so are names of packages that exist but are not here. It is an info for a controller that no other file names, where
-    one beside it is named, in a parameter file that nothing names, though nodes are launched, and for a panel of an
-    RViz config: RViz goes on without it. What is offered there is of the same kind: a panel, a display, a tool or a
-    view.
+    one beside it is named, in a parameter file or robot that nothing names, though nodes are launched, and for a panel
+    of an RViz config: RViz goes on without it. What is offered there is of the same kind: a panel, a display, a tool or
+    a view.
 
     ## Fix safety
     The name is changed only with `--unsafe-fixes`: the description may be what is wrong.

@@ -27,8 +27,11 @@ find_package(pluginlib REQUIRED)
 add_library(my_planner SHARED src/planner.cpp)
 target_link_libraries(my_planner PUBLIC nav2_core::nav2_core pluginlib::pluginlib)
 pluginlib_export_plugin_description_file(nav2_core plugins.xml)
+install(DIRECTORY config DESTINATION share/${{PROJECT_NAME}})
 {INSTALL}ament_package()""",
 )
+NAMED = "planner_server:\n  ros__parameters:\n    GridBased:\n      plugin: my_pkg/Planner\n"
+"""What loads the plugin by its name."""
 NEEDS = manifest("  <depend>nav2_core</depend>\n  <depend>pluginlib</depend>\n", "ament_cmake")
 XML = """\
 <library path="my_planner">
@@ -39,7 +42,7 @@ SOURCE = """\
 #include <pluginlib/class_list_macros.hpp>
 PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
 """
-FILES = {"package.xml": NEEDS, "CMakeLists.txt": PACKAGE, "src/planner.cpp": SOURCE}
+FILES = {"package.xml": NEEDS, "CMakeLists.txt": PACKAGE, "src/planner.cpp": SOURCE, "config/nav2.yaml": NAMED}
 
 
 @rule(
@@ -47,7 +50,11 @@ FILES = {"package.xml": NEEDS, "CMakeLists.txt": PACKAGE, "src/planner.cpp": SOU
     "wrong-plugin-library",
     over=PluginLibraries,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the path begins with `lib`: pluginlib finds it, and warns at each start"},
+    levels={
+        Severity.WARNING: "the path begins with `lib`: pluginlib finds it, and warns at each start; or nothing here "
+        "loads the plugin by its name",
+        Severity.INFO: "nothing names the plugin, where others of the package are named",
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -86,12 +93,14 @@ def wrong_plugin_library(libraries: PluginLibraries) -> Iterator[Hit]:
 
     ## When it is quiet
     Libraries that are fetched, prebuilt or of a name that CMake computes, and those for tests, are left alone; so are
-    classes that no source exports, which PLG002 reports.
+    classes that no source exports, which PLG002 reports. It is an error where something here loads one of the plugins
+    by its name, else a warning, and an info where others of the package are named, as with PLG002.
     """
     for wrong in libraries.wrong():
-        level = Severity.WARNING if wrong.fault == "prefixed" else None
+        level, why = libraries.level(wrong)
         fix = only_plain_names(fixed(libraries, wrong), wrong.suggestion)
-        yield Hit(wrong.entry.description.file, wrong.path.value_span, sentence(libraries, wrong), level, fix=fix)
+        message = sentence(libraries, wrong) + why
+        yield Hit(wrong.entry.description.file, wrong.path.value_span, message, Severity(level), fix=fix)
 
 
 def sentence(libraries: PluginLibraries, wrong: WrongLibraryPath) -> str:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.plugins.base_classes import PluginBases, UnmatchedLoader, WrongBaseClass, WrongBaseExport
+from ...checks.fault import Level
+from ...checks.plugins.base_classes import PluginBases, WrongBaseClass, WrongBaseExport
 from ...edits.cmake_commands import literal_span
+from ...edits.loader_hits import at_loader
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
+from ...light_dataclasses import replace
 from ...rule import rule
 from ...source import Source
 
@@ -20,9 +23,12 @@ find_package(pluginlib REQUIRED)
 add_library(my_planner SHARED src/planner.cpp)
 target_link_libraries(my_planner PUBLIC nav2_core::nav2_core pluginlib::pluginlib)
 install(TARGETS my_planner DESTINATION lib)
+install(DIRECTORY config DESTINATION share/${PROJECT_NAME})
 pluginlib_export_plugin_description_file(nav2_core plugins.xml)
 ament_package()""",
 )
+NAMED = "planner_server:\n  ros__parameters:\n    GridBased:\n      plugin: my_pkg/Planner\n"
+"""What loads the plugin by its name."""
 XML = """\
 <library path="my_planner">
   <class name="my_pkg/Planner" type="my_pkg::Planner" base_class_type="nav2_core::GlobalPlanner"/>
@@ -32,6 +38,7 @@ FILES = {
     "package.xml": manifest("  <depend>nav2_core</depend>\n  <depend>pluginlib</depend>\n", "ament_cmake"),
     "CMakeLists.txt": PACKAGE,
     "plugins.xml": XML,
+    "config/nav2.yaml": NAMED,
     "src/planner.cpp": """\
 #include <pluginlib/class_list_macros.hpp>
 PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
@@ -44,6 +51,10 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
     "wrong-plugin-base",
     over=PluginBases,
     severity=Severity.ERROR,
+    levels={
+        Severity.WARNING: "nothing here loads the plugin by its name",
+        Severity.INFO: "nothing names the plugin, where others of the package are named",
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -74,17 +85,22 @@ def wrong_plugin_base(bases: PluginBases) -> Iterator[Hit]:
 
     ## When it is quiet
     Plugins of base classes whose loaders are not known are left alone. A package is believed to be a loader's where any
-    loader around is not known.
+    loader around is not known. It is an error where something here loads the plugin by its name, else a warning, and an
+    info where others of the package are named, as with PLG002.
 
     ## Fix safety
     The base class is written as the loader has it. The package is changed only with `--unsafe-fixes`.
     """
     for misplaced in bases.misplaced():
-        yield at_export(bases, misplaced)
+        yield softer(at_export(bases, misplaced), *bases.named.worst(misplaced.description.classes))
     for misnamed in bases.misnamed():
-        yield at_class(misnamed)
+        yield softer(at_class(misnamed), *bases.named.worst([misnamed.plugin]))
     for unmatched in bases.unmatched_loaders():
         yield at_loader(unmatched)
+
+
+def softer(hit: Hit, level: Level, why: str) -> Hit:
+    return replace(hit, message=f"{hit.message}{why}", level=Severity(level))
 
 
 def at_export(bases: PluginBases, found: WrongBaseExport) -> Hit:
@@ -118,20 +134,3 @@ def at_class(found: WrongBaseClass) -> Hit:
     message = f"{why}: {lost}; write `{found.suggestion}`"
     fix = Fix(f"write `{found.suggestion}`", (Edit(file, base.value_span, found.suggestion),))
     return Hit(file, base.value_span, message, fix=only_plain_names(fix, found.suggestion))
-
-
-def at_loader(found: UnmatchedLoader) -> Hit:
-    package, base = found.loader.names
-    argument = found.loader.package
-    message = f"`{package}` is no known package: the loader of `{base}` throws when it is created"
-    if found.suggestion is None:
-        return Hit(found.loader.path, argument.inner, f"{message}; name the package of the base class")
-    fix = Fix(
-        f"write `{found.suggestion}`", (Edit(found.loader.path, argument.inner, found.suggestion),), Safety.UNSAFE
-    )
-    return Hit(
-        found.loader.path,
-        argument.inner,
-        f"{message}; write `{found.suggestion}`, to which its plugins are exported",
-        fix=only_plain_names(fix, found.suggestion),
-    )

@@ -27,7 +27,10 @@ XML = """\
     "unlisted-rqt-plugin",
     over=RqtPlugins,
     severity=Severity.ERROR,
-    levels={Severity.INFO: "it is in C++, so that rqt finds it, and package.xml has its siblings"},
+    levels={
+        Severity.INFO: "it is in C++, so that rqt finds it, and package.xml has its siblings, its module is not "
+        "installed, or its file is laid aside"
+    },
     examples=(
         Example(
             bad={
@@ -53,13 +56,16 @@ def unlisted_rqt_plugin(plugins: RqtPlugins) -> Iterator[Hit]:
     missing from the menu, without a message.
 
     ## When it is quiet
-    Plugins of tests, packages for ROS 1, and classes that another description of package.xml lists, are left alone.
+    Plugins of tests, packages for ROS 1, and classes that another description of package.xml lists, are left alone. A
+    description whose module is not installed, or that is laid aside (`plugin_old.xml`), is an info.
     """
     for description, tag in plugins.hidden():
         line = export_of(description, tag)
         message = f"package.xml does not list `{description.file}`: rqt does not offer it; add `{line}` to `<export>`"
         fix = listing(plugins, description, line)
-        yield Hit(description.file, description.document.root.open, message, fix=fix)
+        why = plugins.idle(description)
+        level = Severity.INFO if why else None
+        yield Hit(description.file, description.document.root.open, message + why, level, fix=fix)
     for description, others in plugins.odd():
         at = next(each for each in description.exported if each.is_indexed)
         files = ", ".join(f"`{each.file}`" for each in others)
