@@ -108,6 +108,20 @@ def bound_names(file: PythonFile) -> Iterator[tuple[str, str]]:
     yield from ((node.name, "") for node in nodes_of_kind(tree, ast.FunctionDef))
     yield from ((node.name, "") for node in nodes_of_kind(tree, ast.AsyncFunctionDef))
     yield from ((node.name, "") for node in nodes_of_kind(tree, ast.ClassDef))
+    yield from ((name, "") for name in changed_names(file))
     yield from ((node.id, "") for node in nodes_of_kind(tree, ast.Name) if not isinstance(node.ctx, ast.Load))
     yield from ((node.arg, "") for node in nodes_of_kind(tree, ast.arg))
     yield from ((node.name, "") for node in nodes_of_kind(tree, ast.ExceptHandler) if node.name)
+
+
+def changed_names(file: PythonFile) -> Iterator[str]:
+    """Yield the names of objects whose attributes are set, by `Name.field = …` or setattr(), or whose slots are taken.
+
+    A class that is changed so has other fields than its message.
+    """
+    for node in nodes_of_kind(file.tree, ast.Attribute):
+        if isinstance(node.value, ast.Name) and (isinstance(node.ctx, ast.Store) or node.attr == "__slots__"):
+            yield node.value.id
+    for call in nodes_of_kind(file.tree, ast.Call):
+        if isinstance(call.func, ast.Name) and call.func.id == "setattr" and call.args:
+            yield from (each.id for each in call.args[:1] if isinstance(each, ast.Name))

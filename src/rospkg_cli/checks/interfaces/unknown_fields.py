@@ -8,7 +8,7 @@ from functools import cached_property
 
 from ...languages.python.constant_truth import unreached_nodes
 from ...languages.python.file import Import, PythonFile
-from ...languages.python.guarded_nodes import guarded_nodes
+from ...languages.python.guarded_nodes import BLOCKS, guarded_nodes
 from ...light_dataclasses import dataclass
 from ...ros.interface_fields import ros1_fields
 from ...ros.interfaces import CONSTANT_NAME, KINDS
@@ -161,9 +161,9 @@ class FieldUses:
     def in_body(
         self, file: PythonFile, body: Bindings, variables: Environment, classes: MessageClasses
     ) -> Iterator[UnknownField]:
-        passed_over = set(guarded_nodes((node for node in body.nodes if isinstance(node, ast.Try)), CATCHES))
+        passed_over = set(guarded_nodes((node for node in body.nodes if isinstance(node, BLOCKS)), CATCHES))
         passed_over.update(unreached_nodes(body.nodes, file.constants))
-        caught = frozenset(guarded_nodes((node for node in body.nodes if isinstance(node, ast.Try)), TYPE_ERROR))
+        caught = frozenset(guarded_nodes((node for node in body.nodes if isinstance(node, BLOCKS)), TYPE_ERROR))
         for node in body.nodes:
             if id(node) in passed_over:
                 continue
