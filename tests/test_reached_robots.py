@@ -39,11 +39,11 @@ def lint(robot: str, part: str = LACKS, **more: str) -> Finding:
     "robot, level",
     [
         (INCLUDE, "error"),
-        (f'{ARG.format("false")}<xacro:if value="$(arg sim)">{INCLUDE}</xacro:if>', "warning"),
+        (f'{ARG.format("false")}<xacro:if value="$(arg sim)">{INCLUDE}</xacro:if>', "info"),
         (f'{ARG.format("true")}<xacro:if value="$(arg sim)">{INCLUDE}</xacro:if>', "error"),
         (f"{ARG.format('gz')}<xacro:if value=\"${{'$(arg sim)' == 'gz'}}\">{INCLUDE}</xacro:if>", "error"),
         (f"{ARG.format('gz')}<xacro:if value=\"${{'$(arg sim)' == 'mujoco'}}\">{INCLUDE}</xacro:if>", "warning"),
-        (f'{ARG.format("true")}<xacro:unless value="$(arg sim)">{INCLUDE}</xacro:unless>', "warning"),
+        (f'{ARG.format("true")}<xacro:unless value="$(arg sim)">{INCLUDE}</xacro:unless>', "info"),
         (f'{ARG.format("false")}<xacro:unless value="$(arg sim)">{INCLUDE}</xacro:unless>', "error"),
         (
             f'{ARG.format("gz")}<xacro:property name="s" value="$(arg sim)"/>'

@@ -18,10 +18,10 @@ from ...source import Span
 from ...suggest import nearest
 from ..closest_path import closest_path
 from ..fault import Fault, softer
+from ..fetched_files import ARCHIVES, FetchedFiles
 from ..install_faults import InstallFaults
 from .bare_meshes import is_relative
 from .emptied_folders import emptied_folders
-from .fetched_meshes import ARCHIVES, FetchedMeshes
 from .given_to_gazebo import GivenToGazebo
 from .launched_robots import LaunchedRobots
 from .met_robots import MetRobots
@@ -32,7 +32,7 @@ from .reached_files import ReachedFiles
 from .replaced_paths import ReplacedPaths
 from .same_folder import SameFolder
 from .shown_robots import ShownRobots
-from .xacro_calls import XacroCalls, ancestors
+from .xacro_calls import CONDITIONS, XacroCalls, ancestors
 
 LOADS = regex(r"\bload_yaml\(\s*[\"']$")
 REACH = 40
@@ -52,7 +52,7 @@ class RobotInWorkspace:
     shown: ShownRobots
     reached: ReachedFiles
     replaced: ReplacedPaths
-    fetched: FetchedMeshes
+    fetched: FetchedFiles
     beside: SameFolder
     gazebo: GivenToGazebo
     table: InstallTable | None
@@ -97,11 +97,15 @@ class RobotInWorkspace:
                 return softer(fault, "info", f"where no `{name}:=` is given, which each launch file here gives")
             if around.tag == "xacro:arg" and not self.reached.reads(self.robot.path, name):
                 return softer(fault, "info", f"as soon as something reads `$(arg {name})`")
+            if around.tag in CONDITIONS and self.reached.off.has(around):
+                return softer(fault, "info", "where the condition around it holds, which nothing here makes true")
             if around.tag in ("gazebo", "plugin"):
                 return softer(fault, "warning", "in Gazebo alone")
         if self.replaced.has(self.robot.document, fault.span):
             return softer(fault, "info", "unless what opens it puts another path there, as a launch file here does")
         found = self.calls.weighed(self.robot.document.root, fault)
+        if found.level != "info" and self.reached.is_never(self.robot.path):
+            return softer(found, "info", "where the condition around its include holds, which nothing here makes true")
         if found.level is None and self.reached.is_off(self.robot.path):
             return softer(found, "warning", "where the condition around its include holds")
         return found

@@ -14,7 +14,8 @@ from ...package.urdf.expansion.expander import Expander
 from ...package.urdf.expansion.expansion import Expansion
 from ...package.urdf.expansion.library import XacroLibrary
 from ...package.workspace import Workspace
-from .xacro_calls import XacroCalls
+from .off_conditions import OffConditions
+from .xacro_calls import CONDITIONS, XacroCalls, ancestors
 
 ROBOTS = (".xacro", ".urdf")
 
@@ -25,6 +26,21 @@ class ReachedFiles:
     package: PackageFacts
     workspace: Workspace
     calls: XacroCalls
+    off: OffConditions
+
+    def is_never(self, path: str) -> bool:
+        """Return whether each include of a file is under a condition that nothing here makes true."""
+        if not self.is_off(path):
+            return False
+        name = path.rpartition("/")[2]
+        found = [
+            any(each.tag in CONDITIONS and self.off.has(each) for each in ancestors(document.root, element.span))
+            for document in self.library.documents.values()
+            if document is not None
+            for element in document.root.walk()
+            if element.tag == "xacro:include" and (element.get("filename") or "").rpartition("/")[2] == name
+        ]
+        return bool(found) and all(found)
 
     def is_off(self, path: str) -> bool:
         """Return whether robots include a file, and none does as long as each argument has its default."""

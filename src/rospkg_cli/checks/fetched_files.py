@@ -5,10 +5,10 @@ from __future__ import annotations
 import posixpath
 from functools import cached_property
 
-from ...files import PackageFiles
-from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
-from ..pages_and_scripts import pages_and_scripts
+from ..files import PackageFiles
+from ..lazy_regex import regex
+from ..light_dataclasses import dataclass
+from .pages_and_scripts import pages_and_scripts
 
 FETCHES = regex(
     r"(?im)^.*\b(?:unzip|unrar|7z|tar|wget|curl|gdown|rsync|scp|download\w*|git[ \t]+(?:lfs|clone|submodule))\b.*$"
@@ -18,7 +18,7 @@ ARCHIVES = (".zip", ".tar", ".tar.gz", ".tgz", ".tar.xz", ".7z", ".rar")
 
 
 @dataclass(frozen=True)
-class FetchedMeshes:
+class FetchedFiles:
     files: PackageFiles
 
     def has(self, path: str) -> bool:
