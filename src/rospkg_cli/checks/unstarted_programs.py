@@ -38,6 +38,11 @@ class UnstartedPrograms:
         own = [name for name, paths in self.of_programs.items() if path in paths]
         return bool(own) and not any(map(self.is_started, own)) and any(map(self.is_started, self.facts.executables))
 
+    def is_beside_started(self, name: str) -> bool:
+        """Return whether nothing starts a program, and another one of the package is started."""
+        others = self.facts.executables - {name}
+        return self.table.knows("executable") and not self.is_started(name) and any(map(self.is_started, others))
+
     def has_script(self, path: str) -> bool:
         """Return the same of scripts that come with their folder: one that the build names is to be started."""
         own = {name for name, paths in self.of_programs.items() if path in paths} if self.has(path) else set()

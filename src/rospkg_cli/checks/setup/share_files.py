@@ -15,6 +15,7 @@ from ...package.setup.data_files import DataEntry, DataFile
 from ...package.setup.python_install_table import MARKERS
 from ...ros.share_layout import FOLDERS, LAUNCH
 from ...suggest import nearest
+from ..fetched_files import FetchedFiles
 from ..opened_in_share import OpenedInShare
 from ..share_uses import ShareUses
 from ..started_files import is_started
@@ -35,6 +36,12 @@ class UninstalledNeighbour:
 @dataclass(frozen=True)
 class ShareFiles:
     package: PythonPackage
+    fetched: FetchedFiles | None = None
+
+    def is_fetched(self, file: DataFile) -> bool:
+        """Return whether a page or a script tells to fetch or unpack a missing file, which the build then finds."""
+        is_lost = file.source is not None and "*" not in file.source and self.is_missing(file)
+        return is_lost and self.fetched is not None and self.fetched.has(file.source or "")
 
     @property
     def names(self) -> frozenset[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.python_package import PythonPackage
+from ...checks.setup.started_entry_points import StartedEntryPoints
 from ...example import SETUP_PY, Example, scripts, setup_py
 from ...finding import Hit, Severity
 from ...package.setup.entry_points import EntryPoint
@@ -17,8 +18,9 @@ PLUGIN = "entry_points={'ros2cli.verb': ['show = «my_pkg.shwo»:ShowVerb']},"
 @rule(
     "SET101",
     "entry-point-module-missing",
-    over=PythonPackage,
+    over=StartedEntryPoints,
     severity=Severity.ERROR,
+    levels={Severity.WARNING: "nothing here starts the program, beside others of the package that are started"},
     examples=(
         Example(
             bad={"setup.py": setup_py(scripts("talker = «my_pkg.taker»:main")), "my_pkg/talker.py": MODULE},
@@ -34,7 +36,7 @@ PLUGIN = "entry_points={'ros2cli.verb': ['show = «my_pkg.shwo»:ShowVerb']},"
         ),
     ),
 )
-def entry_point_module_missing(package: PythonPackage) -> Iterator[Hit]:
+def entry_point_module_missing(started: StartedEntryPoints) -> Iterator[Hit]:
     """
     ## What it does
     Finds entry points, of executables and of plugins, whose module does not exist.
@@ -45,15 +47,18 @@ def entry_point_module_missing(package: PythonPackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Where setup.py may write files or generates the module, for compiled modules, templates and links, for modules
-    of other packages, where a .gitignore names the file, and below a submodule that is not checked out.
+    of other packages, where a .gitignore names the file, and below a submodule that is not checked out. It is a warning
+    where nothing in the workspace starts or names the program, while another one of the package is started.
     """
+    package = started.package
     for entry in package.setup.entry_points:
         if not entry.module or entry.fault or not package.is_missing(entry.module):
             continue
         meant = package.suggestion(entry.module)
         hint = f"; did you mean `{meant}`?" if meant else ""
-        message = f"there is no module `{entry.module}`: {consequence(package, entry)}{hint}"
-        yield Hit(entry.path, entry.module_span, message)
+        left = started.left(entry)
+        message = f"there is no module `{entry.module}`: {consequence(package, entry)}{hint}{left}"
+        yield Hit(entry.path, entry.module_span, message, Severity.WARNING if left else None)
 
 
 def consequence(package: PythonPackage, entry: EntryPoint) -> str:

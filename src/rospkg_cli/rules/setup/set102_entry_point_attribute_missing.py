@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.python_package import PythonPackage
+from ...checks.setup.started_entry_points import StartedEntryPoints
 from ...example import Example, scripts, setup_py
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -20,9 +20,12 @@ SCRIPT = "print('hello')\n"
 @rule(
     "SET102",
     "entry-point-attribute-missing",
-    over=PythonPackage,
+    over=StartedEntryPoints,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the module starts what it does when it is imported, or Webots loads its class"},
+    levels={
+        Severity.WARNING: "the module starts what it does when it is imported, Webots loads its class, or nothing here "
+        "starts the program, beside others of the package that are started"
+    },
     examples=(
         Example(bad=BAD, good={"my_pkg/talker.py": "def main():\n    print('hello')\n"}),
         Example(
@@ -31,7 +34,7 @@ SCRIPT = "print('hello')\n"
         ),
     ),
 )
-def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
+def entry_point_attribute_missing(started: StartedEntryPoints) -> Iterator[Hit]:
     """
     ## What it does
     Finds entry points whose module exists and does not define the function or class.
@@ -45,8 +48,10 @@ def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
 
     ## When it is quiet
     Where the module is of another package, can't be read, has a `__getattr__`, or is generated. Where it has a star
-    import of something unknown only a slip is told, of a name that it defines itself.
+    import of something unknown only a slip is told, of a name that it defines itself. It is a warning where
+    nothing in the workspace starts or names the program, while another one of the package is started.
     """
+    package = started.package
     for entry in package.setup.entry_points:
         if entry.fault or not entry.attribute or package.has_attribute(entry.module, entry.attribute):
             continue
@@ -63,16 +68,10 @@ def entry_point_attribute_missing(package: PythonPackage) -> Iterator[Hit]:
             )
             yield Hit(entry.path, entry.attribute_span, message, Severity.WARNING)
             continue
+        what, left = f"has no top-level `{entry.attribute.partition('.')[0]}`", started.left(entry)
+        message = f"`{path}` {what}: the build is green, and {start} raises AttributeError{hint}"
+        is_seldom = bool(left) or package.is_webots_driver(entry.module)
         if module := package.ros1_module(entry.module):
-            message = (
-                f"`{path}` imports `{module}` of ROS 1 and has no top-level `{entry.attribute}`: {start} raises "
-                f"ModuleNotFoundError; port it, or take this line out"
-            )
-            yield Hit(entry.path, entry.attribute_span, message)
-            continue
-        message = (
-            f"`{path}` has no top-level `{entry.attribute.partition('.')[0]}`: the build is green, and {start} raises "
-            f"AttributeError{hint}"
-        )
-        level = Severity.WARNING if package.is_webots_driver(entry.module) else None
-        yield Hit(entry.path, entry.attribute_span, message, level)
+            what, is_seldom = f"imports `{module}` of ROS 1 and has no top-level `{entry.attribute}`", bool(left)
+            message = f"`{path}` {what}: {start} raises ModuleNotFoundError; port it, or take this line out"
+        yield Hit(entry.path, entry.attribute_span, message + left, Severity.WARNING if is_seldom else None)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.python_package import PythonPackage
+from ...checks.setup.started_entry_points import StartedEntryPoints
 from ...edits.entry_points import repair_entry_point
 from ...example import Example, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
@@ -28,6 +28,8 @@ WHY = {
     "file-name": "names a file",
     "unreadable": "can't be read",
 }
+AT_START = ("no-attribute", "file-name")
+"""What the build takes, and starting the program does not."""
 
 
 def one(entry: str) -> dict[str, str]:
@@ -37,9 +39,12 @@ def one(entry: str) -> dict[str, str]:
 @rule(
     "SET103",
     "malformed-entry-point",
-    over=PythonPackage,
+    over=StartedEntryPoints,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it names a module that starts what it does when it is imported"},
+    levels={
+        Severity.WARNING: "it names a module that starts what it does when it is imported, or it fails at start, and "
+        "nothing here starts it, beside others of the package that are started"
+    },
     examples=(
         Example(bad={**MODULES, "setup.py": setup_py(JOINED)}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),
         Example(bad=one("talker = my_pkg.talker.main"), good={"setup.py": GOOD}, fix=Safety.UNSAFE),
@@ -48,7 +53,7 @@ def one(entry: str) -> dict[str, str]:
         Example(bad=one("talker = my_pkg/talker:main"), good={"setup.py": GOOD}, fix=Safety.UNSAFE),
     ),
 )
-def malformed_entry_point(package: PythonPackage) -> Iterator[Hit]:
+def malformed_entry_point(started: StartedEntryPoints) -> Iterator[Hit]:
     """
     ## What it does
     Finds entry points that are not `name = module:function`.
@@ -60,11 +65,13 @@ def malformed_entry_point(package: PythonPackage) -> Iterator[Hit]:
     of Humble builds, and makes an executable that can't be started, or one with a wrong name.
 
     ## When it is quiet
-    Where the entry is made by code that can't be evaluated.
+    Where the entry is made by code that can't be evaluated. Where only who starts the program fails, it is a warning if
+    nothing in the workspace starts or names it, while another one of the package is started.
 
     ## Fix safety
     The intended entry point is a guess.
     """
+    package = started.package
     for entry in package.setup.entry_points:
         if entry.fault:
             runs = entry.fault == "no-attribute" and package.runs_when_imported(entry.module)
@@ -73,8 +80,9 @@ def malformed_entry_point(package: PythonPackage) -> Iterator[Hit]:
                 if runs
                 else consequence(entry)
             )
-            message = f"`{entry.text}` {WHY[entry.fault]}: {end}; write `name = module:function`"
-            level = Severity.WARNING if runs else None
+            left = started.left(entry) if not runs and entry.fault in AT_START else ""
+            message = f"`{entry.text}` {WHY[entry.fault]}: {end}; write `name = module:function`{left}"
+            level = Severity.WARNING if runs or left else None
             edits = repair_entry_point(package.setup, entry)
             fix = Fix("write it as `name = module:function`", edits, Safety.UNSAFE) if edits else None
             span = entry.setup_text.span if entry.fault == "joined" else entry.span
@@ -82,6 +90,6 @@ def malformed_entry_point(package: PythonPackage) -> Iterator[Hit]:
 
 
 def consequence(entry: EntryPoint) -> str:
-    if entry.fault in ("no-attribute", "file-name"):
+    if entry.fault in AT_START:
         return "the build is green, and the executable fails when it is started"
     return "setuptools stops, and does not name the place"

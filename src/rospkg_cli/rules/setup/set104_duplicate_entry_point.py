@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.python_package import PythonPackage
+from ...checks.setup.started_entry_points import StartedEntryPoints
 from ...example import Example, scripts, setup_py
 from ...finding import Hit, Related, Severity
 from ...package.setup.entry_points import EntryPoint
@@ -17,8 +17,12 @@ MODULES = {"my_pkg/talker.py": MODULE, "my_pkg/listener.py": MODULE}
 @rule(
     "SET104",
     "duplicate-entry-point",
-    over=PythonPackage,
+    over=StartedEntryPoints,
     severity=Severity.ERROR,
+    levels={
+        Severity.WARNING: "the pages name no distribution after Humble, and one of two programs is lost",
+        Severity.INFO: "the pages name none after Humble, and both are the same",
+    },
     examples=(
         Example(
             bad={
@@ -29,7 +33,7 @@ MODULES = {"my_pkg/talker.py": MODULE, "my_pkg/listener.py": MODULE}
         ),
     ),
 )
-def duplicate_entry_point(package: PythonPackage) -> Iterator[Hit]:
+def duplicate_entry_point(started: StartedEntryPoints) -> Iterator[Hit]:
     """
     ## What it does
     Finds two entry points of one group with the same name.
@@ -39,14 +43,21 @@ def duplicate_entry_point(package: PythonPackage) -> Iterator[Hit]:
     executable of the two, and does not say which.
 
     ## When it is quiet
-    Where an entry is made by code that can't be evaluated. One name in two groups is no duplicate.
+    Where an entry is made by code that can't be evaluated. One name in two groups is no duplicate. Where
+    the pages, scripts and workflows of the repository name Humble or older ones alone, nothing stops: two entries that
+    are the same are an info, and others a warning.
     """
     seen: dict[tuple[str, str], EntryPoint] = {}
-    for entry in package.setup.entry_points:
+    for entry in started.package.setup.entry_points:
         if not entry.name or entry.fault:
             continue
         first = seen.setdefault((entry.group, entry.name), entry)
         if first is not entry:
-            message = f"`{entry.name}` is twice in `{entry.group}`: setuptools stops, Humble's keeps one; rename one"
             related = (Related(first.path, first.name_span, "the other one"),)
-            yield Hit(entry.path, entry.name_span, message, related=related)
+            is_same = (entry.module, entry.attribute) == (first.module, first.attribute)
+            start, advice = f"`{entry.name}` is twice in `{entry.group}`", "remove" if is_same else "rename"
+            message, level = f"{start}: setuptools stops, Humble's keeps one; {advice} one", None
+            if started.takes_duplicates:
+                message = f"{start}: the setuptools of Humble keeps one, later ones stop; {advice} one"
+                level = Severity.INFO if is_same else Severity.WARNING
+            yield Hit(entry.path, entry.name_span, message, level, related)

@@ -22,6 +22,7 @@ def config(entry: str) -> str:
 
 GOOD = config("('share/' + package_name + '/config', ['config/nav.yaml'])")
 YAML = {"config/nav.yaml": "/**:\n  ros__parameters:\n    rate: 2.0\n"}
+FETCHED = ", until it is fetched, as a page or a script here tells to"
 PATHS = "from pathlib import Path\n"
 FOUND = "Path('config').glob('*.yaml')"
 SHAPES = {
@@ -39,7 +40,10 @@ SHAPES = {
     "missing-data-file",
     over=ShareFiles,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "a glob matches a link to nothing: elsewhere there may be what it points to"},
+    levels={
+        Severity.WARNING: "a glob matches a link to nothing: elsewhere there may be what it points to; or a page or a "
+        "script tells to fetch the file"
+    },
     examples=(
         Example(
             bad={**YAML, "setup.py": config("('share/' + package_name + '/config', ['«config/nva.yaml»'])")},
@@ -91,15 +95,16 @@ def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Where setup.py may write files, where a .gitignore names the file, since a build then writes it, below a
-    submodule that is not checked out, and for sources that can't be evaluated.
+    submodule that is not checked out, and for sources that can't be evaluated. A file that a page or a script of the
+    repository tells to fetch or unpack is missing on a clean machine alone: a warning.
     """
     for entry in shared.package.setup.data_entries:
         if entry.shape:
             yield Hit(entry.path, entry.span, f"this entry of `data_files` {SHAPES[entry.shape]}")
         for file in entry.files:
-            why = fault(shared, entry, file)
-            if why:
-                yield Hit(file.setup_text.path, file.setup_text.shown, why)
+            if why := fault(shared, entry, file):
+                end, level = (FETCHED, Severity.WARNING) if shared.is_fetched(file) else ("", None)
+                yield Hit(file.setup_text.path, file.setup_text.shown, why + end, level)
     for glob, link in dead_links(shared.package):
         message = (
             f"`{glob.pattern}` matches `{link}`, a link to nothing here: the build stops with \"can't copy '{link}'\"; "
