@@ -61,6 +61,13 @@ def test_what_is_set_aside_by_its_name(path: str, is_aside: bool) -> None:
     assert is_set_aside(path) is is_aside
 
 
+@pytest.mark.parametrize(("folder", "level"), [("{{cookiecutter.name}}", "info"), ("arm", "error")])
+def test_a_package_of_a_template(folder: str, level: str) -> None:
+    """Nobody builds it before the folder has its name."""
+    (finding,) = lint_files({f"{folder}/package.xml": manifest("", "ament_cmake", "{{name}}")}, ["XML101"]).findings
+    assert finding.severity.value == level
+
+
 @pytest.mark.parametrize(("folder", "level"), [("_legacy/arm", "info"), ("arm", "warning")])
 def test_placeholders_of_packages_that_are_set_aside(folder: str, level: str) -> None:
     text = manifest().replace("Drives my robot", "TODO: Package description").replace("Apache-2.0", "TODO")

@@ -140,7 +140,11 @@ def test_names() -> None:
     assert level("my-pkg", **{"my_pkg/__init__.py": ""}) is level("MyPkg", **{"MyPkg/__init__.py": ""}) is Severity.INFO
     assert level("my-pkg") is level("MyPkg") is Severity.INFO
     assert level("my-pkg", **{"msg/A.msg": "int32 a\n"}) is Severity.ERROR
-    assert [level(name) for name in ("a", "my__pkg", "my_pkg_", "1pkg", "my pkg", "")] == [Severity.ERROR] * 6
+    assert [level(name) for name in ("my pkg", "_pkg", "")] == [Severity.ERROR] * 3
+    built = ("a", "my__pkg", "my_pkg_", "1pkg")
+    assert [level(name) for name in built] == [Severity.INFO] * 4
+    for files in ({"tracks.yaml": "tracks: {}\n"}, {"msg/A.msg": "int32 a\n"}):
+        assert [level(name, **files) for name in built] == [Severity.ERROR] * 4
     assert level("m2") is None
 
 

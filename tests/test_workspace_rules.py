@@ -148,6 +148,22 @@ def test_packages_of_one_name_for_ros_1_and_ros_2() -> None:
 
 
 @pytest.mark.parametrize(
+    "folders, level",
+    [
+        (("src/humble/a", "src/jazzy/a"), "info"),
+        (("ros2_foxy/a", "ros2_humble/a"), "info"),
+        (("src/humble/a", "src/humble_copy/a"), "error"),
+        (("src/humble/a", "src/main/a"), "error"),
+        (("humble/src/one/a", "humble/src/two/a"), "error"),
+    ],
+)
+def test_packages_of_one_name_for_two_distributions(folders: tuple[str, str], level: str) -> None:
+    files = {f"{each}/package.xml": manifest("", "cmake", "my_pkg") for each in folders}
+    (finding,) = lint_files(files, ["WSP001"]).findings
+    assert finding.severity.value == level
+
+
+@pytest.mark.parametrize(
     ("folders", "selected", "told"),
     [
         (("one_ws/src/a", "two_ws/src/b"), "", 0),

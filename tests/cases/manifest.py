@@ -94,7 +94,7 @@ CASES = {
     ),
     "XML003": (instead('format="3"', 'format=" 3 "'), instead('format="3"', 'format="4"')),
     "XML101": (
-        *(instead("<name>my_pkg<", f"<name>{name}<") for name in ("", "m", "9", "My__Pkg", "9a")),
+        *(instead("<name>my_pkg<", f"<name>{name}<") for name in ("", "m", "9", "My__Pkg", "9a", "_a")),
         gathering("my-pkgs"),
         gathering("My_pkgs"),
         *(
@@ -121,6 +121,9 @@ CASES = {
         ),
     ),
     "XML106": tuple(instead("Apache-2.0", PROSE[-length:]) for length in (59, 60, 90)),
+    "XML306": (
+        instead("<build_type>", '<rqt_gui plugin="${prefix}/gone.xml"/>\n    <build_type>'),
+    ),
     "XML108": (with_line('<url type="development">https://example.org</url>'),),
     "XML107": (instead("<license>", '<license file="">'), instead("<license>", '<license file="../LICENSE">'),
                instead("<license>", '<license file="LICENCE">')),

@@ -15,6 +15,8 @@ from ...package.rule_settings import RuleSettings
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS
 from ...ros.manifest import BUILD_TYPES, OTHER_BUILD_TYPES
+from ..released import Release
+from .schema_tests import SchemaTests
 
 IDLE = frozenset(
     "cmake_minimum_required project cmake_policy find_package message set unset list string option include_guard "
@@ -29,6 +31,20 @@ CODE = (".py", ".cpp", ".cc", ".c", ".hpp", ".h", ".rs", ".msg", ".srv", ".actio
 class ManifestForTargets:
     manifest: Manifest
     targets: Targets
+
+
+@dataclass(frozen=True)
+class NamedManifest:
+    """A manifest, with who meets a name that colcon builds and others refuse."""
+
+    package: ManifestAndFiles
+    tests: SchemaTests
+    release: Release
+
+    @property
+    def is_met(self) -> bool:
+        """Whether rosidl, a test with the schema or a release refuses an odd name."""
+        return bool(self.package.interface_files) or self.tests.is_tested or self.release.is_made
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,8 @@ BUILDING = (
 """Families and rules whose errors stop a build: colcon builds packages that are laid aside, too."""
 BUILT = frozenset({"CMK003", "CMK104", "CMK105", "CMK108", "CMK109", "CMK111", "CMK128", "XML107", "XML306"})
 """Those among them whose errors show themselves once something is started."""
+TEMPLATE = "{{"
+"""Stands in the names of folders that cookiecutter, copier and the like fill in: nobody builds what is in them."""
 BUILD_FILES = ("package.xml", "CMakeLists.txt", "setup.py", ".cmake")
 OF_RUNS = ("DEP", "LCH", "PRM", "URD", "IDL010", "IDL011")
 """Families about launches and runs, and about machines that others install packages on, and rules about Python."""
@@ -32,6 +34,8 @@ def level_aside(code: str, level: Severity, path: str, folder: str, is_left: Cal
     Nobody meets what is wrong with a package that is laid aside, unless it stops the build. Within a package in use,
     code that is laid aside may still be imported: what ends it is a warning then.
     """
+    if TEMPLATE in path:
+        return Severity.INFO
     is_mild = level is Severity.INFO or (level is Severity.ERROR and stops_build(code, path))
     if is_mild or not is_set_aside(path):
         return level

@@ -24,7 +24,7 @@ SHOWN = 3
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "only another package may import them, since it depends on this one",
-        Severity.INFO: "no Python file imports them",
+        Severity.INFO: "no Python file imports them, but for tests, what is laid aside and what nothing starts",
     },
     examples=(
         Example(
@@ -46,9 +46,9 @@ def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
     ## When it is quiet
     Where another package of the workspace has interfaces of these names, and no code takes them from this one: the
     files are what was left when they moved. Files in other folders than `msg/`, `srv/` and `action/` are data; in such
-    folders of the Python package they count where code imports them. What no Python file of the package imports is an
-    info, a warning where another package depends on this one. Without a setup.py the build type is wrong, which
-    XML303 and XML304 tell.
+    folders of the Python package they count where code imports them. What no Python file of the package imports, or
+    none that something starts or imports, is an info, a warning where another package depends on this one. Without a
+    setup.py the build type is wrong, which XML303 and XML304 tell.
     """
     if package.facts.build_type != "ament_python" or not package.files.exists("setup.py"):
         return
@@ -67,16 +67,21 @@ def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
         f"ModuleNotFoundError; move {'them' if paths[1:] else 'it'}: `rospkg new {name}_interfaces --type interfaces`"
     )
     related = tuple(Related(path, Span(0, 0), "and this file") for path in paths[1:])
-    level = None if is_imported(package) else Severity.WARNING if package.workspace.is_needed(name) else Severity.INFO
+    level = None if package.is_met(importers(package)) else Severity.INFO
+    level = Severity.WARNING if level and package.workspace.is_needed(name) else level
     yield Hit(paths[0], Span(0, 0), message, level, related)
 
 
 def is_imported(package: FactsAndFiles, kind: str = "(?:msg|srv|action)", what: str = "") -> bool:
-    """Return whether a Python file of the package imports interfaces of it."""
+    return any(True for _ in importers(package, kind, what))
+
+
+def importers(package: FactsAndFiles, kind: str = "(?:msg|srv|action)", what: str = "") -> Iterator[str]:
+    """Yield the Python files of the package that import interfaces of it."""
     name = re.escape(package.facts.name)
     wanted = re.compile(rf"^[ \t]*(?:from|import)[ \t]+{name}(?:\.|[ \t]+import[ \t(]+){kind}\b{what}", re.MULTILINE)
     paths = (path for path in package.files.paths if path.endswith(".py"))
-    return any(wanted.search(package.files.readable_text(path)) for path in paths)
+    yield from (path for path in paths if wanted.search(package.files.readable_text(path)))
 
 
 def is_left_over(path: str, package: FactsAndFiles) -> bool:

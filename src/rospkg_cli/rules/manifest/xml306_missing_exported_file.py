@@ -18,6 +18,7 @@ GOOD = manifest(build_type="ament_cmake").replace(
 )
 
 INSTALLED = CMAKE.replace("ament_package", "install(FILES plugin.xml DESTINATION share/${PROJECT_NAME})\nament_package")
+CODE = (".py", ".cpp", ".cc", ".hpp", ".h")
 CORE = GOOD.replace("rqt_gui", "nav2_core")
 
 
@@ -26,7 +27,7 @@ CORE = GOOD.replace("rqt_gui", "nav2_core")
     "missing-exported-file",
     over=ManifestAndInstalls,
     severity=Severity.ERROR,
-    levels={Severity.INFO: "it is not for rqt: ROS 2 does not read the line"},
+    levels={Severity.INFO: "it is not for rqt: ROS 2 does not read the line; or the package has no plugin of rqt"},
     examples=(
         Example(
             on="ament_cmake",
@@ -64,7 +65,8 @@ def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
 
     ## When it is quiet
     Entries under a condition that excludes the targets, and paths with other variables, are left alone. Only rqt reads
-    these lines in ROS 2: for all others the finding is an info.
+    these lines in ROS 2: for all others the finding is an info, and so is a file that is not there, nor one of a near
+    name, in a package without a plugin of rqt in its code.
 
     ## References
     - [REP-149, export](https://ros.org/reps/rep-0149.html)
@@ -88,13 +90,20 @@ def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
             if not rqt:
                 harm = "ROS 2 does not read this line, but what CMake exports; remove the line"
             message = f"{what} does not exist{hint}: {harm}"
-            yield Hit(manifest.path, attribute.value_span, message, None if rqt else Severity.INFO)
+            is_missed = rqt and (meant is not None or has_plugin(package))
+            end = "" if is_missed or not rqt else "; no code here is a plugin of rqt"
+            yield Hit(manifest.path, attribute.value_span, message + end, None if is_missed else Severity.INFO)
         elif rqt and package.is_installed(path) is False:
             place = f"share/{manifest.name}/{posixpath.dirname(path)}".rstrip("/")
             goes = package.table.destination_of(path) if package.table is not None else None
             wrong = f"is installed as `{goes}`" if goes else "is not installed"
             message = f"{what} {wrong}: rqt will not offer the plugin; install it to `{place}`"
             yield Hit(manifest.path, attribute.value_span, message)
+
+
+def has_plugin(package: ManifestAndInstalls) -> bool:
+    """Return whether code of the package may be a plugin of rqt: else the line is a leftover, and nobody misses it."""
+    return any(package.files.holds(path, b"qt_gui") for path in package.files.paths if path.endswith(CODE))
 
 
 def suggested(package: ManifestAndInstalls, path: str) -> str | None:

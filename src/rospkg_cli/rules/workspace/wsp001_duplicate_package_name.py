@@ -6,6 +6,7 @@ import posixpath
 import re
 from collections.abc import Iterator, Set
 
+from ...checks.older_distribution import called
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...lazy_regex import regex
@@ -26,7 +27,7 @@ MARKED = manifest(build_type="ament_cmake").replace("<name>my_pkg", "<name>«my_
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "no `src` and no folder called `…_ws` is above both, or one is laid aside",
-        Severity.INFO: "one of them is for ROS 1",
+        Severity.INFO: "one of them is for ROS 1, or their folders are called as for different distributions",
     },
     examples=(
         Example(
@@ -53,7 +54,8 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
     ## When it is quiet
     Folders below an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE) are no packages. Two workspaces side by
     side (`one_ws/src` and `other_ws`, `ws/one/src` and `ws/other/src`) are built apart; so is one within another where
-    only the inner one is linted. All packages of one name are one finding.
+    only the inner one is linted. Folders that are called as for different distributions (`humble/`, `jazzy/`) are
+    built one at a time: an info. All packages of one name are one finding.
     """
     for facts, copies in ((each, same) for same in workspace.repeated for each in same):
         others = [each for each in copies if each is not facts and are_built_together(facts, each, workspace.selected)]
@@ -78,9 +80,17 @@ def level_of(facts: PackageFacts, other: PackageFacts) -> Severity:
         return Severity.INFO
     one, two = (each.folder.split("/")[:-1] for each in (facts, other))
     shared = len(posixpath.commonprefix([one, two]))
+    if are_of_two(*("/".join(each[shared:]) for each in (one, two))):
+        return Severity.INFO
     is_one = any(map(is_root, one[:shared])) and not any(map(is_root, one[shared:] + two[shared:]))
     is_aside = any(is_set_aside(f"{each.folder}/") for each in (facts, other))
     return Severity.ERROR if is_one and not is_aside else Severity.WARNING
+
+
+def are_of_two(one: str, other: str) -> bool:
+    """Return whether folders are called as being for different distributions: `humble` and `jazzy`."""
+    here, there = called(one), called(other)
+    return bool(here) and bool(there) and here.isdisjoint(there)
 
 
 def is_root(name: str) -> bool:
