@@ -1,11 +1,21 @@
-"""The pages and scripts that tell people what to type: those of a package, and those above it that build it."""
+"""The pages and scripts that tell people what to type, and which files these bring beside what git holds."""
 
 from __future__ import annotations
 
+import posixpath
+from functools import cached_property
+
 from ..files import PackageFiles
+from ..lazy_regex import regex
+from ..light_dataclasses import dataclass
 from .setup.linked_build import build_texts
 
 TEXTS = (".md", ".rst", ".txt", ".sh", ".bash", "Makefile")
+FETCHES = regex(
+    r"(?im)^.*\b(?:unzip|unrar|7z|tar|wget|curl|gdown|rsync|scp|download\w*|git[ \t]+(?:lfs|clone|submodule))\b.*$"
+)
+"""A line that tells to bring or to unpack files."""
+ARCHIVES = (".zip", ".tar", ".tar.gz", ".tgz", ".tar.xz", ".7z", ".rar")
 
 
 def pages_and_scripts(files: PackageFiles) -> tuple[str, ...]:
@@ -22,3 +32,22 @@ def pages_above(files: PackageFiles) -> tuple[str, ...]:
     """Return what those say that build the repository and are no pages of the package."""
     own = own_pages(files)
     return tuple(text for text in build_texts(files) if text not in own)
+
+
+@dataclass(frozen=True)
+class FetchedFiles:
+    """Rule input: files that a page or a script of the package has fetched, unpacked or made."""
+
+    files: PackageFiles
+
+    def has(self, path: str) -> bool:
+        """Return whether a line that brings files names a missing one: it, its folder, or an archive called so."""
+        folder, name = posixpath.split(path)
+        stem = name.partition(".")[0]
+        packed = [f"{each}{suffix}" for each in {stem, posixpath.basename(folder)} if each for suffix in ARCHIVES]
+        wanted = (name, *([f"{folder}/"] if folder else []), *packed)
+        return any(each in line for line in self.lines for each in wanted)
+
+    @cached_property
+    def lines(self) -> tuple[str, ...]:
+        return tuple(each.group() for text in pages_and_scripts(self.files) for each in FETCHES.finditer(text))

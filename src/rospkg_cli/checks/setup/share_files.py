@@ -15,8 +15,8 @@ from ...package.setup.data_files import DataEntry, DataFile
 from ...package.setup.python_install_table import MARKERS
 from ...ros.share_layout import FOLDERS, LAUNCH
 from ...suggest import nearest
-from ..fetched_files import FetchedFiles
 from ..opened_in_share import OpenedInShare
+from ..pages_and_scripts import FetchedFiles
 from ..share_uses import ShareUses
 from ..started_files import is_started
 from .python_package import PythonPackage

@@ -18,8 +18,8 @@ from ...source import Span
 from ...suggest import nearest
 from ..closest_path import closest_path
 from ..fault import Fault, softer
-from ..fetched_files import ARCHIVES, FetchedFiles
 from ..install_faults import InstallFaults
+from ..pages_and_scripts import ARCHIVES, FetchedFiles
 from .bare_meshes import is_relative
 from .emptied_folders import emptied_folders
 from .given_to_gazebo import GivenToGazebo
