@@ -42,6 +42,8 @@ def levels(code: str, on: dict[str, str], files: dict[str, str]) -> list[str]:
         ("backup_camera/package.xml", False),
         ("msg/Backup.msg", False),
         ("my_backup/", False),
+        ("urdf_backup/arm.urdf", True),
+        ("launch_old/a.launch.py", True),
         ("src/not_in_use/arm/", True),
         ("src/NotUsed/arm/", True),
         ("dont_use/a.py", True),

@@ -113,3 +113,40 @@ def test_a_macro_that_only_an_unopened_robot_calls() -> None:
 def test_what_gazebo_leaves_out_is_an_info() -> None:
     block = '<gazebo reference="wheel_{side}"><mu1>0.2</mu1></gazebo>'
     assert slip_levels(CALLS.format('<xacro:arm side="a"/>'), MACRO.format(block)) == ["info"]
+
+
+ELSEWHERE = [
+    ("urdf_spare/robot.urdf", "share + '/urdf/robot.urdf'"),
+    ("urdf_spare/robot.urdf", "os.path.join(share, 'urdf', 'robot.urdf')"),
+]
+
+
+@pytest.mark.parametrize(("path", "named"), ELSEWHERE)
+@pytest.mark.parametrize("robot", [MESH, JOINT])
+def test_a_robot_named_with_another_folder_is_not_opened(path: str, named: str, robot: str) -> None:
+    files = {path: f'<robot name="r">{robot}</robot>\n', "urdf/other.urdf": '<robot name="o"/>'}
+    opened = NAMED.format(named, ADDED.format("open(MODEL).read()"))
+    found = lint_files({**FILES, **files, "launch/a.launch.py": opened}, ["URD001", "URD002"]).findings
+    assert {each.severity.value for each in found if each.location.path == path} == {"info"}
+
+
+@pytest.mark.parametrize("named", ["os.path.join(folder, 'robot.urdf')", "f'{folder}/robot.urdf'", "'urdf/robot.urdf'"])
+def test_a_robot_named_alone_or_with_a_folder_of_the_install_is_opened(named: str) -> None:
+    opened = NAMED.format(named, ADDED.format("open(MODEL).read()"))
+    installs = "install(FILES robots/robot.urdf DESTINATION share/${PROJECT_NAME}/urdf)\nament_package"
+    files = {"robots/robot.urdf": f'<robot name="r">{HOME}</robot>\n', "launch/a.launch.py": opened}
+    cmake = {"CMakeLists.txt": FILES["CMakeLists.txt"].replace("ament_package", installs)}
+    found = lint_files({**FILES, **cmake, **files}, ["URD002"]).findings
+    assert [each.severity.value for each in found] == ["warning"]
+
+
+def test_another_package_means_its_own_file_where_it_names_its_folder() -> None:
+    one = {f"one/{path}": text for path, text in FILES.items()}
+    one["one/urdf/robot.urdf"] = f'<robot name="r">{MESH}</robot>\n'
+    two = {f"two/{path}": text.replace("my_pkg", "two") for path, text in FILES.items()}
+    two["two/config/robot.urdf"] = '<robot name="r"><link name="a"/></robot>\n'
+    two["two/CMakeLists.txt"] = two["two/CMakeLists.txt"].replace("launch urdf", "launch config")
+    named = "join(get('my_pkg'), get('two'), 'config', 'robot.urdf')"
+    two["two/launch/a.launch.py"] = NAMED.format(named, ADDED.format("open(MODEL).read()"))
+    found = lint_files({**one, **two}, ["URD002"]).findings
+    assert [each.severity.value for each in found] == ["info"]

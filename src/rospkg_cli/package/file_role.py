@@ -20,9 +20,13 @@ UNUSED = r"un-?used|disused|not[ _-]?(?:in[ _-]?)?used?|(?:do[ _-]?not|don'?t)[ 
 """How people say that nothing uses what a folder or file holds; whatever stands beside the words."""
 GONE = rf"legacy|depr[ei]cated|obsolete|archived?|attic|discarded|outdated|abandoned|retired|{UNUSED}"
 PAST = r"old|backups?|bak|(?:tmp|temp)[_-]old|junk|broken|not[ _-]?working"
-KINDS = r"files|code|pkgs|packages|nodes|scripts|versions?|stuff|models?|launch|urdfs?|configs?"
+ENDS = r"old|backups?|bak"
+"""What a folder called after what it holds may end with (`urdf_backup`)."""
+KINDS = r"files|code|pkgs|packages|nodes|scripts|versions?|stuff|models?|launch|urdfs?|configs?|mesh(?:es)?|worlds?|src"
 LEFT = regex(
-    rf"[_.-]*(?:(?:{GONE}|{PAST})(?:[ _-](?:{KINDS}))?|(?:{UNUSED})[ _-].*|.*[_.-](?:{UNUSED}))[_.-]*", re.IGNORECASE
+    rf"[_.-]*(?:(?:{GONE}|{PAST})(?:[ _-](?:{KINDS}))?|(?:{KINDS})[ _-](?:{GONE}|{ENDS})|"
+    rf"(?:{UNUSED})[ _-].*|.*[_.-](?:{UNUSED}))[_.-]*",
+    re.IGNORECASE,
 )
 """Folders for what nobody uses any more; none for words that a robot's task may have (`trash`, `garbage`)."""
 LEFT_FILE = regex(
