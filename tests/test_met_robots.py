@@ -130,7 +130,16 @@ def test_a_robot_named_with_another_folder_is_not_opened(path: str, named: str, 
     assert {each.severity.value for each in found if each.location.path == path} == {"info"}
 
 
-@pytest.mark.parametrize("named", ["os.path.join(folder, 'robot.urdf')", "f'{folder}/robot.urdf'", "'urdf/robot.urdf'"])
+@pytest.mark.parametrize(
+    "named",
+    [
+        "os.path.join(folder, 'robot.urdf')",
+        "f'{folder}/robot.urdf'",
+        "'urdf/robot.urdf'",
+        "DeclareLaunchArgument('model', 'robot.urdf')",
+        "['other.urdf', 'robot.urdf']",
+    ],
+)
 def test_a_robot_named_alone_or_with_a_folder_of_the_install_is_opened(named: str) -> None:
     opened = NAMED.format(named, ADDED.format("open(MODEL).read()"))
     installs = "install(FILES robots/robot.urdf DESTINATION share/${PROJECT_NAME}/urdf)\nament_package"

@@ -12,7 +12,6 @@ from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_words import LAUNCH, is_launch, may_be_made, words_of
 from ...package.workspace import Workspace
-from .named_elsewhere import folders_of, is_elsewhere, means_another
 from .opened_robots import OpenedRobots, has_folders
 from .opening_texts import ROBOTS
 
@@ -65,11 +64,11 @@ class LaunchedRobots:
         for _, text in launches:
             words = words_of(text)
             is_another = own not in words and any(other in words for other in others)
-            is_another = is_another or is_elsewhere(name, folders_of(path, self.package), text)
+            is_another = is_another or self.opened.elsewhere.is_elsewhere(path, text)
             if names(words, text, name) and not is_another and self.is_this_copy(path, text):
                 return True
         return any(
-            names_file(words, own, name) and not means_another(path, self.package, words, packages)
+            names_file(words, own, name) and not self.opened.elsewhere.means_another(path, words)
             for facts in packages
             for words in (facts.robot_words if facts.name != own else ())
         )

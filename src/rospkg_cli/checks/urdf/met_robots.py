@@ -10,7 +10,6 @@ from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ..pages_and_scripts import own_pages, pages_above
 from .launched_robots import LaunchedRobots
-from .named_elsewhere import folders_of, is_elsewhere
 from .opened_robots import COMMAND, ENDS, OpenedRobots
 
 TYPED = regex(COMMAND)
@@ -51,8 +50,8 @@ class MetRobots:
         name = re.compile(rf"(?<![\w.-]){re.escape(path.rpartition('/')[2])}{ENDS}(?![\w-])")
         opening = self.commands if not self.is_generated(path, name) else map(without_conversion, self.commands)
         texts = (*self.code, *(OUTPUT.sub("", line) for line in opening))
-        plain, folders = path.rpartition("/")[2], folders_of(path, self.opened.package)
-        return any(name.search(text) and not is_elsewhere(plain, folders, text) for text in texts)
+        is_elsewhere = self.opened.elsewhere.is_elsewhere
+        return any(name.search(text) and not is_elsewhere(path, text) for text in texts)
 
     def is_generated(self, path: str, name: re.Pattern[str]) -> bool:
         """Return whether a robot is what xacro made of another file, which people open and change instead."""

@@ -5,39 +5,64 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Collection
+from functools import cached_property
 
+from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
-
-BETWEEN = r"(?:/|[\"']\s*,\s*[\"'])"
-"""What stands between a folder and a file, in one path or as parts that are joined."""
+from ...package.workspace import Workspace
 
 
-def folders_of(path: str, package: PackageFacts) -> frozenset[str]:
-    """Return the names of the folders that a robot of a package lies in: in the source, and where it is installed."""
-    folder, name = posixpath.split(path)
-    places = (posixpath.dirname(each) for each in package.share_files if posixpath.basename(each) == name)
-    return frozenset(posixpath.basename(each) or package.name for each in (folder, *places))
+@dataclass(frozen=True)
+class NamedElsewhere:
+    paths: frozenset[str]
+    """The files of the package."""
+    package: PackageFacts
+    workspace: Workspace
 
+    def is_elsewhere(self, path: str, text: str) -> bool:
+        """Return whether each place of a text that names a file in full has a folder before it, and none of its own.
 
-def is_elsewhere(name: str, folders: Collection[str], text: str) -> bool:
-    """Return whether each place of a text that names a file in full has a folder before it, and none of these.
+        A name alone, or behind what is put in (`{folder}/arm.urdf`), may be of any folder. A text before it, as in
+        `join(share, 'urdf', 'arm.urdf')`, may be no folder: it is where files lie in one that is called so.
+        """
+        name, own = posixpath.basename(path), self.folders_of(path)
+        full = re.compile(rf"(?:([\w.-]*\w)(/|[\"']\s*,\s*[\"']))?(?<![\w.-]){re.escape(name)}(?![\w.-])")
+        found = [(each.group(1), each.group(2)) for each in full.finditer(text)]
+        others = {last for last, _ in found} - {None} - own
+        if not found or len(others) < len({last for last, _ in found}):
+            return False
+        joined = {last for last, between in found if between != "/"}
+        return joined <= self.folders | {posixpath.basename(folder) for _, folder in self.having(name)}
 
-    A name alone, or behind what is put in (`{folder}/arm.urdf`), may be of any folder.
-    """
-    full = re.compile(rf"(?:([\w.-]*\w){BETWEEN})?(?<![\w.-]){re.escape(name)}(?![\w.-])")
-    before = [found.group(1) for found in full.finditer(text)]
-    return bool(before) and all(each is not None and each not in folders for each in before)
+    def means_another(self, path: str, words: Collection[str]) -> bool:
+        """Return whether the words of another package's text are of a file of this name that is not this one.
 
+        The text has none of its folders, and the file is not installed, or the text has a package and the folder in
+        which that has a file of this name.
+        """
+        name = posixpath.basename(path)
+        if name not in words or not self.folders_of(path).isdisjoint(words):
+            return False
+        is_other = any({owner, posixpath.basename(folder)} <= {*words} for owner, folder in self.having(name))
+        return is_other or path in self.package.uninstalled
 
-def means_another(path: str, package: PackageFacts, words: Collection[str], others: Collection[PackageFacts]) -> bool:
-    """Return whether the words of another package's text are of a file of this name that is not the one of a package.
+    def folders_of(self, path: str) -> frozenset[str]:
+        """Return the names of the folders that a file lies in: in the source, and where it is installed."""
+        folder, name = posixpath.split(path)
+        places = (posixpath.dirname(each) for each in self.package.share_files if posixpath.basename(each) == name)
+        return frozenset(posixpath.basename(each) or self.package.name for each in (folder, *places))
 
-    The text has none of its folders, and the file is not installed, or the text has a package and the folder in which
-    that has a file of this name.
-    """
-    name, folders = posixpath.basename(path), folders_of(path, package)
-    if name not in words or not folders.isdisjoint(words):
-        return False
-    having = ((each, file) for each in others for file in each.share_files if posixpath.basename(file) == name)
-    is_other = any(each.name in words and posixpath.basename(posixpath.dirname(file)) in words for each, file in having)
-    return is_other or path in package.uninstalled
+    def having(self, name: str) -> list[tuple[str, str]]:
+        """Return the other packages that install a file of a name, each with its folder in the share directory."""
+        others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
+        return [
+            (facts.name, posixpath.dirname(each))
+            for facts in others
+            for each in facts.share_files
+            if posixpath.basename(each) == name
+        ]
+
+    @cached_property
+    def folders(self) -> frozenset[str]:
+        """The names of the folders of the package."""
+        return frozenset(part for path in self.paths for part in posixpath.dirname(path).split("/"))

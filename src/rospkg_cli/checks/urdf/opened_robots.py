@@ -6,6 +6,7 @@ import posixpath
 import re
 from collections.abc import Iterator
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from ...files import PackageFiles
 from ...lazy_regex import regex
@@ -17,6 +18,9 @@ from .included_paths import includes_path
 from .named_with_folder import NamedWithFolder
 from .opening_texts import LAUNCH, ROBOTS, opening_texts
 from .xacro_calls import may_include
+
+if TYPE_CHECKING:
+    from .named_elsewhere import NamedElsewhere
 
 XACRO = (".urdf", ".xacro")
 ENDS = r"(?!\.(?:xacro|urdf)\b)"
@@ -100,6 +104,13 @@ class OpenedRobots:
     @cached_property
     def with_folders(self) -> NamedWithFolder:
         return NamedWithFolder(self.paths, self.package.name, self.workspace, self.texts)
+
+    @cached_property
+    def elsewhere(self) -> NamedElsewhere:
+        """What tells files of one name apart; imported where a robot is named at all."""
+        from .named_elsewhere import NamedElsewhere
+
+        return NamedElsewhere(self.paths, self.package, self.workspace)
 
     def is_surely_named(self, path: str) -> bool:
         """Return whether a text of the package names a file, or one of another that names the package as well.
