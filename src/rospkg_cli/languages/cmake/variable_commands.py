@@ -90,6 +90,8 @@ def run_parse_arguments(interpreter: Interpreter, call: EvaluatedCommand) -> Non
             return
         passed = list(interpreter.value("ARGV"))[int(words[1].text) :]
         words = [*words[2:6], *passed]
+    elif len(words) > 4:  # this form alone takes lists apart, in quotes too
+        words = [*words[:4], *(each for word in words[4:] for each in as_value([word]) if each.text)]
     if len(words) < 4:
         return
     prefix = words[0].text
