@@ -50,6 +50,22 @@ def test_a_plugin_is_met_by_who_names_it(path: str, text: str, level: str) -> No
     assert finding.message.endswith("; only a page names it") is (path == "README.md")
 
 
+@pytest.mark.parametrize(
+    "text, level",
+    [
+        ("auto one = std::make_shared<my_pkg::Planner>();\n", "info"),
+        ("auto one = std::make_shared<Planners>();\n", "warning"),
+        ("class More : public my_pkg::Planner {};\n", "warning"),
+    ],
+)
+def test_code_makes_it_itself(text: str, level: str) -> None:
+    cmake = plg002.PACKAGE.replace("src/planner.cpp", "src/planner.cpp src/server.cpp")
+    cmake = cmake.replace(plg002.EXPORT, "")
+    files = {**UNNAMED, "CMakeLists.txt": cmake, "plugins.xml": plg002.XML, "src/server.cpp": text}
+    assert lint("PLG002", files).severity.value == level
+    assert lint("PLG002", {**files, "config/nav2.yaml": plg002.NAMED}).severity.value == "error"
+
+
 def test_another_package_names_it() -> None:
     other = {"bringup/package.xml": "<package/>", "bringup/config/nav2.yaml": plg002.NAMED}
     other["bringup/package.xml"] = plg002.NEEDS.replace("my_pkg", "bringup")

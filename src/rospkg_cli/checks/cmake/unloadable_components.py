@@ -22,6 +22,11 @@ class UnloadableComponent:
     level: Level
 
     @property
+    def is_itself(self) -> bool:
+        """Whether the program that the command makes has the name of its target: CMake stops at the second one."""
+        return self.component.executable is not None and self.component.executable.text == self.word.text
+
+    @property
     def word(self) -> Word:
         return self.component.target
 

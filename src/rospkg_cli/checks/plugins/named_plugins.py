@@ -16,6 +16,7 @@ from ...package.plugins.description import PluginClass
 from ...package.workspace import Workspace
 from ...ros.plugins import LOADED_WHOLE, OFFERED
 from ..fault import WORST_FIRST, Level
+from ..made_classes import MadeClasses
 from ..pages_and_scripts import pages_and_scripts
 
 COMPILED = (".cpp", ".cc", ".cxx", ".hpp", ".h")
@@ -29,6 +30,7 @@ class NamedPlugins:
     files: PackageFiles
     package: PackageFacts
     workspace: Workspace
+    made: MadeClasses | None = None
 
     def level(self, names: Collection[str], base: str) -> tuple[Level, str]:
         """Return how grave it is at most that a plugin can't be loaded, and why it is no error.
@@ -44,6 +46,8 @@ class NamedPlugins:
             return "info", f"; nothing here names it, as it does `{sibling}`"
         if not sibling and self.is_base_loaded(base):
             return "error", ""
+        if maker := next(filter(None, map(self.made.maker, sorted(names))), "") if self.made is not None else "":
+            return "info", f"; nothing here names it, and `{maker}` makes it itself"
         return "warning", "; nothing here names it, others may"
 
     def is_asked(self, plugins: Iterable[PluginClass]) -> bool:

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.component_registration import ComponentRegistration, misread_keyword
-from ...checks.cmake.component_sentences import unknown_class, unknown_target
-from ...checks.cmake.unloadable_components import unloadable_components
-from ...checks.cpp.components_elsewhere import components_elsewhere
-from ...edits.same_infos import same_infos_once
+from ...checks.cmake.component_registration import misread_keyword
+from ...checks.cmake.component_sentences import unknown_target
+from ...checks.cpp.loaded_by_name import LoadedByName
+from ...edits.component_hits import of_libraries, of_names, of_sources
 from ...example import CMAKE, Example, manifest
-from ...finding import Hit, Related, Severity
-from ...package.cmake.components import Component
+from ...finding import Hit, Severity
 from ...rule import rule
-from ...suggest import nearest
 
 BODY = "  <depend>rclcpp</depend>\n  <depend>rclcpp_components</depend>\n"
 SOURCE = """\
@@ -52,14 +49,16 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
 @rule(
     "CMK108",
     "unregistered-component",
-    over=ComponentRegistration,
+    over=LoadedByName,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a source registers a class, no call of CMake does, and no launch file here loads it; or "
         "the keywords of one node are taken for classes; or it is registered of a program that nothing here loads, or "
-        "of a library without it and of another one",
+        "of a library without it and of another one, or code makes the class itself and nothing starts the program "
+        "that would load it",
         Severity.INFO: "a source registers a class, and the package links its library itself, or the "
-        "keyword of one node stands before its class, which is registered too",
+        "keyword of one node stands before its class, which is registered too, or code makes the class itself, and "
+        "nothing here loads it by its name",
     },
     examples=(
         Example(
@@ -95,7 +94,7 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
         ),
     ),
 )
-def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
+def unregistered_component(loaded: LoadedByName) -> Iterator[Hit]:
     """
     ## What it does
     Finds components that CMake and the C++ sources register differently.
@@ -109,32 +108,18 @@ def unregistered_component(components: ComponentRegistration) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a macro of the package registers classes, where sources are generated, absent or can't be evaluated, where a
-    file that can't be read is included, and under a condition that can't be evaluated.
+    file that can't be read is included, and under a condition that can't be evaluated. Where code of the package makes
+    objects of the class itself (`std::make_shared<…>()`, `new`, a member), or derives from it, and no launch file,
+    parameter, code or command of a page has its name, nobody loads it: an info, and a warning where CMake makes a
+    program for it that nothing here starts.
     """
+    components = loaded.registration
     if not components.package.is_ament:
         return
     for each in components.without_target():
         yield Hit(each.target.path, each.target.span, unknown_target(components, each))
-    yield from of_libraries(components)
+    yield from of_libraries(loaded)
     for word, asks in components.misread_keywords():
         yield Hit(word.path, word.span, misread_keyword(word, asks), Severity.WARNING if asks else Severity.INFO)
-    for each in components.without_source():
-        yield Hit(each.plugin.path, each.plugin.span, unknown_class(components, each), related=meant(components, each))
-    left = components.without_cmake()
-    hits = (Hit(each.path, each.span, each.unregistered, Severity(components.harm(each))) for each in left)
-    yield from same_infos_once(hits, "")
-
-
-def of_libraries(components: ComponentRegistration) -> Iterator[Hit]:
-    for found in unloadable_components(components):
-        yield Hit(found.word.path, found.word.span, found.sentence, Severity(found.level))
-    for other in components_elsewhere(components):
-        level = Severity.WARNING if other.is_loaded_by_another else None
-        yield Hit(other.component.plugin.path, other.component.plugin.span, other.sentence, level)
-
-
-def meant(components: ComponentRegistration, component: Component) -> tuple[Related, ...]:
-    found = nearest(component.plugin.text, [each.name for each in components.in_sources])
-    return tuple(
-        Related(each.path, each.span, "this one is registered") for each in components.in_sources if each.name == found
-    )
+    yield from of_names(loaded)
+    yield from of_sources(loaded)

@@ -53,7 +53,7 @@ FILES = {"package.xml": NEEDS, "CMakeLists.txt": PACKAGE, "src/planner.cpp": SOU
     levels={
         Severity.WARNING: "the path begins with `lib`: pluginlib finds it, and warns at each start; or nothing here "
         "loads the plugin by its name",
-        Severity.INFO: "nothing names the plugin, where others of the package are named",
+        Severity.INFO: "nothing names the plugin, where others of the package are named or code makes its class",
     },
     examples=(
         Example(
@@ -94,7 +94,7 @@ def wrong_plugin_library(libraries: PluginLibraries) -> Iterator[Hit]:
     ## When it is quiet
     Libraries that are fetched, prebuilt or of a name that CMake computes, and those for tests, are left alone; so are
     classes that no source exports, which PLG002 reports. It is an error where something here loads one of the plugins
-    by its name, else a warning, and an info where others of the package are named, as with PLG002.
+    by its name, else a warning, and an info where others of the package are named or code makes it, as with PLG002.
     """
     for wrong in libraries.wrong():
         level, why = libraries.level(wrong)

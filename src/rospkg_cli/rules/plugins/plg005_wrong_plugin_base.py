@@ -53,7 +53,7 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "nothing here loads the plugin by its name",
-        Severity.INFO: "nothing names the plugin, where others of the package are named",
+        Severity.INFO: "nothing names the plugin, where others of the package are named or code makes its class",
     },
     examples=(
         Example(
@@ -86,7 +86,7 @@ def wrong_plugin_base(bases: PluginBases) -> Iterator[Hit]:
     ## When it is quiet
     Plugins of base classes whose loaders are not known are left alone. A package is believed to be a loader's where any
     loader around is not known. It is an error where something here loads the plugin by its name, else a warning, and an
-    info where others of the package are named, as with PLG002.
+    info where others of the package are named or code makes it, as with PLG002.
 
     ## Fix safety
     The base class is written as the loader has it. The package is changed only with `--unsafe-fixes`.
