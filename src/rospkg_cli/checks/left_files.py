@@ -80,10 +80,7 @@ class LeftFiles:
 
     def is_uncompiled(self, path: str) -> bool:
         """Return whether no target compiles a source, nor a file that includes it, beside others that are compiled."""
-        if self.cmake is None:
-            return False
-        known, _ = sources_by_use(self.cmake, self.sources)
-        return known.is_known and bool(known.run) and path in known.paths and known.role(path) is None
+        return self.cmake is not None and sources_by_use(self.cmake, self.sources)[0].is_left(self.cmake, path)
 
     def is_uninstalled(self, path: str) -> bool:
         """Return whether no rule installs a file; XML is no program, and launch looks into share directories alone."""

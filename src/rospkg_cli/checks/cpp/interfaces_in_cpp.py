@@ -59,7 +59,7 @@ class InterfacesInCpp:
 
     def wrong(self) -> Iterator[WrongInterface]:
         """Yield each interface once a file: at its header, else where its type is first named."""
-        guarded = only_under_conditions(self.sources)
+        guarded = only_under_conditions(self.cmake, self.sources)
         for source, role in compiled_sources(self.cmake, self.sources):
             if source.path in guarded:
                 continue  # the compiler may never see it

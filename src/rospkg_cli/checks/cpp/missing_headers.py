@@ -185,7 +185,7 @@ class MissingHeaders:
     @cached_property
     def guarded(self) -> frozenset[str]:
         """The files that others include under a condition alone: the compiler may never see them."""
-        return only_under_conditions(self.sources)
+        return only_under_conditions(self.package.cmake, self.sources)
 
     @cached_property
     def compiled(self) -> set[str]:

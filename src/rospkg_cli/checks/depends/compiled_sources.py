@@ -7,17 +7,22 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cpp.file import CppFile, IncludeDirective
+from ...lazy_regex import regex
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.file_role import Role, role_of
 from ..cmake.switched_off import SwitchedOff
 from ..fault import Level
+from .unadded_folders import files_nothing_adds
 
 HEADERS = (".hpp", ".h", ".hh", ".hxx", ".ipp", ".tpp", ".inl", ".cuh")
 
 LISTING = frozenset(
     {"add_executable", "add_library", "file", "install", "list", "set", "source_group", "target_sources"}
 )
+
+OBJECTS = regex(r"\$<TARGET_OBJECTS:[\w.+:-]+>")
+"""What another target compiles."""
 
 
 class SourcesByUse:
@@ -40,6 +45,23 @@ class SourcesByUse:
         asked = not any(call.texts[::2][:2] == ("BUILD_TESTING", "OFF") for call in cmake.named("option"))
         self.certain_tests = including.reached(named_sources(cmake, files, True, maybe=False)) if asked else set[str]()
         self.only_tests = cmake.only_tests
+        self._unadded: frozenset[str] | None = None
+
+    def unadded(self, cmake: CMake) -> frozenset[str]:
+        """Return the files below a CMakeLists.txt that nothing adds, where it is not known which files are compiled."""
+        if self._unadded is None:
+            is_open = self.is_known or cmake.includes_unknown_files
+            found = frozenset[str]() if is_open else files_nothing_adds(cmake.package_files, cmake, self.paths)
+            self._unadded = found - self.run - self.tests
+        return self._unadded
+
+    def is_left(self, cmake: CMake, path: str) -> bool:
+        """Return whether no target compiles a file, nor one that includes it, and nobody gets it, beside others."""
+        if not self.is_known:
+            return path in self.unadded(cmake)
+        if not self.run or path in self.run | self.tests or path not in self.paths:
+            return False
+        return self.role(path) is None or not may_be_handed_out(cmake, path)
 
     def role(self, path: str) -> Role | None:
         """Return the role of a file that is compiled, or installed for others; None for any other."""
@@ -63,10 +85,13 @@ def sources_by_use(cmake: CMake, sources: Iterable[CppFile]) -> tuple[SourcesByU
 def compiled_sources(cmake: CMake, sources: Iterable[CppFile]) -> list[tuple[CppFile, Role]]:
     """Return the sources of targets, installed headers, and the files of the package that they include, with roles.
 
-    Files that only tests use have the role `test`. All files are returned where the sources of a target are unknown.
+    Files that only tests use have the role `test`. All files are returned where the sources of a target are unknown,
+    those last that lie in a folder which nothing adds.
     """
     known, files = sources_by_use(cmake, sources)
-    return [(source, role) for path, source in files.items() if (role := known.role(path)) is not None]
+    found = [(source, role) for path, source in files.items() if (role := known.role(path)) is not None]
+    left = known.unadded(cmake)
+    return sorted(found, key=lambda each: each[0].path in left) if left else found
 
 
 def own_compiled(cmake: CMake, sources: Iterable[CppFile]) -> set[str] | None:
@@ -137,12 +162,15 @@ def as_built(role: Role) -> Role:
     return "run" if role == "launch" else role
 
 
-def only_under_conditions(sources: Iterable[CppFile]) -> frozenset[str]:
+def only_under_conditions(cmake: CMake, sources: Iterable[CppFile]) -> frozenset[str]:
     """Return the files that others of the package include, and the preprocessor may never open: each way has an `#if`.
 
-    It begins at the files that no other includes.
+    It begins at the files that no other includes; what no target compiles, as far as that is known, includes none.
     """
     files = {source.path: source for source in sources}
+    known, _ = sources_by_use(cmake, files.values())
+    if known.is_known and known.own:
+        files = {path: file for path, file in files.items() if path in known.run | known.tests}
     by_name = paths_by_name(files)
     certain: dict[str, set[str]] = {path: set() for path in files}
     included = set[str]()
@@ -253,5 +281,5 @@ def is_idle(call: EvaluatedCommand) -> bool:
 def are_sources_known(cmake: CMake) -> bool:
     """Return whether the sources of every target are known."""
     folders = (path_in_package(t.folder.text, t.call.folder) for t in cmake.targets if t.folder is not None)
-    words = (word.is_known for target in cmake.targets for word in target.sources)
-    return cmake.is_complete and all(words) and None not in folders
+    words = (word for target in cmake.targets for word in target.sources if not OBJECTS.fullmatch(word.text))
+    return cmake.is_complete and all(word.is_known for word in words) and None not in folders

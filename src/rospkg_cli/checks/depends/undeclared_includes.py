@@ -154,7 +154,7 @@ class IncludeDependencies:
     @cached_property
     def guarded(self) -> frozenset[str]:
         """The headers that the package's files include under a condition alone."""
-        return only_under_conditions(self.sources)
+        return only_under_conditions(self.cmake, self.sources)
 
     def are_passed_on(self, each: IncludedPackage) -> bool:
         """Return whether only headers for others include it: the package itself compiles none of them."""
