@@ -16,15 +16,17 @@ STANDARD = frozenset(sys.stdlib_module_names) | words("standard_modules.txt")
 NO_PYTHON = "?"
 
 HOSTS = frozenset(
-    "bpy c4d carb isaaclab isaacsim micropython omni rhinoscriptsyntax unreal uasyncio umachine utime".split()
+    "bpy c4d carb isaacgym isaaclab isaaclab_assets isaaclab_tasks isaacsim micropython omni rhinoscriptsyntax unreal "
+    "uasyncio umachine utime".split()
 )
 """Modules that only a program with a Python of its own brings, or a microcontroller."""
 
 OF_HOSTS = {
     "controller": frozenset({"Robot", "Supervisor"}),
     "machine": frozenset({"ADC", "I2C", "PWM", "Pin", "SPI", "Timer", "UART"}),
+    "maya": frozenset({"OpenMaya", "OpenMayaUI", "cmds", "mel"}),
 }
-"""Such modules with names that others may have as well, by what is taken from them: of Webots, of MicroPython."""
+"""Such modules with names that others may have as well, by what is taken from them: of Webots, MicroPython, Maya."""
 
 NO_MODULES = frozenset({"git", "msgpack", "vlc", "yaml"})
 """Keys of rosdep that install a program or a library for C, and no module of their name."""

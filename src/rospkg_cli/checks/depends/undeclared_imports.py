@@ -12,7 +12,6 @@ from ...package.file_role import Role
 from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_TESTS, LAUNCH, implied_by
 from ...source import Span
-from ..other_interpreters import is_for_another_interpreter
 from ..reached_modules import ReachedModules
 from ..reached_places import ReachedPlaces
 from ..ros1_import import ROS1, ros1_import
@@ -22,6 +21,7 @@ from .brought_dependencies import COLCON, ROSDEP, Bringer
 from .declared_dependencies import DeclaredDependencies
 from .hand_installs import HandInstalls
 from .import_provider import import_providers, undeclared_provider
+from .other_pythons import HOSTED, OtherPythons
 from .pip_installs import PipInstalls
 
 RUNNERS = frozenset({"python3-pytest", "launch_ros", "launch_testing", "ament_index_python"})
@@ -32,7 +32,6 @@ BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catk
 
 UNSTARTED = "; nothing here starts this script, as it does other programs of the package"
 TOOL = "; this is a tool beside the programs of the package"
-HOSTED = "; another interpreter than that of ROS runs this file"
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +64,7 @@ class ImportDependencies:
     cmake: CMake | None = None
     places: ReachedPlaces | None = None
     programs: UnstartedPrograms | None = None
+    pythons: OtherPythons | None = None
 
     def are_never_run(self, places: Iterable[ImportUse]) -> bool:
         """Return whether all places are in tests that `colcon test` does not run."""
@@ -95,16 +95,18 @@ class ImportDependencies:
         and of tools; "" for others.
         """
         programs, paths = self.programs, {each.path for each in places}
-        if paths <= self.hosted:
+        if self.pythons is not None and paths <= self.pythons.hosted:
             return HOSTED
         if programs is None:
             return ""
         return UNSTARTED if all(map(programs.has_script, paths)) else TOOL if all(map(programs.is_tool, paths)) else ""
 
-    @cached_property
-    def hosted(self) -> set[str]:
-        """The files that another interpreter runs: one inside of a program, or on a microcontroller."""
-        return {each.path for each in self.python.files if is_for_another_interpreter(each.imports)}
+    def why_unmet(self, missing: UndeclaredImport) -> str:
+        """Return that, or why rosdep serves nobody with a library, as another Python runs all that imports it."""
+        why, is_library = self.why_unstarted(missing.places), self.declared.workspace.index.is_key(missing.name)
+        if why or self.pythons is None or not is_library:
+            return why
+        return self.pythons.why_unseen({each.path for each in missing.places})
 
     def why_seldom(self, uses: Iterable[ImportUse]) -> str:
         """Return what is said where all places seldom or never run, beside what is said of modules; "" for others."""

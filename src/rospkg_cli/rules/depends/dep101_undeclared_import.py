@@ -33,7 +33,7 @@ OPTIONAL = "; this module is imported only where that may fail"
         Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment, "
         "where another package of an unreleased repository declares it, where only PyPI has it or the repository has "
         "it installed by pip or by hand, where nothing but launch files, only `try`, or nothing at all imports the "
-        "module or starts the script, where nothing leads to the function, and where another interpreter runs the file"
+        "module or starts the script, where nothing leads to the function, and where another Python runs the file"
     },
     examples=(
         Example(
@@ -80,14 +80,15 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     `rclpy.spin`, or under the `__main__` of an entry point's module, what `ros2 launch` brings, where only launch files
     import the module, and a library that a requirements.txt, an environment of conda, a Pipfile, a pyproject.toml, a
     Dockerfile, a script or a page of the repository has pip install, or a page tells to install by hand, or what
-    Blender, Isaac Sim, Webots or a microcontroller runs. Left out are optional imports: under `try` … `except
-    ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
-    get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, the package's own
-    modules, and libraries that rosdep has for older releases of Ubuntu alone.
+    Blender, Isaac Sim, Webots or a microcontroller runs. So is a library in programs that all import what these bring,
+    or where a page that builds or starts the package enters an environment (`conda activate`, `uv run`, `python3 -m
+    venv` without `--system-site-packages`): that Python sees no library of rosdep. Left out are optional imports: under
+    `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if
+    'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, the
+    package's own modules, and libraries that rosdep has for older releases of Ubuntu alone.
 
     ## Fix safety
-    The fix is unsafe where only PyPI has the library, where no released package has the name, or where a comment of
-    package.xml leaves it out.
+    The fix is unsafe where only PyPI has the library, no released package has the name, or a comment leaves it out.
 
     ## References
     - REP-149, exec_depend
@@ -131,10 +132,9 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
     todo = advice(declared, kind, missing.name)
     if not end:
         end = PIP if imports.is_for_pip(missing) else imports.why_seldom(missing.places)
-        end = end or (BY_PAGE if imports.is_by_hand(missing) else "")
-        end = end or imports.why_unstarted(missing.places)
+        end = end or (BY_PAGE if imports.is_by_hand(missing) else imports.why_unmet(missing))
     message = f"`{missing.name}` is imported{shown} and not declared: {what}; {todo}{end}"
-    places = related((place.path, place.span) for place in missing.places)
     mild = bool(end) or is_launch or is_unmet(declared, missing.name, imports.serving(missing))
     fix = declaration(declared, kind, missing.name)
+    places = related((each.path, each.span) for each in missing.places)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)
