@@ -15,7 +15,7 @@ from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.python_to_text import text_of
 from ...package.launch.text import LaunchText, Substitution
-from ...package.launch.uncalled_functions import uncalled_functions
+from ...package.launch.uncalled_functions import uncalled_bodies
 from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from ..fault import Level
@@ -55,7 +55,7 @@ def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
 
 def is_uncalled(file: PythonFile, span: Span) -> bool:
     """Return whether a place is in a function that launch can't come to."""
-    return any(each.contains(span) for each in uncalled_functions(file))
+    return any(each.contains(span) for each in uncalled_bodies(file))
 
 
 def in_branches(file: LaunchFile) -> Iterator[Span]:

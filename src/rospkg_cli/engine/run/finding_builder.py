@@ -29,6 +29,10 @@ def nothing_is_left(_: str) -> bool:
     return False
 
 
+def nothing_is_unmet(_: str, __: Severity, ___: Hit) -> str:
+    return ""
+
+
 @dataclass
 class FindingBuilder:
     """For the hits of one package. `whole` holds the files of the whole run, for paths that begin with `/`."""
@@ -40,6 +44,8 @@ class FindingBuilder:
     """Whether nothing of the package leads to a file, by its path in the package."""
     is_unstarted: Callable[[str], bool]
     """Whether a file is of programs that nothing starts, beside others that are started."""
+    why_unmet: Callable[[str, Severity, Hit], str]
+    """Why no plain launch comes to the places of a hit, by the rule's code and the level; "" where one may."""
 
     @property
     def crash_path(self) -> str:
@@ -73,7 +79,7 @@ class FindingBuilder:
         hit = self.at_met_place(rule, hit)
         place, source = self.place(hit.path, hit.span), self.source(hit.path)
         level = self.level(rule.code, hit.level or rule.severity, hit.path)
-        level, why = self.met(rule.code, level, hit.path)
+        level, why = self.met(rule.code, level, hit)
         return Finding(
             code=rule.code,
             name=rule.name,
@@ -89,11 +95,15 @@ class FindingBuilder:
             ),
         )
 
-    def met(self, code: str, level: Severity, path: str) -> tuple[Severity, str]:
-        """Return the level of a hit by who comes to its file, and what is said of that."""
-        if level is not Severity.INFO and code.startswith(IN_USE) and self.is_left(path):
+    def met(self, code: str, level: Severity, hit: Hit) -> tuple[Severity, str]:
+        """Return the level of a hit by who comes to its file, or to its places there, and what is said of that."""
+        if level is Severity.INFO:
+            return level, ""
+        if code.startswith(IN_USE) and self.is_left(hit.path):
             return Severity.INFO, UNLED
-        if level is Severity.ERROR and code in OF_STARTS and self.is_unstarted(path):
+        if unmet := self.why_unmet(code, level, hit):
+            return Severity.INFO, f"; {unmet.removeprefix('but ')}"
+        if level is Severity.ERROR and code in OF_STARTS and self.is_unstarted(hit.path):
             return Severity.WARNING, UNSTARTED
         return level, ""
 

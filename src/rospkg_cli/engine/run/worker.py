@@ -10,7 +10,7 @@ from zlib import crc32
 from ...disk import DiskTree
 from ...disk_trace import current_trace
 from ...files import PackageFiles
-from ...finding import Finding
+from ...finding import Finding, Hit, Severity
 from ...light_dataclasses import dataclass, field
 from ...package.collect_facts import collect_facts, unknown_facts
 from ...package.facts_on_demand import facts_on_demand
@@ -137,8 +137,8 @@ class Worker:
         whole = PackageFiles(package.files.whole or self.tree)
         facts = workspace.at(folder)
         inputs = self.inputs(package, seen)
-        asked = (cache(partial(each, inputs)) for each in (is_left, is_unstarted))
-        builder = FindingBuilder(package.files, whole, facts.name, *asked)
+        left, unstarted = (cache(partial(each, inputs)) for each in (is_left, is_unstarted))
+        builder = FindingBuilder(package.files, whole, facts.name, left, unstarted, partial(why_unmet, inputs))
         fitting = (code for code in codes if not (facts.is_for_ros1 and code.startswith(OF_ROS_2)))
         rules = [rule_by_code(code) for code in fitting if has_inputs(code, package)]
         results = milder_behind(list(run_rules(inputs, rules, builder)), inputs)
@@ -169,6 +169,16 @@ def is_unstarted(inputs: InputsOf, path: str) -> bool:
     return any(each.has(path) for each in inputs(UnstartedPrograms))
 
 
+def why_unmet(inputs: InputsOf, code: str, level: Severity, hit: Hit) -> str:
+    """Return why no plain launch comes to a hit in a launch file; imported where a finding needs it."""
+    if not code.startswith(OF_LAUNCHES) or code in ASKING or "launch" not in hit.path:
+        return ""
+    from ...checks.launch.unmet_places import UnmetPlaces
+    from .met_in_launch import why_unmet
+
+    return next((why_unmet(each, code, level, hit) for each in inputs(UnmetPlaces)), "")
+
+
 def observed_in(folder: str, package: Package, noted: frozenset[Question] = frozenset()) -> dict[str, Observed]:
     """Return what was asked of a package's files, by its folder; nothing where none was, or a reader crashed."""
     own, whole = package.files.tree, package.files.whole
@@ -187,6 +197,11 @@ def checksums_of(files: PackageFiles, paths: Iterable[str]) -> Iterator[tuple[st
 
 OF_ROS_2 = ("CMK", "DEP", "IDL", "LCH", "PLG", "PRM", "SET", "URD")
 """Families about builds, launches and runs of ROS 2, which a package for ROS 1 has none of."""
+
+OF_LAUNCHES = ("DEP", "LCH", "PRM")
+"""Families that tell of launch files."""
+ASKING = frozenset({"LCH003", "LCH004"})
+"""Rules that ask themselves whether a launch comes to a place, by how it opens the file that is named there."""
 
 OVER_RUNS = {kind.__name__ for kind in RUN_EVENTS | {Workspace}}
 

@@ -11,11 +11,15 @@ from ...source import Span
 from .bound_again import bound_again
 from .constant_truth import unreached_nodes
 from .file import PythonFile
+from .idle_statements import filling_calls, idle_tests
 from .nodes import nodes_below, nodes_of, nodes_of_kind
 
 
 def never_added(file: PythonFile) -> tuple[Span, ...]:
-    """Return the calls in functions that nothing reads: bound to a local, perhaps for a while, or to nothing."""
+    """Return the values in functions that nothing reads: bound to a local, perhaps for a while, or to nothing.
+
+    So are conditions of an `if` that only chooses among such values, and what is put into a list that nothing reads.
+    """
     known = vars(file)
     if "never_added" not in known:  # asked for every action of the file
         known["never_added"] = tuple(dict.fromkeys(unread_values(file)))
@@ -28,11 +32,18 @@ def unread_values(file: PythonFile) -> Iterator[Span]:
     loads = [node for node in loads if id(node) not in again]
     if any(node.id == "locals" for node in loads):
         return
-    waiting = list(local_values(file))
+    filled = list(filling_calls(file))
+    itself = {id(name) for name, _ in filled}
+    loads = [node for node in loads if id(node) not in itself]
+    waiting = [*local_values(file), *(([name.id], call) for name, call in filled)]
     replaced = {id(each.value) for each in bound_again(file)}
+    gone: set[int] = set()
     while True:  # what only such a value reads is not read either
         read = {node.id for node in loads}
         lost = [value for names, value in waiting if read.isdisjoint(names) or id(value) in replaced]
+        gone |= {id(value) for value in lost}
+        lost += idle_tests(file, gone) if gone else ()
+        gone |= {id(value) for value in lost}
         if not lost:
             return
         yield from map(file.span, lost)

@@ -18,10 +18,20 @@ BY_NAME = frozenset({"globals", "locals", "vars", "getattr", "eval", "exec"})
 
 def uncalled_functions(file: PythonFile) -> tuple[Span, ...]:
     """Return the functions that launch can't come to; none of a file without an entry point, which others import."""
+    return tuple(map(file.span, uncalled(file)))
+
+
+def uncalled_bodies(file: PythonFile) -> Iterator[Span]:
+    """Yield what only a call of such a function runs: neither its decorators nor the defaults of its arguments."""
+    for each in uncalled(file):
+        yield Span(file.span(each.body[0]).start, file.span(each.body[-1]).end)
+
+
+def uncalled(file: PythonFile) -> tuple[FunctionNode, ...]:
     known = vars(file)
-    if "uncalled_functions" not in known:  # asked for every action of the file
-        known["uncalled_functions"] = tuple(map(file.span, unnamed(file))) if ENTRY in file.functions else ()
-    return cast("tuple[Span, ...]", known["uncalled_functions"])
+    if "uncalled" not in known:  # asked for every action of the file
+        known["uncalled"] = tuple(unnamed(file)) if ENTRY in file.functions else ()
+    return cast("tuple[FunctionNode, ...]", known["uncalled"])
 
 
 def unnamed(file: PythonFile) -> list[FunctionNode]:

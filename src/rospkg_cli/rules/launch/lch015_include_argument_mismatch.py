@@ -67,7 +67,8 @@ def include_argument_mismatch(context: IncludeContext) -> Iterator[Hit]:
     An unknown argument that is like none of the included file's is left over: an info, since nothing fails. Included
     files that can't be evaluated to the end, or include something unknown, may take any argument: of them a name is an
     info that is one letter from a declared one which is not given. An include whose arguments are not all known lacks
-    none. Where every launch ends before, as it looks for a package that nothing here brings, it is an info.
+    none. Where every launch ends before, as it looks for a package that nothing here brings, or nothing adds the
+    include, it is an info.
     """
     for places in context.together():
         first = places[0]

@@ -1,0 +1,47 @@
+"""Why no plain launch meets what is wrong at a place of a launch file, whatever it is."""
+
+from __future__ import annotations
+
+import re
+from typing import Annotated
+
+from ...files import PackageFiles
+from ...light_dataclasses import dataclass
+from ...source import Span
+from ...unreadable import READABLE
+from ..fault import Fault
+from .idle_actions import NEVER_CALLED, is_uncalled
+from .lost_faults import why_lost
+from .missing_references import LaunchContext
+from .who_meets import why_python_stops
+
+
+@dataclass(frozen=True)
+class UnmetPlaces:
+    """Rule input: the launch files of a package that can be read."""
+
+    files: PackageFiles
+    scopes: Annotated[tuple[LaunchContext, ...], READABLE]
+
+    def why(self, path: str, span: Span, *, is_late: bool) -> str:
+        """Return why a plain launch does not come to a place; "" where it may, and in other files.
+
+        What is late shows itself when launch visits the action or reads the value; all else where Python comes to it.
+        """
+        scope = next((each for each in self.scopes if each.file.path == path), None)
+        if scope is None or self.is_imported(path):
+            return ""
+        if is_late:
+            return why_lost(scope, Fault(span, ""))
+        if scope.file.python is not None and is_uncalled(scope.file.python, span):
+            return NEVER_CALLED
+        return why_python_stops(scope.file, span, scope.workspace)
+
+    def is_imported(self, path: str) -> bool:
+        """Return whether other Python code of the package names a launch file as a module, whose parts it may use."""
+        stem = path.rpartition("/")[2].removesuffix(".py")
+        if not path.endswith(".py") or not stem.isidentifier():
+            return False
+        word = re.compile(rf"\b(?:import|from)\b.*\b{stem}\b")
+        others = (each for each in self.files.paths if each.endswith(".py") and each != path)
+        return any(stem in text and word.search(text) for text in map(self.files.readable_text, others))
