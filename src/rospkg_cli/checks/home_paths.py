@@ -37,6 +37,7 @@ from .home_path_texts import (
 )
 from .launch.idle_actions import level_at
 from .launch.missing_references import LaunchContext
+from .launch.undeclared_files import is_written_in_vain
 from .launch.unread_values import UnreadValues
 from .left_files import LeftFiles
 from .params.launch_overrides import is_given, is_overridden
@@ -84,7 +85,8 @@ class HomePath:
     is_written: bool = False
     """Whether it is shown to be a file that something writes."""
     is_unclaimed: bool = False
-    """Whether it is a value of YAML, and neither code here nor a well-known node is shown to read it by its key."""
+    """Whether it is a value of YAML, or of a parameter in a launch file, and neither code here nor a well-known node is
+    shown to read it by its key."""
 
 
 @dataclass(frozen=True)
@@ -144,7 +146,7 @@ class HomePaths:
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
             ends = self.is_unread(path, place), is_written(bare, place.start, place.end)
             is_value = path.endswith((".yaml", ".yml")) and role_of(path) != "launch" and not is_image
-            is_unclaimed = is_value and not self.readers.has(path, place, bare)
+            is_unclaimed = (is_value and not self.readers.has(path, place, bare)) or self.is_given_in_vain(path, place)
             yield HomePath(path, place, named, *home, *flags, *ends, is_unclaimed)
 
     @cached_property
@@ -169,8 +171,17 @@ class HomePaths:
     @cached_property
     def unread_values(self) -> tuple[UnreadValues, ...]:
         """What each launch file sets and nothing reads."""
+        return tuple(map(UnreadValues, self.contexts))
+
+    @cached_property
+    def contexts(self) -> tuple[LaunchContext, ...]:
         rest = self.files, self.facts, self.workspace, self.table, None
-        return tuple(UnreadValues(LaunchContext(each, *rest)) for each in self.launches)
+        return tuple(LaunchContext(each, *rest) for each in self.launches)
+
+    def is_given_in_vain(self, path: str, place: Span) -> bool:
+        """Return whether a launch file has a place only for a parameter that no node is shown to read."""
+        own = (each for each in self.contexts if each.file.path == path)
+        return any(is_written_in_vain(each, place) for each in own)
 
     def is_replaced(self, path: str, place: Span, text: str, value: str) -> bool:
         """Return whether YAML or launch files give nodes another value in place of a default, or of that of a file."""

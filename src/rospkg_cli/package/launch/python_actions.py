@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Unknown, Value
 from .launch_file import Command, DeclaredArgument, Include, LaunchedNode, NodeKind, NodeParameters
 from .python_to_text import text_of
-from .text import LaunchText, unknown_text
+from .text import LaunchText, Literal, unknown_text
 
 NODES: dict[str, NodeKind] = {
     "Node": "node",
@@ -70,12 +70,23 @@ def items_of(value: Value | None) -> Iterator[Value]:
 def parameters_of(value: Value | None) -> Iterator[NodeParameters]:
     for item in items_of(value):
         if isinstance(item, Mapping):
-            values = tuple((text_of(key), text_of(given)) for key, given in item.items.values())
-            yield NodeParameters(item.span, None, values, not item.rest)
+            yield NodeParameters(item.span, None, tuple(values_of(item)), not item.rest)
         elif isinstance(item, Unknown):
             yield NodeParameters(item.span, None, (), False)
         else:
             yield NodeParameters(item.span, text_of(item))
+
+
+def values_of(value: Mapping, around: str = "") -> Iterator[tuple[LaunchText, LaunchText]]:
+    """Yield names and values of a dict of parameters; launch_ros joins the names of dicts in each other with dots."""
+    for key, given in value.items.values():
+        name = text_of(key)
+        if around and name.literal is not None:
+            name = LaunchText(name.span, (Literal(f"{around}.{name.literal}", name.span),))
+        if isinstance(given, Mapping) and given.items and not given.rest and name.literal:
+            yield from values_of(given, name.literal)
+        else:
+            yield name, text_of(given)
 
 
 def pairs_of(value: Value | None) -> Iterator[tuple[LaunchText, LaunchText]]:

@@ -104,7 +104,8 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     written: `open(…, 'w')`, `np.save`, `ofstream`, a parameter called `output_dir`. And so is a value of YAML that
     nobody is shown to read: no code of the workspace declares the parameter or has its key as a text or attribute, and
     no well-known node has it in a supported distribution (`default_bt_xml_filename`, which Humble's bt_navigator does
-    not read), unless only older ones are meant.
+    not read), unless only older ones are meant; in launch files it is one of a parameter that the node, if its code or
+    parameters are known, does not have, or whose name else says nothing of a file.
     Robots and worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)

@@ -54,7 +54,7 @@ NODE = {
         "directory, its action has a condition, or the launch file is not installed",
         Severity.INFO: "the action is off by default or never added to the launch description, the argument or value "
         "never used, the file itself gives the argument another value, an included one takes no such argument, the "
-        "node gets other parameters too, or its code declares none of that name",
+        "node gets other parameters too, or nothing shows that it reads one of that name",
     },
     examples=(
         Example(
@@ -97,7 +97,9 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     default of an argument that neither the file nor one that it includes uses, or that the file itself gives another
     value (`context.launch_configurations['x'] = …`). A parameter file of a node that gets other files or values as well
     is an info, and so is the value of a parameter that no code of the node's package, which is here, declares or gets,
-    and what stands behind the place where every launch ends, as it looks for a package that nothing here brings.
+    that a well-known node does not have, or of any other node where its name says nothing of a file (`…_file`,
+    `…_path`, `yaml`, `map`, `url`), and what stands behind the place where every launch ends, as it looks for a package
+    that nothing here brings.
     """
     for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):

@@ -33,8 +33,8 @@ BOTH = ONE.replace("robot.launch.xml", "robot.launch.xml launch/wheels.launch.xm
         Severity.WARNING: "a process that is started opens it, the path is or holds the default of an argument, or its "
         "action has a condition",
         Severity.INFO: "nothing uses the argument or value, adds its action or calls the function, the file itself "
-        "gives the argument another value, an included one takes no such argument, or the node declares "
-        "none of that name",
+        "gives the argument another value, an included one takes no such argument, or nothing shows "
+        "that the node reads a parameter of that name",
     },
     examples=(
         Example(
@@ -66,8 +66,9 @@ def reference_not_installed(package: InstalledReferences) -> Iterator[Hit]:
     Paths that are checked first, that the build writes, and packages whose install rules are not all known, are left
     alone. RViz starts with its default view where its config is missing, and a node with its defaults: what the launch
     itself does not open is a warning, as in an action with a condition. The default of an argument that neither the
-    file nor one that it includes uses is an info, and so is what nothing adds, calls or declares, and what stands
-    behind the place where every launch ends, as it looks for a package that nothing here brings.
+    file nor one that it includes uses is an info, and so is what nothing adds, calls or declares, the value of a
+    parameter that no node is shown to read (LCH003), and what stands behind the place where every launch ends, as it
+    looks for a package that nothing here brings.
     """
     for found in package.missing():
         (files, missing), *others = sorted(found, key=lambda each: level_of(*each)[0].rank, reverse=True)

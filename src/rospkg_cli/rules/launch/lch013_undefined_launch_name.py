@@ -89,8 +89,7 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     Files that import `*`, that run strings as code or use `locals()`, and imports that are optional (`try … except
     ImportError`), are left alone. A function that neither the function that launch calls (in a test,
     `generate_test_description`) nor the module level leads to, by calls or by its name
-    (`OpaqueFunction(function=setup)`), is one info, and so is one in a function that only a method calls which nothing
-    calls.
+    (`OpaqueFunction(function=setup)`), or that only an uncalled method calls, is one info.
     """
     if file.python is None or not file.has_entry_point:
         return
