@@ -57,7 +57,9 @@ def only_read_in(file: PythonFile, spans: Iterable[Span]) -> Iterator[Span]:
     lost = list(spans)
     loads = [node for node in nodes_of_kind(file.tree, ast.Name) if not is_stored(node)]
     stored = Counter(node.id for node in nodes_of_kind(file.tree, ast.Name) if is_stored(node))
+    named = {node.id for node in loads}  # what nothing reads here, others may import
     waiting = [(names[0], value) for names, value in bound_values(file) if len(names) == 1 and stored[names[0]] == 1]
+    waiting = [(name, value) for name, value in waiting if name in named]
     if any(node.id in ("locals", "globals") for node in loads):
         return
     while True:
