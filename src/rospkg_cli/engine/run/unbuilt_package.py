@@ -1,0 +1,37 @@
+"""What is told of a package that colcon can't build, as its manifest or build file can't be read: the rest waits."""
+
+from __future__ import annotations
+
+from pathlib import PurePosixPath
+
+from ...finding import Finding, Severity
+from ...light_dataclasses import replace
+from ...package.run_events import RuleCrash
+
+UNREADABLE = "RPK001"
+BUILD_FILES = ("package.xml", "setup.py", "CMakeLists.txt")
+"""Of these in the folder of a package, one that can't be read stops the build."""
+
+
+def behind_unreadable(results: list[Finding | RuleCrash], folder: str) -> list[Finding | RuleCrash]:
+    """Return the results of a package with an info for each fault that is met only once the package can be built.
+
+    What is known of such a package is little, too: which programs it has, what it installs and declares.
+    """
+    paths = {str(PurePosixPath(folder, name)) for name in BUILD_FILES}
+    found = [each for each in results if isinstance(each, Finding)]
+    stops = [each for each in found if each.code == UNREADABLE and is_loud(each) and each.location.path in paths]
+    if not stops:
+        return results
+    name = PurePosixPath(stops[0].location.path).name
+    why = f"; nobody comes here before `{name}` can be read"
+    return [
+        replace(each, severity=Severity.INFO, message=each.message + why)
+        if isinstance(each, Finding) and is_loud(each) and each.code != UNREADABLE
+        else each
+        for each in results
+    ]
+
+
+def is_loud(found: Finding) -> bool:
+    return found.severity is not Severity.INFO
