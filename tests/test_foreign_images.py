@@ -116,3 +116,10 @@ def test_another_library_of_the_name(text: str, is_told: bool) -> None:
 def test_a_module_that_imports_its_own_name() -> None:
     files = {"src/my_pkg/my_pkg/talker.py": TALKER.format("from talker import main as run\n")}
     assert not lint_files({**PACKAGE, **files}, ["DEP110"]).findings
+
+
+@pytest.mark.parametrize(("head", "level"), [("import smbus\n", "warning"), ("import numpy\n", "error")])
+def test_a_module_that_drives_a_device_may_be_its_makers_library(head: str, level: str) -> None:
+    found_level, message = found({"src/my_pkg/my_pkg/arm_lib.py": f"{head}\n\nclass Arm:\n    pass\n"})
+    assert found_level == level
+    assert ("it drives a device" in message) == (level == "warning")

@@ -131,3 +131,18 @@ def test_a_library_with_a_program_of_its_own_looks_for_itself() -> None:
     setup = setup_py(scripts("show = lib.show:main"))
     ((level, _),) = from_library({"arm": ("limits", "")}, **{"lib/show.py": program, "setup.py": setup})
     assert level == "warning"
+
+
+STARTS = "<launch>\n  <node pkg='{}' exec='talker'/>\n</launch>\n"
+
+
+@pytest.mark.parametrize(("starts", "level"), [("my_pkg", "info"), ("nav2_bringup", "warning")])
+def test_a_package_that_starts_this_ones_programs_is_not_to_be_declared_by_it(starts: str, level: str) -> None:
+    lookup = f"{HEAD}A = get_package_share_directory('app')"
+    own = {**MARKER, "package.xml": manifest(NEEDS), "my_pkg/talker.py": lookup}
+    other = {"package.xml": manifest().replace("my_pkg<", "app<", 1), "launch/app.launch.xml": STARTS.format(starts)}
+    other |= {"resource/app": "", "setup.py": SETUP_PY.replace("my_pkg", "app")}
+    files = {f"one/{path}": text for path, text in own.items()} | {f"app/{path}": text for path, text in other.items()}
+    (only,) = lint_files(files, ["DEP116"]).findings
+    assert only.severity.value == level
+    assert ("circle" in only.message) == (only.fix is None) == (level == "info")

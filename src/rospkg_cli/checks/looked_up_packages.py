@@ -18,7 +18,7 @@ from .cpp.share_names import share_names
 from .depends.declared_dependencies import DeclaredDependencies
 from .depends.undeclared_imports import ImportDependencies
 from .depends.undeclared_launch_packages import LaunchDependencies
-from .lookups_for_users import LookupsForUsers
+from .lookups_for_users import CIRCLE, LookupsForUsers, starts_programs_of
 from .share_lookups import CATCHES, LOOKUPS, ShareLookups, literal_of
 
 NAME = regex(r"[a-z][a-z0-9_]+")
@@ -82,11 +82,17 @@ class LookedUpPackages:
                     why = LEFT if self.lookups.is_left(file.path) else self.lookups.why_seldom(file.path, span)
                     why = why or (UNSTARTED if self.is_unstarted(file.path) else "")
                     why = why or (self.users.why_mild(file.path, span, str(name.value)) if self.users else "")
+                    why = why or self.why_round(str(name.value))
                     yield str(name.value), LookUp(file.path, span, id(call) in chosen, why)
         for source in self.lookups.sources:
             why = UNCOMPILED if self.lookups.is_uncompiled(source.path) else ""
             for text, span in share_names(source) if role_of(source.path) == "run" else ():
-                yield text, LookUp(source.path, span, why_seldom=why)
+                yield text, LookUp(source.path, span, why_seldom=why or self.why_round(text))
+
+    def why_round(self, name: str) -> str:
+        """Return what is said of a package that itself starts this one's programs; "" for others."""
+        other = self.declared.workspace.named(name)
+        return CIRCLE if other is not None and starts_programs_of(other, self.declared.facts.name) else ""
 
     @property
     def included(self) -> set[str]:

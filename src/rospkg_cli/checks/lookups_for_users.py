@@ -16,6 +16,7 @@ from .reached_modules import ReachedModules
 
 Definition = FunctionNode | ast.ClassDef
 ROUND = "; that package uses this library, to declare it here would make a circle: let those declare it who call this"
+CIRCLE = "; that package starts programs of this one, to declare it here would make a circle: let a parameter give it"
 THEIRS = "; this library has no program, and each package that calls this declares it"
 
 
@@ -82,3 +83,8 @@ def mentions(node: Definition, names: set[str]) -> bool:
 
 def declares(facts: PackageFacts, name: str) -> bool:
     return any(need.name == name and need.certain for need in facts.dependencies)
+
+
+def starts_programs_of(facts: PackageFacts, name: str) -> bool:
+    """Return whether launch files of a package start programs of another one, and so need it, declared or not."""
+    return any(package == name for package, _ in facts.started_nodes)

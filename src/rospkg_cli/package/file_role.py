@@ -14,7 +14,9 @@ Role = Literal["run", "launch", "test", "aside"]
 TESTS = frozenset("test tests unit_test unit_tests integration_test integration_tests".split())
 ASIDE = frozenset("doc docs cmake tools third_party thirdparty vendor vendored external templates template".split())
 LAUNCH = regex(r"(^|/)launch(es)?/|[._]launch\.(py|xml|ya?ml)$|\.launch$")
-ASIDE_ANYWHERE = frozenset({"third_party", "vendor", "templates", "template"})
+ASIDE_ANYWHERE = frozenset({"vendor", "templates", "template"})
+OF_OTHERS = regex(r"(?:third|3rd)[ _-]?part(?:y|ies)", re.IGNORECASE)
+"""Folders for copies of what others wrote, with their own tests, which no build of the package compiles."""
 NOT_INSTALLED = frozenset({"setup.py", "conf.py"})
 UNUSED = r"un-?used|disused|not[ _-]?(?:in[ _-]?)?used?|(?:do[ _-]?not|don'?t)[ _-]?use"
 """How people say that nothing uses what a folder or file holds; whatever stands beside the words."""
@@ -40,6 +42,8 @@ COPY = regex(r" copy(?: \d+)?\.", re.IGNORECASE)
 def role_of(path: str) -> Role:
     """Return the role of a file by its path; most readers and rules ask for it."""
     *folders, name = path.split("/")
+    if "part" in path.lower() and any(map(OF_OTHERS.fullmatch, folders)):
+        return "aside"
     if not TESTS.isdisjoint(folders) or name == "conftest.py":
         return "test"
     if (folders or [name])[0] in ASIDE or path in NOT_INSTALLED or not ASIDE_ANYWHERE.isdisjoint(folders):

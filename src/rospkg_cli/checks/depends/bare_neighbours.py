@@ -15,6 +15,9 @@ from ..foreign_images import foreign_image
 from .hand_installs import HandInstalls
 from .own_imports import OwnImports
 
+BUSES = frozenset("board busio gpiod Jetson lgpio pigpio RPi smbus smbus2 spidev".split())
+"""Modules for the pins of a board: what imports one drives a device."""
+DRIVES = "; it drives a device, whose maker may have put it there as a library"
 BY_HAND = "; a page or script here has a library of that name installed by hand"
 
 
@@ -46,13 +49,16 @@ class BareNeighbours:
             if full != name and self.is_meant(file, each, package) and not imports.is_from_pip(top):
                 yield BareNeighbour(file, each, full)
 
-    def may_be_brought(self, each: Import) -> str:
+    def may_be_brought(self, found: BareNeighbour) -> str:
         """Return what is said of a name that something else than packages may bring to a machine; "" for others."""
+        each, source = found.each, self.imports.installed.sources.get(found.full, "")
         image = foreign_image(self.imports.files)
         if image is not None:
             return image.may_bring
         is_by_hand = HandInstalls(self.imports.files).has((each.module.partition(".")[0],))
-        return BY_HAND if is_by_hand else ""
+        own = self.imports.run.modules.at(source) if source else None
+        drives = own is not None and any(one.module.partition(".")[0] in BUSES for one in own.imports)
+        return BY_HAND if is_by_hand else DRIVES if drives else ""
 
     def is_meant(self, file: PythonFile, each: Import, package: str) -> bool:
         """Return whether the own module is there and has all that a file takes out of it; else it is another one's."""

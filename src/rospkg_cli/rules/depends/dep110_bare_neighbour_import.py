@@ -21,8 +21,8 @@ MAIN = "\n\ndef main():\n    print(GREETING)\n"
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function or a branch, which may not be run, or in a program that nothing starts, "
-        "beside others that are started; or an image that the repository builds on, or a library that a page has "
-        "installed by hand, may bring the module",
+        "beside others that are started; or an image that the repository builds on, a library that a page has "
+        "installed by hand, or the maker of the device that it drives may bring the module",
         Severity.INFO: "nothing leads to the function, it stands behind `rclpy.spin`, or the package has no program, "
         "and no package of the workspace depends on it",
     },
@@ -46,13 +46,14 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     ## When it is quiet
     Where something else may provide the name: a dependency, the standard library, a package of the workspace, or pip,
     as a page, a Dockerfile or the requirements say; where the own module lacks what is imported from it or read of it:
-    then another library is meant; for optional imports,
-    for scripts installed to `lib/<package>`, in modules that no entry point leads to (they may be started by their
-    path; in a package without programs, those with a `__main__`), under the `__main__` of an entry point's module,
-    and where the package changes `sys.path` or sets PYTHONPATH. A module that imports its own name means another one.
+    then another library is meant; for optional imports, for scripts installed to `lib/<package>`, in modules that no
+    entry point leads to (they may be started by their path; in a package without programs, those with a `__main__`),
+    under the `__main__` of an entry point's module, and where the package changes `sys.path` or sets PYTHONPATH. A
+    module that imports its own name means another one.
     Where the repository builds on an image that is none of the plain ones (`ros`, `ubuntu`, `python`, …), or a page or
     script has a library of that name installed by hand (a wheel, `setup.py install`, `cp … site-packages`), that may
-    bring a module of the name: a warning, for it fails on a clean machine.
+    bring a module of the name: a warning, for it fails on a clean machine. So is a module that drives a device (it
+    imports `smbus`, `RPi` and the like), which the maker of a robot may have put there as a library.
 
     ## Fix safety
     A file that is also started by its path needs its package installed from then on.
@@ -70,7 +71,7 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
         fix = None
         if is_installed and each.names and file.source.slice(each.span) == each.module:
             fix = Fix(f"write `{full}`", (Edit(file.path, each.span, full),), Safety.UNSAFE)
-        why, brought = imports.places.why_seldom(file.path, each.span), neighbours.may_be_brought(each)
+        why, brought = imports.places.why_seldom(file.path, each.span), neighbours.may_be_brought(found)
         is_mild = brought or each.is_local or imports.places.is_conditional(file.path, each.span)
         level = Severity.INFO if why or is_offered else Severity.WARNING if is_mild else None
         yield Hit(file.path, each.span, f"{message}{why or brought}", level, fix=fix)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_unmet
 from ...checks.looked_up_packages import LookedUpPackages
-from ...checks.lookups_for_users import ROUND
+from ...checks.lookups_for_users import CIRCLE, ROUND
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
@@ -56,7 +56,8 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     so is what stands in a module that nothing starts or imports, in a program that nothing starts beside others that
     are started, in a function that nothing calls, or in a source that no target compiles, beside others, and what
     another package of the repository declares where nothing shows a release. What a library without programs looks for
-    is an info where that package uses the library itself, or where each package that calls the function declares it.
+    is an info where that package uses the library itself, or where each package that calls the function declares it. So
+    is a package whose launch files start programs of this one.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. There is none
@@ -74,7 +75,7 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
         if bringer := bringers.get(name):
             brought.append(BroughtUse(name, bringer, "exec_depend", first.path, first.span))
             continue
-        goes_round = first.why_seldom == ROUND
+        goes_round = first.why_seldom in (ROUND, CIRCLE)
         todo = "" if goes_round else f"; {advice(declared, 'exec_depend', name)}"
         message = (
             f"`{name}` is not declared, and this looks for files of it: {where_absent(declared, name)} the node "
