@@ -70,3 +70,9 @@ def test_a_launch_file_of_another_package() -> None:
     }
     (found,) = lint_files(files, ["DEP117"]).findings
     assert found.severity.value == "error"
+
+
+def test_what_only_some_runs_of_it_meet_is_an_info() -> None:
+    seldom = PROGRAM.replace("    json", "    if say():\n        json")
+    assert level({"my_pkg/talker.py": seldom}) == "warning"
+    assert level({"my_pkg/talker.py": seldom, "launch/a.launch.xml": START.format("ears")}) == "info"

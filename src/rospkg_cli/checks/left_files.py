@@ -50,12 +50,14 @@ class LeftFiles:
             return is_unregistered(path, self.cmake) and not self.is_named(path)
         is_launch = role_of(path) == "launch"
         ends = (".py", *(XML if is_launch else MARKUP))
-        if not path.endswith(ends) or path in ("setup.py", *self.entries) or is_collected(path):
+        if not path.endswith(ends) or path in ("setup.py", *self.entries):
+            return False
+        if is_collected(path) and not self.is_swept(path):
             return False
         if path.endswith(".py") and self.reached is not None and self.reached.is_left(path):
             return not self.is_for_others
         is_left = self.is_uninstalled(path) and not (is_launch and self.are_launch_files_forgotten)
-        is_left = is_left or self.is_no_program(path) or self.is_given_up(path)
+        is_left = is_left or self.is_no_program(path) or self.is_swept(path) or self.is_given_up(path)
         return (is_left or self.is_no_more_than_data(path)) and not self.is_named(path)
 
     @cached_property
@@ -133,6 +135,14 @@ class LeftFiles:
         is_data = bool(rows) and all(row.what == "executable" and not row.entry for row in rows)
         is_data = is_data and all(row.path == "setup.py" for row in rows) and not self.files.is_executable(path)
         return is_data and SCRIPTS.search(self.files.readable_text("setup.py")) is None  # that sets the bit
+
+    def is_swept(self, path: str) -> bool:
+        """Return whether a script only came with its folder, among programs or data: it has no bit, and no `#!`."""
+        rows = [row for row in self.table.rows if row.source == path] if self.table is not None else []
+        is_data = bool(rows) and all(row.what in ("share", "other", "executable") and not row.entry for row in rows)
+        is_data = is_data and all(row.path != "setup.py" for row in rows)  # setuptools sets the bit of `scripts`
+        is_plain = is_data and path.endswith(".py") and not self.files.is_executable(path)
+        return is_plain and role_of(path) == "run" and not self.files.readable_text(path).startswith("#!")
 
     def is_named(self, path: str) -> bool:
         """Return whether a file of the package, or of what builds the repository, leads to a file by its name.

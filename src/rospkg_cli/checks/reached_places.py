@@ -37,6 +37,7 @@ WHY: dict[Met, str] = {
     "never": "; nothing here leads to this function",
 }
 """What is said of a place that seldom or never runs."""
+MILDER: tuple[Met, ...] = ("branch", "seldom", "late", "unshown", "never")
 UNWANTED = "; nothing here leads to what imports this module"
 
 
@@ -116,8 +117,18 @@ class ReachedPlaces:
             return ""
         if self.is_unwanted(file):
             return UNWANTED
-        met = self.as_shown(file, span) if is_in_function(file, span) else self.met_by_anybody(file, span)
+        is_inner = is_in_function(file, span)
+        met = self.as_shown(file, span) if is_inner else self.met_by_anybody(file, span)
+        met = self.met_by_importers(file) if met == "maybe" and not is_inner else met
         return WHY.get(met, "")
+
+    def met_by_importers(self, file: PythonFile) -> Met:
+        """Return when a module is imported that functions alone import, as an optional part of a library."""
+        uses = self.reached.uses.get(self.installed.names.get(file.path, ""), [])
+        if not uses or self.reached.is_wanted(file.path) or not all(each.is_local for _, each in uses):
+            return "maybe"
+        found = {self.as_shown(other, each.span) for other, each in uses}
+        return "maybe" if "maybe" in found else min(found, key=MILDER.index)
 
     def is_unwanted(self, file: PythonFile) -> bool:
         """Return whether only functions that no program leads to import a module."""

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import posixpath
+
 from ...light_dataclasses import dataclass
 from ...source import Span
 from ..fault import Level
+from ..older_distribution import UNSUPPORTED, OlderDistribution, names_in
+from ..pages_and_scripts import own_pages
 from .block_readers import BlockReaders
 from .declaring_packages import ParameterContext
 from .launch_parameters import LaunchParameters
@@ -14,6 +18,7 @@ from .launch_parameters import LaunchParameters
 class MissingParameters:
     readers: BlockReaders
     code: ParameterContext
+    distribution: OlderDistribution
 
     @property
     def launched(self) -> LaunchParameters:
@@ -22,3 +27,15 @@ class MissingParameters:
     def level_at(self, path: str, place: Span) -> Level | None:
         """Return the level of what a parameter file lacks: an info where no node reads the block at a place."""
         return "info" if self.readers.is_idle(path, place) else None
+
+    def level_of_plugin(self, path: str, place: Span) -> Level | None:
+        """Return the level of what a list of plugins lacks: before Humble nav2 read other lists."""
+        is_older = self.distribution.is_meant_unsupported or self.is_named_for_older(path)
+        return "info" if is_older else self.level_at(path, place)
+
+    def is_named_for_older(self, path: str) -> bool:
+        """Return whether pages of the package name a parameter file, and only distributions before Humble beside."""
+        name = posixpath.basename(path)
+        pages = (text.lower() for text in own_pages(self.distribution.files) if name in text)
+        named = frozenset(each for text in pages for each in names_in(text))
+        return bool(named) and named.issubset(UNSUPPORTED)

@@ -63,7 +63,8 @@ FILES = {
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "nothing adds the action that starts the node, its launch file is not installed or ends "
-        "before at a package that nothing brings, or no node that is started reads the block"
+        "before at a package that nothing brings, no node that is started reads the block, or a list of plugins is for "
+        "unsupported distributions alone"
     },
     examples=(
         Example(
@@ -102,9 +103,9 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
     A node that is given values which can't be evaluated, or a file that is not here, may have all that it needs. So may
     one whose declaration lies behind a condition, or has a default. A launch file that ROS 2 refuses for what it has of
     ROS 1 starts no node (LCH006). Lists of plugins in a file that is called as being for Foxy or another unsupported
-    distribution had other names there. Where nobody starts the node, or no node that is started reads the block, it is
-    an info; so it is behind the place where every launch ends, as it looks for a package that is neither here, nor
-    released, nor in a repository that is listed.
+    distribution had other names there; in a repository for such alone what they lack is an info. Where nobody starts
+    the node, or no node that is started reads the block, it is an info; so it is behind the place where every launch
+    ends, as it looks for a package that is neither here, nor released, nor in a repository that is listed.
     """
     if not scope.launched.is_whole:
         return
@@ -124,7 +125,7 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
         level = Severity.INFO if scope.level_at(left.file.path, place) else None
         yield Hit(left.file.path, place, f"{message}: the node stops when it starts; give a value here", level)
     for path, fault in plugin_faults(scope.code.files):
-        yield from hits(path, [replace(fault, level=scope.level_at(path, fault.span))])
+        yield from hits(path, [replace(fault, level=scope.level_of_plugin(path, fault.span))])
 
 
 def listed(names: Sequence[str]) -> str:
