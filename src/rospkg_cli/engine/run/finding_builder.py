@@ -103,8 +103,8 @@ class FindingBuilder:
             return Severity.INFO, UNLED
         if unmet := self.why_unmet(code, level, hit):
             return Severity.INFO, f"; {unmet.removeprefix('but ')}"
-        if code in OF_STARTS and self.is_unstarted(hit.path):
-            return Severity.WARNING if level is Severity.ERROR else Severity.INFO, UNSTARTED
+        if level is Severity.ERROR and code in OF_STARTS and self.is_unstarted(hit.path):
+            return Severity.WARNING, UNSTARTED
         return level, ""
 
     def at_met_place(self, rule: Rule[Any], hit: Hit) -> Hit:
