@@ -11,7 +11,9 @@ NAV = (
     "controller_server:\n  ros__parameters:\n    goal_checker_plugins: [general_goal_checker]\n    goal_checker:\n"
     "      plugin: nav2_controller::SimpleGoalChecker\n"
 )
+LAUNCH = '<launch>\n  <arg name="params" default="config/nav.yaml"/>\n</launch>\n'
 COMMAND = "ros2 launch nav2_bringup bringup_launch.py params_file:=config/nav.yaml\n"
+BOTH = {"README.md": "For ROS 2 Humble.\n", "docs/robot.md": f"source /opt/ros/foxy/setup.bash\n{COMMAND}"}
 
 
 @pytest.mark.parametrize(
@@ -21,7 +23,8 @@ COMMAND = "ros2 launch nav2_bringup bringup_launch.py params_file:=config/nav.ya
         ({"README.md": "For ROS 2 Humble.\n"}, "warning"),
         ({"README.md": f"source /opt/ros/humble/setup.bash\n{COMMAND}"}, "warning"),
         ({"README.md": "For ROS 2 Foxy.\n"}, "info"),
-        ({"README.md": "For ROS 2 Humble.\n", "docs/robot.md": f"source /opt/ros/foxy/setup.bash\n{COMMAND}"}, "info"),
+        (BOTH, "info"),
+        ({**BOTH, "launch/nav.launch.xml": LAUNCH}, "warning"),
     ],
 )
 def test_what_a_list_for_an_older_distribution_lacks(pages: dict[str, str], level: str) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 
 from ...light_dataclasses import dataclass
+from ...package.file_role import role_of
 from ...source import Span
 from ..fault import Level
 from ..older_distribution import UNSUPPORTED, OlderDistribution, names_in
@@ -34,8 +35,14 @@ class MissingParameters:
         return "info" if is_older else self.level_at(path, place)
 
     def is_named_for_older(self, path: str) -> bool:
-        """Return whether pages of the package name a parameter file, and only distributions before Humble beside."""
-        name = posixpath.basename(path)
-        pages = (text.lower() for text in own_pages(self.distribution.files) if name in text)
+        """Return whether pages of the package name a parameter file, and only distributions before Humble beside.
+
+        One that a launch file of the package names is read wherever that is started.
+        """
+        name, files = posixpath.basename(path), self.distribution.files
+        launches = (each for each in files.paths if role_of(each) == "launch")
+        if any(name in files.readable_text(each) for each in launches):
+            return False
+        pages = (text.lower() for text in own_pages(files) if name in text)
         named = frozenset(each for text in pages for each in names_in(text))
         return bool(named) and named.issubset(UNSUPPORTED)
