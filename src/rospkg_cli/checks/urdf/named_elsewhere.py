@@ -25,7 +25,10 @@ class NamedElsewhere:
         A name alone, or behind what is put in (`{folder}/arm.urdf`), may be of any folder. A text before it, as in
         `join(share, 'urdf', 'arm.urdf')`, may be no folder: it is where files lie in one that is called so.
         """
-        name, own = posixpath.basename(path), self.folders_of(path)
+        name = posixpath.basename(path)
+        if name not in text:
+            return False
+        own = self.folders_of(path)
         full = re.compile(rf"(?:([\w.-]*\w)(/|[\"']\s*,\s*[\"']))?(?<![\w.-]){re.escape(name)}(?![\w.-])")
         found = [(each.group(1), each.group(2)) for each in full.finditer(text)]
         others = {last for last, _ in found} - {None} - own
@@ -49,18 +52,25 @@ class NamedElsewhere:
     def folders_of(self, path: str) -> frozenset[str]:
         """Return the names of the folders that a file lies in: in the source, and where it is installed."""
         folder, name = posixpath.split(path)
-        places = (posixpath.dirname(each) for each in self.package.share_files if posixpath.basename(each) == name)
+        places = (place for owner, place in self.installed.get(name, ()) if owner == self.package.name)
         return frozenset(posixpath.basename(each) or self.package.name for each in (folder, *places))
 
     def having(self, name: str) -> list[tuple[str, str]]:
         """Return the other packages that install a file of a name, each with its folder in the share directory."""
-        others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
-        return [
-            (facts.name, posixpath.dirname(each))
-            for facts in others
-            for each in facts.share_files
-            if posixpath.basename(each) == name
-        ]
+        return [each for each in self.installed.get(name, ()) if each[0] != self.package.name]
+
+    @cached_property
+    def installed(self) -> dict[str, list[tuple[str, str]]]:
+        """By the name of a file, the packages that install one, each with its folder in the share directory.
+
+        Each robot is compared with each text: the files are gone through once, not for each pair.
+        """
+        found: dict[str, list[tuple[str, str]]] = {}
+        for facts in (self.package, *(each for each in self.workspace.packages if each.name != self.package.name)):
+            for path in facts.share_files:
+                folder, name = posixpath.split(path)
+                found.setdefault(name, []).append((facts.name, folder))
+        return found
 
     @cached_property
     def folders(self) -> frozenset[str]:
