@@ -85,6 +85,8 @@ class Fix:
 
 AGAIN = "and here"
 """What is said of another place of the same fault, at the same level."""
+ALSO = ("here too", AGAIN)
+"""All that is said of such a place."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...checks.launch.unmet_places import UnmetPlaces
-from ...finding import AGAIN, Hit, Severity
+from ...finding import ALSO, Hit, Severity
 from ...source import Span
 
 OF_THAT_FACT = frozenset({"LCH001", "LCH010", "LCH012", "LCH017", "LCH018", "LCH020"})
@@ -12,7 +12,6 @@ AT_VISITS = ("LCH002", "LCH009", "LCH011", "LCH015", "LCH019", "LCH021", "LCH022
 """What shows itself when launch visits the action or reads the value; at all else Python itself may stop."""
 WITH_WARNINGS = "LCH014"
 """With its warnings the launch goes on; at its errors Python may stop."""
-ALSO = ("here too", AGAIN)
 
 Place = tuple[str, Span]
 """The path of a file in the package, and where in it."""

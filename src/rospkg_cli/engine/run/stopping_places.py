@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from ...checks.depends.wrong_rclpy_calls import FOR_OLDER
-from ...finding import AGAIN, Finding, Location, Severity
+from ...finding import ALSO, Finding, Location, Severity
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import functions_of, nodes_of_kind
 from ...light_dataclasses import dataclass
@@ -16,7 +16,6 @@ from .finding_builder import AT_RUN
 
 OF_IMPORTS = frozenset({"DEP109", "DEP110", "IDL011"})
 UNGENERATED = "IDL008"
-ALSO = ("here too", AGAIN)
 
 
 @dataclass(frozen=True)
