@@ -149,7 +149,7 @@ def test_functions_that_replace_a_command(lines: str, expected: list[Severity]) 
     ],
 )
 def test_a_file_that_is_included_under_a_condition_may_replace_nothing(include: str, expected: list[Severity]) -> None:
-    files = package(include) | {"cmake/tell.cmake": "function(message text)\nendfunction()\n"}
+    files = package(include) | {"cmake/tell.cmake": "function(find_package name)\nendfunction()\n"}
     assert levels(files, "CMK116") == expected
 
 

@@ -114,6 +114,7 @@ CASES = {
     ))),
     "CMK124": (
         globbed("file(GLOB SOURCES src/*.cpp)"),
+        globbed("file(GLOB MORE src/*.cpp)\nset(SOURCES src/core/a.cpp ${MORE})"),
         globbed('file(GLOB SOURCES CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR} "${CMAKE_SOURCE_DIR}/src/?.cpp")'),
         globbed("file(GLOB_RECURSE SOURCES src/*.cpp)"),
         globbed("file(GLOB SOURCES src/*.cpp)\nif(NOT SOURCES)\n  list(APPEND SOURCES src/core/a.cpp)\nendif()"),

@@ -6,16 +6,27 @@ import posixpath
 import re
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import takewhile
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.regex import glob
+from ...languages.cmake.targets import OPTIONS as OPTIONS_OF_TARGETS
 from ...languages.cmake.values import Word
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 
 READ = (".cpp", ".cc", ".cxx", ".c", ".cu", ".msg", ".srv", ".action", ".idl", ".proto", ".py", ".yaml")
 """Endings of what is lost where it is not found; headers are listed for editors alone."""
 OPTIONS = frozenset({"CONFIGURE_DEPENDS", "FOLLOW_SYMLINKS"})
+HEADERS = (".h", ".hh", ".hpp", ".hxx", ".cuh")
+INTERFACES = "rosidl_generate_interfaces"
+MAKING = frozenset(
+    "add_executable add_library ament_add_gmock ament_add_gtest cuda_add_executable cuda_add_library "
+    f"pybind11_add_module {INTERFACES}".split()
+)
+"""Commands that make something of files, behind its name, and stop without any."""
+KEYWORD = regex(r"[A-Z_]+")
 WITH_VALUE = frozenset({"RELATIVE", "LIST_DIRECTORIES"})
 
 
@@ -25,6 +36,8 @@ class EmptyGlob:
     variable: str
     meant: str
     """The pattern that matches, relative to the folder of the CMake file."""
+    is_needed: bool = True
+    """Whether something is made of these files alone: without them CMake stops."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +55,28 @@ class EmptyGlobs:
                 continue
             if not self.cmake.package_files.absent.is_expected(path) and (folder := self.holding(path)) is not None:
                 meant = posixpath.join(posixpath.relpath(folder or ".", call.folder or "."), posixpath.basename(path))
-                yield EmptyGlob(patterns[0], call.texts[1], meant.removeprefix("./"))
+                yield EmptyGlob(patterns[0], call.texts[1], meant.removeprefix("./"), self.is_needed(call.texts[1]))
+
+    def is_needed(self, variable: str) -> bool:
+        """Return whether a command makes something of what a variable holds and of nothing else but headers."""
+        return any(self.is_all(variable, call) for call in self.cmake.calls if call.name in MAKING)
+
+    def is_all(self, variable: str, call: EvaluatedCommand) -> bool:
+        given = [each.text for each in call.command.arguments[1:] if each.text not in OPTIONS_OF_TARGETS]
+        if call.name == INTERFACES:
+            given = list(takewhile(lambda text: not KEYWORD.fullmatch(text), given))
+        others = [text for text in given if text != f"${{{variable}}}"]
+        return len(others) < len(given) and all(text in self.headers or text.endswith(HEADERS) for text in others)
+
+    @cached_property
+    def headers(self) -> frozenset[str]:
+        """What reads a variable that holds headers alone."""
+        every: dict[str, list[Word]] = {}
+        for call in self.cmake.named("file"):
+            if found := patterns_of(call):
+                every.setdefault(call.texts[1], []).extend(found)
+        alone = (name for name, words in every.items() if all(word.text.endswith(HEADERS) for word in words))
+        return frozenset(f"${{{name}}}" for name in alone)
 
     def is_used(self, variable: str) -> bool:
         """Return whether a file reads a variable, and none asks whether there is anything in it."""

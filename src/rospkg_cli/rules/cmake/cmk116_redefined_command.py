@@ -17,6 +17,9 @@ endfunction()
 """
 
 
+MEANT = "; nothing here is shown to fail by it, which may be meant"
+
+
 def cmake(lines: str) -> str:
     return CMAKE.replace("ament_package", lines + "ament_package")
 
@@ -29,7 +32,7 @@ def cmake(lines: str) -> str:
     levels={
         Severity.ERROR: "its body calls the command, and so itself",
         Severity.INFO: "the package does not call it, and it is none that nearly all packages call, or ament's own "
-        "takes its place again",
+        "takes its place again; or it may be meant: it does something for the package's own calls, or only shows texts",
     },
     examples=(
         Example(
@@ -57,7 +60,8 @@ def redefined_command(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     It is an info where the package does not call it and it is no command that the files of nearly all packages call
-    (`message`, `install`), where `find_package()` defines ament's own behind it again, or where its file is included
+    (`find_package`, `install`), or calls it and its body does something for that, which may be meant; where only texts
+    are lost (`message`), where `find_package()` defines ament's own behind it again, or where its file is included
     under a condition. It is quiet inside of an `if`, which may ask whether the command exists, and where the body
     calls the former command by the name that CMake keeps for it (`_install`). In a copy of the file in which CMake or
     ament defines the command (`GoogleTest.cmake`). Commands of others, such as pybind11, Qt or rosidl, are none of
@@ -71,5 +75,7 @@ def redefined_command(package: CMakePackage) -> Iterator[Hit]:
             whose = "every later call in the build of this package runs this one, in files that it finds too"
             message = f"{start}: {whose}; give it another name"
         level = Severity.ERROR if each.calls_itself else None
-        is_met = each.is_called and not each.lost
-        yield Hit(each.path, each.span, message + each.lost, level if is_met else Severity.INFO)
+        is_idle = each.may_be_meant and not each.calls_itself
+        is_met = each.is_called and not each.lost and not is_idle
+        why = each.lost or (MEANT if is_idle and each.is_called else "")
+        yield Hit(each.path, each.span, message + why, level if is_met else Severity.INFO)

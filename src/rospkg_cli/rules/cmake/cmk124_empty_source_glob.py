@@ -27,6 +27,7 @@ def cmake(pattern: str) -> str:
     "empty-source-glob",
     over=CMakePackage,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "no target, interfaces or test is made of these files alone"},
     examples=(
         Example(
             bad={"CMakeLists.txt": cmake("«*.cpp»"), **SOURCE},
@@ -47,9 +48,12 @@ def empty_source_glob(package: CMakePackage) -> Iterator[Hit]:
     ## When it is quiet
     For headers, which CMake need not know; for variables that nothing uses, or that an `if(VARIABLE)` asks about; below
     a condition that can't be evaluated; where more than one folder holds such files, and none of these is called as the
-    pattern says; and where a .gitignore or a submodule that is not checked out explains it.
+    pattern says; and where a .gitignore or a submodule that is not checked out explains it. It is an info unless a
+    target, a test or interfaces are made of what is found and of nothing else, headers aside: only these stop.
     """
     for each in EmptyGlobs(package.cmake).all():
         name = package.cmake.source_text(each.word).strip('"')
         message = f"`{name}` matches no file: `{each.variable}` is empty, and CMake does not say so"
-        yield Hit(each.word.path, each.word.span, f"{message}; did you mean `{each.meant}`?")
+        why = "" if each.is_needed else "; nothing here is made of it alone"
+        level = None if each.is_needed else Severity.INFO
+        yield Hit(each.word.path, each.word.span, f"{message}; did you mean `{each.meant}`?{why}", level)

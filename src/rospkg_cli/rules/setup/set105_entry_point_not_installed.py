@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ...checks.enumeration import in_ticks
-from ...checks.setup.module_tree import ModuleTree
+from ...checks.setup.started_entry_points import EntryPointTree
 from ...edits.setup_py import add_packages
 from ...example import Example, scripts, setup_py
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -22,12 +22,15 @@ GOOD = LISTED.replace("«", "").replace("»", "").replace("[package_name]", "[pa
 @rule(
     "SET105",
     "entry-point-not-installed",
-    over=ModuleTree,
+    over=EntryPointTree,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "the workspace is built with `--symlink-install`"},
+    levels={
+        Severity.WARNING: "the workspace is built with `--symlink-install`, or nothing here starts the program, beside "
+        "others of the package that are started"
+    },
     examples=(Example(bad={**FILES, "setup.py": LISTED}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),),
 )
-def entry_point_not_installed(tree: ModuleTree) -> Iterator[Hit]:
+def entry_point_not_installed(entries: EntryPointTree) -> Iterator[Hit]:
     """
     ## What it does
     Finds entry points whose module exists and is not installed.
@@ -40,32 +43,35 @@ def entry_point_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     ## When it is quiet
     Where `packages`, `py_modules` or `package_dir` can't be evaluated, where setup.py may write files, and where a
     folder lacks its `__init__.py` (SET301). A package that is listed and not there stops the build first (SET302).
-    Where a file above the package builds with `--symlink-install`, it is a warning.
+    Where a file above the package builds with `--symlink-install`, it is a warning, and so it is where nothing in the
+    workspace starts or names any of the programs, while another one of the package is started.
 
     ## Fix safety
     The module may belong elsewhere instead.
     """
+    tree = entries.tree
     if not tree.package.knows_installed_modules or tree.missing_folders:
         return
     found = tree.not_installed()
     named = [inner for inner in found if inner]
     if named:
-        yield hit(tree, named, [each for inner in named for each in found[inner]])
+        yield hit(entries, named, [each for inner in named for each in found[inner]])
     if "" in found:
-        yield hit(tree, (), found[""])
+        yield hit(entries, (), found[""])
 
 
-def hit(tree: ModuleTree, names: Sequence[str], entries: Sequence[tuple[EntryPoint, str]]) -> Hit:
+def hit(checked: EntryPointTree, names: Sequence[str], entries: Sequence[tuple[EntryPoint, str]]) -> Hit:
     """Return what is said of entry points whose packages one list leaves out, or whose modules lie in none."""
     (first, path), *others = entries
+    tree, left = checked.tree, checked.started.left_all([entry for entry, _ in entries])
     edits = add_packages(tree.setup, *names) if names else ()
     what = f"add {in_ticks(names)} to `packages`" if names else "move it into a package of `packages`"
     who = f"`{first.name}` and {len(others)} more raise" if others else f"`{first.name}` raises"
     link = tree.link_of(*names)
     but = f", but for `--symlink-install` (`{link}`)" if link else ""
     lacking = f"`{path}` is" if len(names) < 2 else f"`{path}` and others are"
-    message = f"{lacking} not installed: the build is green, and {who} ModuleNotFoundError{but}; {what}"
+    message = f"{lacking} not installed: the build is green, and {who} ModuleNotFoundError{but}; {what}{left}"
     related = tuple(Related(entry.path, entry.module_span, f"`{entry.name}` too") for entry, _ in others)
     fix = Fix(f"add {in_ticks(names)} to `packages`", edits, Safety.UNSAFE) if edits else None
-    level = Severity.WARNING if link else None
+    level = Severity.WARNING if link or left else None
     return Hit(first.path, first.module_span, message, level, related, fix)
