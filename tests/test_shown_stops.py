@@ -59,6 +59,98 @@ def test_a_command_that_is_defined_anew_to_do_the_same(lines: str, level: str) -
     assert ("which may be meant" in text) == (level == "info")
 
 
+CONFIG = (
+    "- ros_topic_name: a\n  gz_topic_name: a\n  ros_type_name: std_msgs::msg::Bool\n  gz_type_name: gz.msgs.Boolean\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("starts", "level"),
+    [("<launch/>\n", "info"), ('<launch>\n  <let name="bridge" value="config/bridge.yaml"/>\n</launch>\n', "warning")],
+)
+def test_a_config_of_a_bridge_that_something_names(starts: str, level: str) -> None:
+    install = "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})"
+    files = package(install, config__bridge_dot_yaml=CONFIG, launch__a_dot_launch_dot_xml=starts)
+    (text,) = said({path.replace("_dot_", "."): each for path, each in files.items()}, "LCH019")
+    assert text.startswith(f"{level}: ")
+    assert (", but nothing here names this file" in text) == (level == "info")
+
+
+JOINS = """\
+import os
+
+from ament_index_python.packages import get_package_share_directory
+
+
+def opened(namespace, debug):
+    return {}
+
+
+def main():
+    {}
+"""
+
+
+@pytest.mark.parametrize(
+    ("path", "call", "level"),
+    [
+        ("os.path.join(get_package_share_directory('my_pkg'), '/maps')", "opened('', True)", "warning"),
+        ("os.path.join(get_package_share_directory('my_pkg'), '/maps')", "print()", "info"),
+        ("os.path.join(namespace, '/maps/a.yaml')", "opened('', True)", "warning"),
+        ("os.path.join(namespace, '/cmd_vel')", "opened('', True)", "info"),
+    ],
+)
+def test_a_dropped_path_that_a_program_comes_to(path: str, call: str, level: str) -> None:
+    files = {
+        "package.xml": manifest(""),
+        "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+        "setup.cfg": SETUP_CFG,
+        "my_pkg/__init__.py": "",
+        "my_pkg/talker.py": JOINS.format(path, call),
+    }
+    (text,) = said(files, "LCH021")
+    assert text.startswith(f"{level}: ")
+
+
+TWICE = """\
+<launch>
+  <arg name="camera1" default="/left"/>
+  <arg name="camera1" default="/right"/>
+  {}
+  <log message="$(var camera1) and $(var camera2 /right)"/>
+</launch>
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "level"), [("", "warning"), ('<include file="$(find-pkg-share no_one)/a.launch.xml"/>', "info")]
+)
+def test_an_argument_that_an_included_file_may_declare(line: str, level: str) -> None:
+    files = {"package.xml": manifest(""), "launch/a.launch.xml": TWICE.format(line)}
+    assert [text.partition(":")[0] for text in said(files, "LCH020")] == [level]
+
+
+AWAITED = """\
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess, RegisterEventHandler
+from launch.event_handlers import OnProcessExit
+
+
+def generate_launch_description():
+    share = get_package_share_directory('{}')
+    first = ExecuteProcess(cmd=['echo', share])
+    second = ExecuteProcess(cmd=['echo'])
+    return LaunchDescription([RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[second]))])
+"""
+
+
+@pytest.mark.parametrize(("package", "level"), [("my_pkg", "warning"), ("pkg_of_nobody", "info")])
+def test_an_awaited_action_of_a_launch_that_ends_before(package: str, level: str) -> None:
+    files = {"package.xml": manifest(""), "launch/a.launch.py": AWAITED.format(package)}
+    assert [text.partition(":")[0] for text in said(files, "LCH018")] == [level]
+
+
 NODE = "def main():\n    print('hello')\n"
 STARTS = '<launch>\n  <node pkg="my_pkg" exec="talker"/>\n</launch>\n'
 

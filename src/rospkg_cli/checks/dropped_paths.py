@@ -20,6 +20,7 @@ from ..source import Span
 from ..unreadable import READABLE
 from .launch.missing_references import LaunchContext
 from .launch.unread_values import UnreadValues
+from .reached_places import WHY, ReachedPlaces
 from .run_imports import RunImports
 
 JOINS = frozenset({"os.path.join", "path.join", "osp.join", "posixpath.join"})
@@ -28,6 +29,11 @@ OF_SYSTEM = regex(r"/(bin|dev|etc|home|lib|media|mnt|opt|proc|root|run|srv|sys|t
 """Paths that many machines have, and that are meant as they stand."""
 
 
+SUFFIX = regex(r"\w\.\w+$")
+FOLDER = regex(
+    r"(?i)share|dir|path|folder|home|root|cwd|file|data|config|maps?|model|mesh|pkg|package|(?<![^\W_])ws(?![^\W_])"
+)
+"""Words of what stands for a folder."""
 PATTERN = regex(r"[*?\[]")
 
 
@@ -43,12 +49,19 @@ class DroppedPath:
     """The beginning of that part, as far as it is known."""
     dropped: str
     """What stands before it, in the source."""
+    why_unmet: str = ""
+    """Why no program is shown to come there: the end of a sentence; "" where one is."""
     is_for_nothing: bool = False
     """Whether only an argument of a launch file has it that nothing reads."""
 
     @property
     def is_of_system(self) -> bool:
         return OF_SYSTEM.fullmatch(self.text) is not None
+
+    @property
+    def is_of_files(self) -> bool:
+        """Whether a folder or a file is plainly meant, and no name of a topic or a frame."""
+        return SUFFIX.search(self.text) is not None or FOLDER.search(self.dropped) is not None
 
     @property
     def is_unused(self) -> bool:
@@ -64,11 +77,20 @@ class DroppedPath:
 class DroppedPaths:
     run: RunImports
     launches: Annotated[tuple[LaunchContext, ...], READABLE]
+    places: ReachedPlaces | None = None
 
     @cached_property
     def all(self) -> tuple[DroppedPath, ...]:
         found = (each for role, file in self.run.files for each in dropped_in(file, role))
-        return tuple(replace(each, is_for_nothing=self.is_for_nothing(each)) for each in found)
+        return tuple(
+            replace(each, is_for_nothing=self.is_for_nothing(each), why_unmet=self.why_unmet(each)) for each in found
+        )
+
+    def why_unmet(self, dropped: DroppedPath) -> str:
+        """Return why no program is shown to come to a place in code that is no launch file."""
+        if self.places is None or dropped.role != "run":
+            return ""
+        return WHY.get(self.places.met(dropped.file, dropped.span), "")
 
     def is_for_nothing(self, dropped: DroppedPath) -> bool:
         return any(each.holds(dropped.span) for each in self.unread if each.scope.file.path == dropped.file.path)

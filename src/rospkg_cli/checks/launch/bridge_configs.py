@@ -9,10 +9,12 @@ from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, docum
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
+from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...suggest import nearest
 from ...unreadable import UnreadableError
-from ..fault import Fault, TextRepair
+from ..fault import Fault, TextRepair, softer_advice
+from ..yaml_elsewhere import is_named_yaml
 from .bridge_arguments import BRIDGES, HARM, wrong_groups
 from .bridge_pairs import GAZEBO_TYPE, unknown_pair
 from .missing_references import LaunchContext
@@ -22,6 +24,7 @@ DIRECTIONS = ("BIDIRECTIONAL", "GZ_TO_ROS", "ROS_TO_GZ")
 TYPE = regex(r"([a-z]\w*)/(msg|srv)/([A-Z]\w*)")
 PIECES = regex(r"([a-z]\w*)(?:::|/|\.)(?:(?:msg|srv)(?:::|/|\.))?([A-Z]\w*)")
 """A type as C++ or Python writes it, or without `msg`: the bridge compares the whole text."""
+UNNAMED = "but nothing here names this file"
 TOPIC, OWN_TOPICS = "topic_name", ("ros_topic_name", "gz_topic_name")
 
 
@@ -32,13 +35,16 @@ class Bridges:
     scopes: tuple[LaunchContext, ...]
     files: PackageFiles
     workspace: Workspace
+    package: PackageFacts
 
     def config_faults(self) -> Iterator[tuple[str, Fault]]:
         """Yield the wrong types, directions and pairs of keys, with the files that they are in."""
         for path in self.files.paths:
             is_config = path.endswith((".yaml", ".yml")) and role_of(path) not in ("test", "aside")
             if is_config and self.files.holds(path, ROS.encode()):
-                yield from ((path, fault) for entry in self.entries(path) for fault in self.faults_of(entry))
+                is_met = is_named_yaml(path, self.package, self.workspace)
+                for fault in (fault for entry in self.entries(path) for fault in self.faults_of(entry)):
+                    yield path, fault if is_met else softer_advice(fault, "info", UNNAMED)
 
     def entries(self, path: str) -> Iterator[dict[str, ScalarNode]]:
         """Yield the scalars of each item of a list of topics."""

@@ -6,8 +6,8 @@ from ...checks.launch.unmet_places import UnmetPlaces
 from ...finding import ALSO, Hit, Severity
 from ...source import Span
 
-OF_THAT_FACT = frozenset({"LCH001", "LCH010", "LCH012", "LCH017", "LCH018", "LCH020"})
-"""Rules about the file as a whole, and those that tell of arguments and actions which come to nothing."""
+OF_THAT_FACT = frozenset({"LCH001", "LCH010", "LCH012", "LCH017"})
+"""Rules about the file as a whole, and one that tells of arguments which come to nothing."""
 AT_VISITS = ("LCH002", "LCH009", "LCH011", "LCH015", "LCH019", "LCH021", "LCH022", "PRM")
 """What shows itself when launch visits the action or reads the value; at all else Python itself may stop."""
 WITH_WARNINGS = "LCH014"

@@ -31,7 +31,10 @@ NEEDED = "  <exec_depend>ros2launch</exec_depend>\n  <exec_depend>ros_gz_bridge<
     "unknown-bridge-type",
     over=Bridges,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "nothing adds the bridge to the launch description, or it is off by default"},
+    levels={
+        Severity.INFO: "nothing adds the bridge to the launch description, it is off by default, or nothing names the "
+        "file"
+    },
     examples=(
         Example(
             bad={"package.xml": manifest(NEEDED), "launch/a.launch.xml": BAD},
@@ -39,7 +42,7 @@ NEEDED = "  <exec_depend>ros2launch</exec_depend>\n  <exec_depend>ros_gz_bridge<
         ),
         Example(
             on="config",
-            bad={"config/bridge.yaml": CONFIG},
+            bad={"config/bridge.yaml": CONFIG, "README.md": "The bridge reads `config/bridge.yaml`.\n"},
             good={"config/bridge.yaml": CONFIG.replace('«"std_msgs::msg::String"»', '"std_msgs/msg/String"')},
             fix=Safety.SAFE,
         ),
@@ -60,7 +63,7 @@ def unknown_bridge_type(bridges: Bridges) -> Iterator[Hit]:
     ## When it is quiet
     A package that may exist is believed, and so is a type of it that is near none of its known ones. A later bridge may
     know other types of Gazebo, and one of the workspace other pairs. A bridge that nothing adds to the launch
-    description, or that is off by default, is an info.
+    description, or that is off by default, is an info, and so is a config file that no launch file, code or page names.
 
     ## Fix safety
     `std_msgs::msg::String` becomes `std_msgs/msg/String`, which names the same.

@@ -25,7 +25,10 @@ BAD = """\
     "repeated-argument",
     over=LaunchFile,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "no launch argument that is used and not declared can be meant"},
+    levels={
+        Severity.INFO: "no launch argument that is used and not declared can be meant, or an included file may declare "
+        "it"
+    },
     examples=(
         Example(
             bad={
@@ -47,7 +50,8 @@ def repeated_argument(file: LaunchFile) -> Iterator[Hit]:
 
     ## When it is quiet
     Declarations under a condition, in groups or functions that may not run, and with the same default or with one that
-    is not known are left alone. Where the other name stops the launch, LCH008 tells of it.
+    is not known are left alone. Where the other name stops the launch, LCH008 tells of it. It is an info where no other
+    name can be meant, and where a file that is included may declare that one.
     """
     first: dict[str, DeclaredArgument] = {}
     together = () if file.is_ros1 else declared_together(file)
@@ -61,10 +65,12 @@ def repeated_argument(file: LaunchFile) -> Iterator[Hit]:
         meant = meant_by(file, name)
         if meant and is_told_as_undeclared(file, meant):
             continue
-        hint = f"; did you mean `{meant}`, which is used and not declared?" if meant else "; remove one of them"
+        is_open = any(event.kind in ("open", "include") for event in file.events or ())
+        unless = " here, unless a file that it includes does so" if is_open else ""
+        hint = f"; did you mean `{meant}`, which is used and not declared{unless}?" if meant else "; remove one of them"
         text = f"the launch argument `{name}` is declared twice: this second default is never used{hint}"
         again = (Related(file.path, before.span, "declared first"),)
-        yield Hit(file.path, argument.span, text, None if meant else Severity.INFO, again)
+        yield Hit(file.path, argument.span, text, None if meant and not is_open else Severity.INFO, again)
 
 
 def declared_together(file: LaunchFile) -> set[str]:

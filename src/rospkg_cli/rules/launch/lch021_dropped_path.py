@@ -35,8 +35,8 @@ def generate_launch_description():
     over=DroppedPaths,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "it is a path that many machines have (`/tmp/…`), nothing installs the file, or a launch file "
-        "does not use what is made of the path"
+        Severity.INFO: "it is a path that many machines have (`/tmp/…`), no file or folder is plainly meant, nothing "
+        "installs the file, no program is shown to come there, or a launch file does not use what is made of the path"
     },
     examples=(
         Example(
@@ -59,7 +59,8 @@ def dropped_path(paths: DroppedPaths) -> Iterator[Hit]:
     ## When it is quiet
     Where the path begins with what stands before it, or that is unpacked with `*`. Where setup.py installs something is
     SET208's. In a launch file it is an info where nothing adds the action, or reads the local variable or the argument,
-    that the path is for.
+    that the path is for. In other code it is one where no program is shown to come to the line, and where it may be the
+    name of a topic (`os.path.join(namespace, '/cmd_vel')`).
     """
     for each in paths.all:
         how = "`/`" if each.by == "/" else f"`{each.by}`"
@@ -67,7 +68,13 @@ def dropped_path(paths: DroppedPaths) -> Iterator[Hit]:
         shown = dropped if dropped.startswith("what") else f"`{dropped}`"
         text = f"`{each.text}` begins with a slash: {how} drops {shown}, and the path begins at the root"
         unused = ", but nothing uses it" if each.is_unused else ""
-        mild = unused or each.is_of_system or (each.role in ("aside", "test") and each.file.path != "setup.py")
+        mild = (
+            unused
+            or each.why_unmet
+            or each.is_of_system
+            or not each.is_of_files
+            or (each.role in ("aside", "test") and each.file.path != "setup.py")
+        )
         better = each.text.lstrip("/")
         hint = f"write `{better}`" if better and not each.is_of_system else "remove what stands before it, or the slash"
-        yield Hit(each.file.path, each.span, f"{text}{unused}; {hint}", Severity.INFO if mild else None)
+        yield Hit(each.file.path, each.span, f"{text}{unused}; {hint}{each.why_unmet}", Severity.INFO if mild else None)
