@@ -151,6 +151,23 @@ def test_an_awaited_action_of_a_launch_that_ends_before(package: str, level: str
     assert [text.partition(":")[0] for text in said(files, "LCH018")] == [level]
 
 
+NAMED = "add_executable(${PROJECTNAME}_node src/a.cpp)\ninstall(TARGETS ${PROJECTNAME}_node DESTINATION lib/my_pkg)"
+
+
+@pytest.mark.parametrize(
+    ("lines", "levels"),
+    [
+        (NAMED, ["info", "info"]),
+        (NAMED.replace("TARGETS ${PROJECTNAME}", "TARGETS ${PROJECT_NAME}"), ["warning"]),
+        (NAMED.replace("add_executable(${PROJECTNAME}", "add_executable(${PROJECT_NAME}"), ["error"]),
+    ],
+)
+def test_a_target_that_is_called_so_everywhere(lines: str, levels: list[str]) -> None:
+    found = said(package(lines, src__a=""), "CMK115")
+    assert [text.partition(":")[0] for text in found] == levels
+    assert all(text.endswith("; the target is called so everywhere") == text.startswith("info") for text in found)
+
+
 NODE = "def main():\n    print('hello')\n"
 STARTS = '<launch>\n  <node pkg="my_pkg" exec="talker"/>\n</launch>\n'
 
