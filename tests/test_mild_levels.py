@@ -256,7 +256,8 @@ def test_a_metapackage_opens_no_folder(is_metapackage: bool, level: str) -> None
     user = manifest("", "ament_cmake", "b").replace("  <export>", "  <exec_depend>my_pkg</exec_depend>\n  <export>")
     files = {"a/package.xml": manifest("", "ament_cmake"), "a/CMakeLists.txt": CMAKE, "a/config/a.txt": "a: 1\n"}
     files |= {"b/package.xml": user, "b/CMakeLists.txt": CMAKE.replace("my_pkg", "b")}
-    files |= {} if is_metapackage else {"b/src/b.cpp": "int main() {}\n"}
+    opens = 'auto path = get_package_share_directory("my_pkg") + "/config/a.txt";\n'
+    files |= {} if is_metapackage else {"b/src/b.cpp": opens}
     (finding,) = [each for each in lint_files(files, ["CMK101"]).findings if "config" in each.message]
     assert finding.severity.value == level
 

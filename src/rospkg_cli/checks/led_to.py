@@ -13,8 +13,8 @@ from ..package.launch.live_text import live_text
 from ..package.package_facts import PackageFacts
 from ..package.params.named_yaml import ANY
 from ..package.workspace import Workspace
+from .opened_elsewhere import CODE
 from .pages_and_scripts import pages_and_scripts
-from .share_uses import CODE
 
 YAML = (".yaml", ".yml")
 LAUNCHED = (".py", ".xml", ".launch", *YAML)

@@ -4,19 +4,15 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
 from functools import cached_property
 
-from ..files import PackageFiles
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
-from ..package.launch.live_text import live_text
-from ..package.workspace import Workspace
 from ..ros.share_layout import LAUNCH
-from .home_path_texts import without_comments
 from .joined_shares import JoinedShares
+from .opened_elsewhere import live, opening, opening_elsewhere
 from .pages_and_scripts import pages_and_scripts
-from .share_uses import CODE, CPP, ShareUses
+from .share_uses import ShareUses
 
 MARKUP = (".urdf", ".xacro", ".sdf", ".world", ".xml")
 """Files that name others by their places beside them."""
@@ -79,25 +75,4 @@ class OpenedInShare:
     def texts(self) -> tuple[tuple[str, str], ...]:
         """What opens files, without comments, each with its path in this package; "" in another one."""
         own = ((path, live(self.uses.files, path)) for path in opening(self.uses.files.paths))
-        return (*own, *(("", text) for text in self.elsewhere()))
-
-    def elsewhere(self) -> Iterator[str]:
-        """Yield the live texts of other packages that name this one."""
-        whole = self.uses.files.whole
-        if whole is None:
-            return
-        files, name = PackageFiles(whole), self.uses.name
-        workspace: Workspace = self.uses.workspace
-        folders = tuple(f"{facts.folder}/" for facts in workspace.packages if facts.name != name and facts.folder)
-        for path in opening(tuple(path for path in files.every if path.startswith(folders))):
-            if name in files.readable_text(path):
-                yield live(files, path)
-
-
-def opening(paths: tuple[str, ...]) -> Iterator[str]:
-    """Yield the files that may open something when they are used."""
-    return (path for path in paths if path.endswith(CODE) and role_of(path) not in ("test", "aside"))
-
-
-def live(files: PackageFiles, path: str) -> str:
-    return without_comments(path, files.readable_text(path)) if path.endswith(CPP) else live_text(files, path)
+        return (*own, *(("", text) for text in opening_elsewhere(self.uses.files, self.uses.name, self.uses.workspace)))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import posixpath
 import re
 from functools import cached_property
 
@@ -11,15 +10,11 @@ from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..package.launch.live_text import live_text
-from ..package.params.named_yaml import ANY
 from ..package.workspace import Workspace
+from .joined_shares import JoinedShares
+from .opened_elsewhere import CODE, CPP, is_opened_elsewhere
 from .pages_and_scripts import pages_and_scripts
 from .share_references import references_folder
-
-CPP = (".cpp", ".cc", ".cxx", ".c", ".hpp", ".h")
-CODE = (*CPP, ".py", ".xml", ".yaml", ".yml", ".urdf", ".xacro", ".sdf", ".world",
-        ".rviz", ".launch")  # fmt: skip
-"""The files that may open something at run time."""
 
 BY_PATH = regex(r"\b(?:ros2[ \t]+launch|python3?)[ \t]+([^\s`\"']+)")
 """A launch file that is started where it lies: behind `ros2 launch` stands no package."""
@@ -42,10 +37,16 @@ class ShareUses:
         name = re.escape(self.name)
         started = re.compile(rf"ros2\s+launch\s+{name}\b") if folder == "launch" else None
         written = re.compile(rf"(?:package://{name}|\$\(find(?:-pkg-share)?\s+{name}\))/{re.escape(folder)}/")
-        opening = (text for text in self.code if written.search(text) or references_folder(text, self.name, folder))
+        opening = (text for text in self.code if written.search(text) or self.may_refer_to(text, folder))
         if not all(self.opens_nothing(text, folder) for text in opening):
             return True
         return started is not None and any(started.search(text) for text in self.readmes)
+
+    def may_refer_to(self, text: str, folder: str) -> bool:
+        """Return whether a text joins a folder to a share directory, and not only to that of another package."""
+        if not references_folder(text, self.name, folder):
+            return False
+        return JoinedShares(text, self.name).may_join(re.compile(rf"[\"'/]{re.escape(folder)}(?=[\"'/])"))
 
     def names_file(self, name: str) -> bool:
         """Return whether code or a README names a file; a path in a home folder or through src/ opens the source, and
@@ -104,17 +105,12 @@ class ShareUses:
         return None if needed and not self.opens_in_source(folder) else "info"
 
     def may_be_opened(self, folder: str) -> bool:
-        """Return whether another package that depends on this one may open a folder's files; a metapackage opens none.
+        """Return whether another package of the workspace opens the folder or a file in it.
 
-        Of YAML it is known which files the texts of each package name, and RViz goes on without its config.
+        RViz goes on without its config.
         """
         paths = [path for path in self.files.below(folder) if not path.endswith(".rviz")]
-        if not paths:
-            return False
-        stems = {posixpath.splitext(path)[0].rpartition("/")[2] for path in paths}
-        is_yaml = all(path.endswith((".yaml", ".yml")) for path in paths)
-        needing = [facts for facts in self.workspace.needing(self.name) if not facts.is_metapackage]
-        return any(not is_yaml or not facts.named_yaml.isdisjoint({*stems, ANY}) for facts in needing)
+        return bool(paths) and is_opened_elsewhere(folder, paths, self.files, self.name, self.workspace)
 
     def consequence(self, folder: str) -> str:
         """Return what happens where a folder is not installed, for a message."""

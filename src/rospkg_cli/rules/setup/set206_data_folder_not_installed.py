@@ -59,8 +59,8 @@ def data_folder_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     ## When it is quiet
     Where `data_files` can't be evaluated, or setup.py may write files, where a glob names the folder, and where git
     ignores its files. Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`), it is
-    an info. It is one, too, where neither the package nor one of the workspace that depends on it seems to open the
-    folder: it may be a leftover.
+    an info. It is one, too, where neither the package nor another one of the workspace that names it seems to open the
+    folder or a file in it: they may be leftovers, or notes. Launch files are opened by `ros2 launch`.
     """
     package = shared.package
     setup = package.setup
