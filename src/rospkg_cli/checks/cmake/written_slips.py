@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
+from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.syntax import CommandArgument
@@ -14,6 +15,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.cmake.referenced_paths import ReferencedPaths
 from ...source import Span
 from ...suggest import is_slip
+from .needed_places import NeededPlaces
 
 JOINED = regex(r"\$\{((?:CMAKE|PROJECT|CMAKE_CURRENT)_SOURCE_DIR|CMAKE_CURRENT_LIST_DIR)\}([A-Za-z_][\w./-]*)")
 VALUE_AT = {"set": 1, "option": 2}
@@ -25,6 +27,8 @@ class WrittenSlip:
     call: EvaluatedCommand
     span: Span
     message: str
+    why_harmless: str = ""
+    """Why nothing is lost; "" where something is."""
 
 
 @dataclass(frozen=True)
@@ -72,4 +76,10 @@ class WrittenSlips:
         is_meant = files.is_there(posixpath.normpath(posixpath.join(folder, rest)))
         if is_meant and not (folder and files.is_there(folder + rest)):
             lost = f"`${{{variable}}}` ends without a slash: `{argument.text}` is no path"
-            yield WrittenSlip(call, argument.span, f"{lost}; write `${{{variable}}}/{rest}`")
+            why = self.places.why_not(call, posixpath.normpath(posixpath.join(folder, rest)))
+            todo = f"write `${{{variable}}}/{rest}`{'; ' if why else ''}{why}"
+            yield WrittenSlip(call, argument.span, f"{lost}; {todo}", why)
+
+    @cached_property
+    def places(self) -> NeededPlaces:
+        return NeededPlaces(self.cmake)

@@ -45,7 +45,8 @@ def cmake(lines: str) -> str:
     levels={
         Severity.WARNING: "under a condition that can't be evaluated, or CMake goes on with another value, or a "
         "condition compares what is empty for some",
-        Severity.INFO: "what it compares is set wherever ROS is set up, or no linker runs for what is linked",
+        Severity.INFO: "what it compares is set wherever ROS is set up, no linker runs for what is linked, or a folder "
+        "without its slash is not needed",
     },
     examples=(
         Example(
@@ -90,6 +91,8 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
     Where an argument is a variable that can't be evaluated, for a command that the package defines itself, and for a
     target, file or folder that is called like the keyword. For an operand that a file sets or asks for
     (`if(DEFINED ENV{NAME})`), and one of ROS where package.xml names ros_environment.
+    A folder without its slash is an info where the headers of it that are included are found beside the file or in
+    another folder, where it should have libraries and has none, and where nothing reads the variable.
     `target_link_libraries(x SHARED …)` is an info for a static library with which nothing is linked here:
     `add_library(x …)` makes one, unless ament_cmake_ros or BUILD_SHARED_LIBS says otherwise.
     """
@@ -98,7 +101,7 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
         level = Severity.WARNING if each.call.maybe or (each.word and each.word.maybe) else None
         yield Hit(each.call.path, place, each.message, Severity.INFO if each.is_idle else level)
     for value in WrittenSlips(package.cmake).all():
-        yield Hit(value.call.path, value.span, value.message, Severity.WARNING)
+        yield Hit(value.call.path, value.span, value.message, Severity.INFO if value.why_harmless else Severity.WARNING)
     for operand in EmptyOperands(package).all():
         level = Severity.INFO if operand.is_mostly_set else Severity.WARNING
         yield Hit(operand.path, operand.argument.span, without_quotes(operand), level)
