@@ -49,7 +49,8 @@ def test_a_path_without_a_suffix_that_names_no_file(place: str, level: str) -> N
 @pytest.mark.parametrize(("place", "level"), [("data", "warning"), ("lost", "info")])
 def test_a_folder_of_another_package(place: str, level: str) -> None:
     other = {"other/package.xml": manifest("", "ament_cmake", "other"), "other/data/a.txt": ""}
-    files = {"my_pkg/package.xml": manifest("", "ament_cmake"), "my_pkg/CMakeLists.txt": CMAKE, **other}
+    cmake = CMAKE.replace("ament_package", "install(DIRECTORY launch DESTINATION share/my_pkg)\nament_package")
+    files = {"my_pkg/package.xml": manifest("", "ament_cmake"), "my_pkg/CMakeLists.txt": cmake, **other}
     files["my_pkg/launch/a.launch.xml"] = LAUNCH.format("place", f"/home/ada/ws/src/other/{place}")
     assert [each.severity.value for each in lint_files(files, ["DEP118"]).findings] == [level]
 

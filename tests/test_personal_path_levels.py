@@ -65,6 +65,18 @@ def test_an_argument_that_all_callers_give(name: str, text: str) -> None:
     assert level({**own, "README.md": RUNS.format(f"{name} model:=b.pt")}) == "info"
 
 
+@pytest.mark.parametrize(
+    ("setup", "page", "expected"),
+    [
+        (setup_py(), "", "info"),
+        (setup_py(), "Run `ros2 launch launch/a.launch.py`.\n", "warning"),
+        (SETUP_PY_FOR_ALL, "", "warning"),
+    ],
+)
+def test_a_launch_file_that_nothing_installs_or_names(setup: str, page: str, expected: str) -> None:
+    assert level({"setup.py": setup, "launch/a.launch.py": ARGUMENT, "README.md": page}) == expected
+
+
 def test_a_twin_in_another_language() -> None:
     own = {"setup.py": SETUP_PY_FOR_ALL, "launch/a.launch.xml": XML, "launch/a.launch.py": "A = 1\n"}
     assert level(own) == "warning"

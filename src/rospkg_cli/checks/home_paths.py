@@ -44,7 +44,7 @@ from .params.launch_overrides import is_given, is_overridden
 from .params.path_readers import PathReaders
 from .params.replaced_defaults import is_replaced
 from .reached_definitions import ReachedDefinitions
-from .replaced_launch_files import has_named_twin, is_always_given
+from .replaced_launch_files import has_named_twin, is_always_given, is_named
 from .share_lookups import UNOPENED
 from .shown_texts import is_only_shown
 from .told_settings import is_told_by_comment, is_told_by_page
@@ -221,9 +221,15 @@ class HomePaths:
     def is_seldom_read(self, path: str) -> bool:
         folder = path.partition("/")[0]
         is_aside = path.endswith(".py") and folder not in (self.facts.name, *FOR_CODE)
-        is_left = self.left is not None and self.left.has(path)
+        is_left = self.left is not None and (self.left.has(path) or self.is_no_launch_file(path))
         is_left = is_left or (path.endswith(".py") and self.programs is not None and self.programs.has(path))
         return path.endswith(".rviz") or is_aside or is_left or (path.endswith(YAML) and self.is_left_out(path))
+
+    def is_no_launch_file(self, path: str) -> bool:
+        """Return whether nothing installs a launch file, and nothing in the run names it: nobody starts it today."""
+        if role_of(path) != "launch" or self.left is None or not self.left.is_uninstalled(path):
+            return False
+        return not self.left.is_named(path) and not is_named(path, self.files)
 
     def is_unused(self, path: str, place: Span) -> bool:
         """Return whether a launch file has a place only in what never comes to the launch description."""
