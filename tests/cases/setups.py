@@ -153,6 +153,9 @@ CASES = {
         python({"setup.py": NAV, ".gitmodules": "[submodule \"c\"]\n\tpath = config\n"}),
         python({"setup.py": NAV, ".gitignore": "nav.yaml\n"}),
     ),
+    "SET208": (
+        python({**CONFIG, "setup.py": SETUP_PY.replace("package_name, ['package.xml'", "'x', ['config/nav.yaml'")}),
+    ),
     "SET206": (
         python(CONFIG),
         python({**CONFIG, ".gitignore": "/config/\n"}),

@@ -49,6 +49,7 @@ CASES = {
               ("", "launch/a.launch.xml", {}),
               ("", f"{AB} launch/c.launch.xml", {}),
               ("file(GLOB found launch/[ab].launch.xml)\n", "${found}", {}),
+              ("", AB, {"README.md": "Run `ros2 launch my_pkg c.launch.xml`.\n"}),
               ("", AB, {"launch/more/d.launch.xml": "<launch/>\n"}),
               ("", AB, {"launch/b.launch.xml": "<!-- c.launch.xml -->\n<launch/>\n"}),
               ("add_custom_target(x DEPENDS launch/c.launch.xml)\n", AB, {}),

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import posixpath
 from functools import cached_property
 from typing import Annotated
 
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.launch.launch_file import LaunchFile
-from ...package.setup.data_files import DataEntry
-from ...ros.share_layout import FOLDERS, SHARED
+from ...package.setup.data_files import DataEntry, DataFile
+from ...ros.share_layout import FOLDERS, LAUNCH, SHARED
 from ...suggest import near_names
 from ...unreadable import READABLE
 from ..launch.idle_actions import level_at
@@ -29,6 +30,28 @@ class DataDestinations:
                 if (each.use, each.package, each.path) in asked and level_at(file, each.span)[0] is None:
                     return file.path, each.path
         return None
+
+    def why_unmet(self, entry: DataEntry) -> str:
+        """Return why nobody is shown to miss the files of an entry; "" where somebody is.
+
+        Launch files and package.xml are looked for by ROS itself, other files by what opens them.
+        """
+        files = [file.source for file in entry.files if file.source]
+        there = {file.source for file in self.shared.package.setup.data_files if self.is_right(file)}
+        lost = [path for path in files if path not in there]
+        if files and not lost:
+            return "another entry installs its files where they are looked for"
+        manifest = self.shared.package.files.readable_text("package.xml")  # it names descriptions of plugins
+        if any(
+            is_for_ros(path) or posixpath.basename(path) in manifest or self.shared.opened.opens(path) for path in lost
+        ):
+            return ""
+        folders = {posixpath.dirname(path) for path in lost} - {""}
+        return "" if any(map(self.shared.opened.opens_folder, folders)) else "nothing here opens its files there"
+
+    def is_right(self, file: DataFile) -> bool:
+        """Return whether a file goes into the share directory of the package."""
+        return any(file.destination.startswith(f"share/{name}/") for name in self.shared.names)
 
     @cached_property
     def misplaced(self) -> tuple[tuple[DataEntry, str, str], ...]:
@@ -53,3 +76,9 @@ class DataDestinations:
                 why = "is below no folder that anything searches: `share` is meant"
                 found.append((entry, "/".join(("share", *rest)), why))
         return tuple(found)
+
+
+def is_for_ros(path: str) -> bool:
+    """Return whether ROS itself looks for a file: a manifest, or a launch file."""
+    name = posixpath.basename(path)
+    return name == "package.xml" or role_of(path) == "launch" or LAUNCH.fullmatch(name) is not None

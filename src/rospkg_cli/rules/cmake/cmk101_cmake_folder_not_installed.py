@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from ...checks.cmake.idle_packages import idle_programs
 from ...checks.cmake.share_folders import RuntimeFolders
+from ...checks.opened_in_share import OpenedInShare
 from ...edits.cmake_install import install_folder
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
@@ -28,7 +29,8 @@ ONE = CMAKE.replace("ament_package", "install(DIRECTORY meshes DESTINATION share
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code, a launch file or the README opens it in the share directory (RViz goes on without)",
-        Severity.INFO: "nothing in the package or the workspace seems to; or the README opens it in the source folder",
+        Severity.INFO: "nothing in the package or the workspace seems to; or the README opens it in the source folder; "
+        "or it is one launch file beside others, which no page or script starts",
     },
     examples=(
         Example(
@@ -73,7 +75,8 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
             f"`{row.source}` is installed as `{row.destination}`: `ros2 launch {name} …` looks in `share/{name}` alone"
         )
         yield Hit(row.path, row.span, f"{into}; write `DESTINATION share/${{PROJECT_NAME}}`")
-    yield from (left_out(name, path, row) for path, row in folders.left_out())
+    for path, row in folders.left_out():
+        yield left_out(name, path, row, is_started=OpenedInShare(folders.uses).is_started(path.rpartition("/")[2]))
     if programs := idle_programs(package, folders.table):
         yield Hit(place.path, place.command.span, not_run(name, programs), Severity.INFO)
     for folder in folders.uninstalled():
@@ -87,11 +90,12 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
         yield Hit(place.path, place.command.span, message, Severity(level) if level else None, fix=fix)
 
 
-def left_out(name: str, path: str, row: InstalledFile) -> Hit:
+def left_out(name: str, path: str, row: InstalledFile, *, is_started: bool) -> Hit:
     file = path.rpartition("/")[2]
     what = f"`{path}` is not installed, but the others of its folder are"
     message = f"{what}: `ros2 launch {name} {file}` does not find it; add it here, or remove it"
-    return Hit(row.path, row.span, message)
+    why = "" if is_started else "; nothing here starts it"
+    return Hit(row.path, row.span, message + why, None if is_started else Severity.INFO)
 
 
 def not_run(name: str, programs: Sequence[str]) -> str:

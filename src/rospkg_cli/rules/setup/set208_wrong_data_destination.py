@@ -11,14 +11,14 @@ from ...finding import Fix, Hit, Safety, Severity
 from ...rule import rule
 
 ENTRY = "        ('share/' + package_name, ['package.xml']),\n"
-YAML = {"config/nav.yaml": "/**:\n  ros__parameters:\n    rate: 2.0\n"}
+LAUNCH = {"launch/robot.launch.xml": "<launch>\n</launch>\n"}
 
 
-def config(destination: str) -> str:
-    return setup_py().replace(ENTRY, f"{ENTRY}        ('{destination}', ['config/nav.yaml']),\n")
+def installed(destination: str) -> str:
+    return setup_py().replace(ENTRY, f"{ENTRY}        ('{destination}', ['launch/robot.launch.xml']),\n")
 
 
-GOOD = config("share/my_pkg/config")
+GOOD = installed("share/my_pkg/launch")
 
 
 @rule(
@@ -26,13 +26,13 @@ GOOD = config("share/my_pkg/config")
     "wrong-data-destination",
     over=DataDestinations,
     severity=Severity.WARNING,
-    levels={Severity.ERROR: "it begins with a slash: colcon stops; or a launch file includes what goes there"},
-    examples=(
-        Example(bad={**YAML, "setup.py": config("«share/your_pkg/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
-        Example(bad={**YAML, "setup.py": config("«share/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
-        Example(bad={**YAML, "setup.py": config("«config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
-        Example(bad={**YAML, "setup.py": config("«shre/my_pkg/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
-        Example(bad={**YAML, "setup.py": config("«/share/my_pkg/config»")}, good={"setup.py": GOOD}, fix=Safety.SAFE),
+    levels={
+        Severity.ERROR: "it begins with a slash: colcon stops; or a launch file includes what goes there",
+        Severity.INFO: "nothing here opens its files, or another entry installs them in the right place",
+    },
+    examples=tuple(
+        Example(bad={**LAUNCH, "setup.py": installed(f"«{place}»")}, good={"setup.py": GOOD}, fix=Safety.SAFE)
+        for place in ("share/your_pkg/launch", "share/launch", "launch", "shre/my_pkg/launch", "/share/my_pkg/launch")
     ),
 )
 def wrong_data_destination(destinations: DataDestinations) -> Iterator[Hit]:
@@ -48,7 +48,8 @@ def wrong_data_destination(destinations: DataDestinations) -> Iterator[Hit]:
 
     ## When it is quiet
     In folders of share/ that belong to no package, such as `share/applications`, and for destinations that can't be
-    evaluated.
+    evaluated. Of files other than launch files and package.xml it is an info where nothing in the workspace opens them
+    in the package's share directory.
     """
     for entry, right, why in destinations.misplaced:
         assert entry.destination is not None
@@ -56,7 +57,9 @@ def wrong_data_destination(destinations: DataDestinations) -> Iterator[Hit]:
         edits = replace_destination(package.setup, package.name, entry.destination, right)
         fix = Fix(f"install into {right}", edits) if edits else None
         stops = None if entry.destination.text.startswith("/") else destinations.included(entry)
-        level = Severity.ERROR if stops or entry.destination.text.startswith("/") else None
+        is_fatal = stops or entry.destination.text.startswith("/")
+        unmet = "" if is_fatal else destinations.why_unmet(entry)
+        level = Severity.ERROR if is_fatal else Severity.INFO if unmet else None
         harm = f", so that `{stops[0]}` stops at `{stops[1]}`" if stops else ""
-        message = f"`{entry.destination.text}` {why}{harm}; write `{right}`"
+        message = f"`{entry.destination.text}` {why}{harm}; write `{right}`{'; ' if unmet else ''}{unmet}"
         yield Hit(entry.path, entry.destination.shown, message, level=level, fix=fix)
