@@ -111,7 +111,7 @@ def test_interfaces_take_the_name_of_the_python_package() -> None:
     ("path", "place", "level"),
     [
         ("scripts/a.py", "lib/${PROJECT_NAME}", Severity.ERROR),
-        ("scripts/a.py", "share/${PROJECT_NAME}", Severity.WARNING),
+        ("scripts/a.py", "share/${PROJECT_NAME}", Severity.INFO),
         ("launch/a.launch.py", "share/${PROJECT_NAME}", Severity.ERROR),
     ],
 )
@@ -120,3 +120,35 @@ def test_who_imports_what_is_not_installed(path: str, place: str, level: Severit
     files = {path: "#!/usr/bin/env python3\nfrom trials.rates import x\n", "trials/__init__.py": ""}
     files["trials/rates.py"] = "x = 1\n"
     assert levels(f"install({kind} {path} DESTINATION {place})\n", files) == [level]
+
+
+IMPORTS = "from my_pkg import words\n"
+LATE = "def late():\n    from my_pkg import words\n\n\ndef main():\n    print({})\n\n\nmain()\n"
+DATA = "install(PROGRAMS scripts/a.py DESTINATION share/${PROJECT_NAME})\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "code", "page", "expected"),
+    [
+        (SCRIPT, IMPORTS, "", [Severity.ERROR]),
+        (SCRIPT, "import rospy\n" + IMPORTS, "", [Severity.INFO]),
+        (SCRIPT, IMPORTS + "import rospy\n", "", [Severity.ERROR]),
+        (SCRIPT, "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    " + IMPORTS, "", []),
+        (SCRIPT, LATE.format("late()"), "", [Severity.ERROR]),
+        (SCRIPT, LATE.format("1"), "", [Severity.INFO]),
+        (DATA, IMPORTS, "", [Severity.INFO]),
+        (DATA, IMPORTS, "Run a.py, which lies in share.\n", [Severity.WARNING]),
+    ],
+)
+def test_who_comes_to_the_import(lines: str, code: str, page: str, expected: list[Severity]) -> None:
+    assert levels(lines, {"scripts/a.py": f"#!/usr/bin/env python3\n{code}", "README.md": page, **OWN}) == expected
+
+
+def test_the_program_that_surely_ends_is_told_of() -> None:
+    files = {"scripts/a.py": f"import rospy\n{IMPORTS}", "scripts/b.py": IMPORTS, **OWN}
+    assert levels(BOTH, files) == [Severity.ERROR]
+
+
+def test_a_module_beside_a_script_for_ros1() -> None:
+    assert levels(SCRIPT, {"scripts/a.py": "import rospy\nimport b\n", "scripts/b.py": ""}) == [Severity.INFO]
+    assert levels(SCRIPT, {"scripts/a.py": "import b\nimport rospy\n", "scripts/b.py": ""}) == [Severity.WARNING]

@@ -25,6 +25,8 @@ class LeftModule:
     """Of the import in the script."""
     installed_as: str = ""
     """Where a rule installs it all the same, without its folder; "" where none does."""
+    why_unmet: str = ""
+    """Why nobody is shown to come to the import."""
 
     @property
     def needs_folder(self) -> bool:
@@ -36,8 +38,8 @@ class LeftModule:
         where = f"installed as `{self.installed_as}`" if self.installed_as else "not installed"
         fails = f"`{self.script}` imports `{self.source}`, which is {where}: the script ends with ModuleNotFoundError"
         if self.needs_folder:
-            return f"{fails}; install it next to the script, with its folder (`install(DIRECTORY …)`)"
-        return f"{fails}; add it to the `install(PROGRAMS …)`"
+            return f"{fails}; install it next to the script, with its folder (`install(DIRECTORY …)`){self.why_unmet}"
+        return f"{fails}; add it to the `install(PROGRAMS …)`{self.why_unmet}"
 
 
 def modules_left_behind(packages: PythonPackages) -> Iterator[LeftModule]:
@@ -56,13 +58,21 @@ def modules_left_behind(packages: PythonPackages) -> Iterator[LeftModule]:
             if source and source not in seen:
                 seen.add(source)
                 flat = next((other.destination for other in table.rows if other.source == source), "")
-                yield LeftModule(source, row.source, row.path, row.span, each.span, flat)
+                why = packages.unmet.why(file, each, row)
+                yield LeftModule(source, row.source, row.path, row.span, each.span, flat, why)
 
 
 def source_of(packages: PythonPackages, row: InstalledFile, each: Import) -> str:
     """Return the file next to a script that an import means and that is not next to the installed script, else ""."""
     name, files = each.module.partition(".")[0], packages.package.cmake.package_files
-    if each.level or each.is_optional or not name or name in STANDARD or name in packages.installed:
+    if (
+        each.level
+        or each.is_optional
+        or each.is_for_typing
+        or not name
+        or name in STANDARD
+        or name in packages.installed
+    ):
         return ""
     here = f"{posixpath.dirname(row.source)}/{name}".lstrip("/")
     there = f"{posixpath.dirname(row.destination)}/{name}"

@@ -16,6 +16,8 @@ from ...package.file_role import role_of
 from ...package.install_table import PYTHON, InstallTable
 from ...package.python_modules import PythonModules
 from ...source import Span
+from ..reached_definitions import ReachedDefinitions
+from .unmet_imports import UnmetImports
 
 SETS = "PYTHONPATH"
 
@@ -30,6 +32,8 @@ class UninstalledPythonPackage:
     module: str
     is_started: bool
     """Whether the file that imports it is an installed program or a launch file."""
+    why_unmet: str = ""
+    """Why nobody is shown to come to the import."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +41,11 @@ class PythonPackages:
     package: CMakePackage
     table: InstallTable
     modules: PythonModules
+    definitions: ReachedDefinitions | None = None
+
+    @cached_property
+    def unmet(self) -> UnmetImports:
+        return UnmetImports(self.package.cmake.package_files, self.definitions)
 
     @cached_property
     def folders(self) -> Mapping[str, str]:
@@ -53,7 +62,14 @@ class PythonPackages:
         return frozenset(path.partition("/")[0].removesuffix(".py") for path, _ in self.table.below(PYTHON))
 
     def uninstalled(self) -> Iterator[UninstalledPythonPackage]:
-        """Yield each Python package that an installed script or launch file imports and that is not installed."""
+        """Yield each Python package that an installed file imports and that is not installed, with who surely ends."""
+        found: dict[str, UninstalledPythonPackage] = {}
+        for each in sorted(self.importing(), key=lambda each: (each.why_unmet != "", not each.is_started)):
+            found.setdefault(each.folder, each)
+        yield from found.values()
+
+    def importing(self) -> Iterator[UninstalledPythonPackage]:
+        """Yield each import of such a package in an installed file."""
         cmake = self.package.cmake
         if not self.table.knows("module") or not cmake.is_complete or any(map(self.may_set_path, cmake.calls)):
             return
@@ -74,13 +90,14 @@ class PythonPackages:
                     name in missing
                     and not (row.what == "share" and row.source.startswith(f"{self.folders[name]}/"))
                     and not each.level
-                    and not each.is_optional
+                    and not (each.is_optional or each.is_for_typing)
                     and self.is_own(each)
                     and not is_neighbour
+                    and file is not None
                 ):
-                    missing.discard(name)
                     is_started = row.what == "executable" or role_of(row.source) == "launch"
-                    yield UninstalledPythonPackage(name, row.source, each.span, each.module, is_started)
+                    why = self.unmet.why(file, each, row)
+                    yield UninstalledPythonPackage(name, row.source, each.span, each.module, is_started, why)
 
     @property
     def found_by_scripts(self) -> set[str]:

@@ -36,7 +36,7 @@ BODY = "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n"
     levels={
         Severity.WARNING: "a module next to a script, which a build with --symlink-install finds; only data "
         "imports it; or interfaces take its name",
-        Severity.INFO: "nothing in the package imports it",
+        Severity.INFO: "nothing in the package imports it, or nobody is shown to come to the import",
     },
     examples=(
         Example(
@@ -81,6 +81,8 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
     ## When it is quiet
     Where install rules can't be evaluated, where the import is guarded by `try`, where the script changes `sys.path`,
     where an environment hook of the package may set PYTHONPATH, and where the folder is installed next to the script.
+    It is an info in a function that nothing leads to, in a script that ends at `import rospy` before, and in one among
+    the data that nothing starts or names.
     """
     cmake = packages.package.cmake
     ends = [call for call in cmake.calls if call.name.endswith(("ament_package", "ament_auto_package"))]
@@ -91,10 +93,11 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
         start = (
             f"the Python package `{each.folder}` is not installed: `{each.path}`, which imports `{each.module}`, ends"
         )
-        message = f"{start} with ModuleNotFoundError; {repair(packages, each.folder)}"
+        message = f"{start} with ModuleNotFoundError; {repair(packages, each.folder)}{each.why_unmet}"
         related = Related(each.path, each.span, "it is imported here")
         is_certain = each.is_started and not is_generated(packages, each.folder)
-        level, fix = None if is_certain else Severity.WARNING, installing(packages, each.folder)
+        level = Severity.INFO if each.why_unmet else None if is_certain else Severity.WARNING
+        fix = installing(packages, each.folder)
         yield Hit(place.path, place.command.span, message, level, (related,), fix)
     if name := packages.forgotten():
         start = f"the Python package `{name}` is not installed, though CMake looks for ament_cmake_python"
@@ -131,4 +134,5 @@ def beside(packages: PythonPackages, left: LeftModule) -> Hit:
     script = install_script(packages.package.cmake, left.source) if not left.needs_folder else None
     fix = only_plain_names(Fix(f"install `{left.source}`", (script,)), left.source) if script else None
     related = Related(left.script, left.imported, "it is imported here")
-    return Hit(left.path, left.span, left.sentence, Severity.WARNING, (related,), fix)
+    level = Severity.INFO if left.why_unmet else Severity.WARNING
+    return Hit(left.path, left.span, left.sentence, level, (related,), fix)
