@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, SETUP_PY_FOR_ALL, existing_files, scripts, setup_py
+from rospkg_cli.example import BACKDROPS, CMAKE, SETUP_PY_FOR_ALL, existing_files, manifest, scripts, setup_py
 from rospkg_cli.testing import lint_files
 
 PACKAGE = {**existing_files(BACKDROPS["ament_python"]), "data/a.txt": "Ada\n"}
@@ -129,3 +129,18 @@ def test_a_variable_that_only_an_argument_of_no_use_has() -> None:
     unread = text.replace(", LogInfo(msg=model)", "")
     for each, expected in ((text, "warning"), (unread, "info"), (unread.replace("[D", "[print(place), D"), "warning")):
         assert level({"setup.py": SETUP_PY_FOR_ALL, "launch/a.launch.py": each}) == expected
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        ('list(APPEND CMAKE_PREFIX_PATH "/home/ada/ws/install/my_pkg")\n', "info"),
+        ("set(CMAKE_PREFIX_PATH ${CMAKE_PREFIX_PATH}\n  /home/ada/ws/install/my_pkg)\n", "info"),
+        ("set(model /home/ada/ws/src/my_pkg/src)\n", "warning"),
+    ],
+)
+def test_one_more_place_for_packages(lines: str, expected: str) -> None:
+    files = {"package.xml": manifest("", "ament_cmake"), "src/node.cpp": "int main() {return 0;}\n"}
+    files |= {"CMakeLists.txt": CMAKE.replace("ament_package", f"{lines}ament_package")}
+    (found,) = lint_files(files, ["DEP118"]).findings
+    assert found.severity.value == expected

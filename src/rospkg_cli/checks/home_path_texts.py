@@ -21,8 +21,11 @@ PLAIN = regex(rf"(?m)(?<=[:-])[ \t]+(?:file://)?(?P<path>{PATH})(?=[ \t]*(?:#.*)
 
 IN_CMAKE = regex(rf"(?<![\w./-])(?<!DESTINATION )(?P<path>{PATH})(?![\w*$])")
 COMMENTS = {CPP: regex(r"(?s)/\*.*?\*/|//[^\n]*"), MARKUP: regex(r"(?s)<!--.*?-->")}
-IS_SOUGHT = regex(r"\bsys\.path\b(?:[^\n]*|[^)\]]*)\Z|\b(?:target_)?(?:link|include)_directories\s*\([^)]*\Z")
-"""Whether what follows is one of the places for modules, headers or libraries."""
+IS_SOUGHT = regex(
+    r"\bsys\.path\b(?:[^\n]*|[^)\]]*)\Z|\b(?:target_)?(?:link|include)_directories\s*\([^)]*\Z"
+    r"|\b(?:set|list)\s*\(\s*(?:APPEND\s+|PREPEND\s+)?(?:CMAKE|AMENT)_PREFIX_PATH\b[^)]*\Z"
+)
+"""Whether what follows is one of the places for modules, headers, libraries or packages."""
 MACRO = regex(r"[ \t]*#[ \t]*define[ \t]+(\w+)")
 OPENING = (NEWLINE, INDENT, DEDENT)
 """What a statement follows."""
