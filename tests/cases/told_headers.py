@@ -93,7 +93,11 @@ CASES = {
     ),
     "CMK104": (
         package(MODULE.format("lib/${PROJECT_NAME}"), MODULES),
-        package(MODULE.format("lib/${PROJECT_NAME}"), MODULES | {"my_pkg/__init__.py": "from . import fast\n"}),
+        package(
+            "find_package(ament_cmake_python REQUIRED)\nament_python_install_package(my_pkg)\n"
+            + MODULE.format("lib/${PROJECT_NAME}"),
+            MODULES | {"my_pkg/__init__.py": "from . import fast\n"},
+        ),
         package(MODULE.format("lib/python3.12/site-packages/my_pkg"), MODULES),
         package(MODULE.format("lib"), MODULES | {"README.md": "Set PYTHONPATH.\n"}),
         package(

@@ -10,6 +10,7 @@ from ...languages.cmake.values import UNKNOWN, Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_install_table import CMakeTableBuilder
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.file_role import role_of
 
 MAKERS = ("pybind11_add_module", "nanobind_add_module", "python3_add_library", "python_add_library")
 PLACES = ("lib", "bin", "share")
@@ -22,12 +23,13 @@ class MisplacedModule:
     word: Word
     destination: str
     is_imported: bool
-    """Whether a Python file of the package imports it."""
+    """Whether a Python file that the package installs imports it."""
 
     @property
     def sentence(self) -> str:
         start = f"`{self.word.text}` is a module of Python and is installed into `{self.destination}`"
-        return f"{start}: importing it fails; use `${{PYTHON_INSTALL_DIR}}/${{PROJECT_NAME}}`"
+        why = "" if self.is_imported else "; nothing that is installed here imports it"
+        return f"{start}: importing it fails; use `${{PYTHON_INSTALL_DIR}}/${{PROJECT_NAME}}`{why}"
 
 
 @dataclass(frozen=True)
@@ -74,6 +76,9 @@ class MisplacedModules:
         return any(TOLD in files.readable_text(path) for path in files.paths if path.endswith(ends))
 
     def is_imported(self, name: str) -> bool:
-        wanted = re.compile(rf"^[ \t]*(?:from|import)\b.*\b{re.escape(name)}\b", re.MULTILINE)
+        """Return whether a file of Python that a rule installs, and no test, imports a module."""
+        wanted = re.compile(rf"^[ \t]*(?:from|import)\b[^#\n]*\b{re.escape(name)}\b", re.MULTILINE)
         files = self.package.cmake.package_files
-        return any(wanted.search(files.readable_text(path)) for path in files.paths if path.endswith(".py"))
+        rows = CMakeTableBuilder(self.package.cmake, self.package.facts.name).rows()
+        paths = {row.source for row in rows if row.source.endswith(".py")}
+        return any(wanted.search(files.readable_text(path)) for path in paths if role_of(path) != "test")
