@@ -168,6 +168,27 @@ def test_a_target_that_is_called_so_everywhere(lines: str, levels: list[str]) ->
     assert all(text.endswith("; the target is called so everywhere") == text.startswith("info") for text in found)
 
 
+HEADER = {"include/a.hpp": "int a();\n", "src/a.cpp": '#include "a.hpp"\nint main() {return a();}\n'}
+
+
+@pytest.mark.parametrize(
+    ("lines", "level"),
+    [
+        ("include_directories({CMAKE_CURRENT_SOURCE_DIR}/include)\nadd_executable(a src/a.cpp)", "warning"),
+        ("include_directories(include {CMAKE_CURRENT_SOURCE_DIR}/include)\nadd_executable(a src/a.cpp)", "info"),
+        ("set(FOLDERS include)\ninclude_directories({FOLDERS})\nadd_executable(a src/a.cpp)", "info"),
+        ("link_directories($PROJECT_SOURCE_DIR/lib)", "info"),
+        ("set(LIBRARIES m)\nadd_executable(a src/a.cpp)\ntarget_link_libraries(a {LIBRARIES})", "warning"),
+        ("set(LIBRARIES m)\nset(OTHERS {LIBRARIES})", "info"),
+        ("set(LIBRARIES m)\nset(OTHERS {LIBRARIES})\nadd_executable(a src/a.cpp ${OTHERS})", "warning"),
+        ("install(DIRECTORY include DESTINATION include/{PROJECT_NAME})", "warning"),
+    ],
+)
+def test_what_is_lost_with_a_dollar_sign(lines: str, level: str) -> None:
+    (text,) = said(package(lines) | HEADER, "CMK126")
+    assert text.startswith(f"{level}: ")
+
+
 NODE = "def main():\n    print('hello')\n"
 STARTS = '<launch>\n  <node pkg="my_pkg" exec="talker"/>\n</launch>\n'
 

@@ -11,6 +11,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...source import Span
+from .lost_values import LostValues
 from .unset_variables import SET_BY_CMAKE
 
 LOST = regex(
@@ -40,10 +41,13 @@ class LostDollar:
 
     has_effect: bool = True
     """Whether what the command is given goes anywhere."""
+    why_not: str = ""
+    """Why nothing is lost: the end of a sentence."""
 
     @property
     def sentence(self) -> str:
-        return f"`{self.text}` is no variable but plain text, which CMake leaves as it is; write `${{{self.name}}}`"
+        start = f"`{self.text}` is no variable but plain text, which CMake leaves as it is"
+        return f"{start}; write `${{{self.name}}}`{'; ' if self.why_not else ''}{self.why_not}"
 
 
 @dataclass(frozen=True)
@@ -80,7 +84,12 @@ class LostDollars:
                 if name in self.names:
                     start = argument.inner.start
                     place = Span(start + found.start(), start + found.end())
-                    yield LostDollar(call, place, found[0], name, self.has_effect(call))
+                    why_not = self.values.why_not(call, name, argument.text[found.end() :])
+                    yield LostDollar(call, place, found[0], name, self.has_effect(call) and not why_not, why_not)
+
+    @cached_property
+    def values(self) -> LostValues:
+        return LostValues(self.cmake)
 
     @cached_property
     def names(self) -> frozenset[str]:

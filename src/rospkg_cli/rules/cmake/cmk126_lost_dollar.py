@@ -15,7 +15,7 @@ add_library(core SHARED src/core.cpp)
 target_include_directories(core PRIVATE {}/include)
 install(TARGETS core DESTINATION lib)
 """
-SOURCE = {"src/core.cpp": "int core() {return 1;}\n", "include/core.hpp": "int core();\n"}
+SOURCE = {"src/core.cpp": '#include "core.hpp"\nint core() {return 1;}\n', "include/core.hpp": "int core();\n"}
 
 
 def cmake(folder: str) -> str:
@@ -29,7 +29,7 @@ def cmake(folder: str) -> str:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "what is exported in a folder below that of `ament_package()` goes nowhere in any case, or "
-        "`ament_auto_package()` installs the targets, too"
+        "`ament_auto_package()` installs the targets, too; or a folder is not needed, or nothing reads what is set"
     },
     examples=(
         Example(
@@ -51,7 +51,8 @@ def lost_dollar(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     In `message()`, `string()`, `file()` and conditions, whose texts may mean braces, in what a shell or Make gets
-    (`add_custom_command()`), in `[[…]]`, and behind a backslash.
+    (`add_custom_command()`), in `[[…]]`, and behind a backslash. It is an info where a folder of headers or libraries
+    is not needed, as all that is included is found otherwise, and where nothing reads the variable that is set.
     """
     for each in LostDollars(package.cmake).all():
         yield Hit(each.call.path, each.span, each.sentence, None if each.has_effect else Severity.INFO)
