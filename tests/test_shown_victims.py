@@ -66,6 +66,8 @@ def test_a_header_of_what_nobody_asks_for(lines: str, level: str) -> None:
         ('set(CMAKE_CXX_FLAGS "${CMAKE_CXXFLAGS} -O2")\n', "info"),
         ('set(CMAKE_CXX_FLAGS "-O2")\nset(CMAKE_CXX_FLAGS "${CMAKE_CXXFLAGS} -g")\n', "warning"),
         ("install(DIRECTORY src DESTINATION share/${PROJECTNAME})\n", "error"),
+        ("set(HOME_OF_ALL ${CMAKE_SOURCEDIR}/a)\n", "info"),
+        ("set(HOME_OF_ALL ${CMAKE_SOURCEDIR}/a)\ninstall(DIRECTORY ${HOME_OF_ALL} DESTINATION share)\n", "warning"),
     ],
 )
 def test_what_is_lost_with_a_variable(lines: str, level: str) -> None:

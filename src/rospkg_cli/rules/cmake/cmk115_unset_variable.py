@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.consistent_names import is_consistent
 from ...checks.cmake.dead_branches import DeadBranches
+from ...checks.cmake.harmless_variables import why_harmless
 from ...checks.cmake.switched_off import SwitchedOff
 from ...checks.cmake.unread_lists import UnreadLists
 from ...checks.cmake.unread_twins import UnreadTwins
@@ -37,7 +37,8 @@ def cmake(lines: str) -> str:
         Severity.INFO: "another package may set it, as it is more than one letter off, differs in case, or is like one "
         "that a package sets; or it would name targets to install, and no other variable is near; or the intended one "
         "stands beside it, or a target is given a folder or a library by it, which the build itself tells where it is "
-        "needed; or a branch reads it that is not taken, or it is a part of the name that a target has everywhere",
+        "needed; or a branch reads it that is not taken, or it is a part of the name that a target has everywhere, or "
+        "nothing reads what is set by it",
     },
     examples=(
         Example(
@@ -76,8 +77,8 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     package is found that nobody knows, or that has nothing but CMake files for others. So it is where the right one
     stands in the same command, as nothing is lost; where targets get a folder or a library by it, for the build tells
     where they need it; where flags are kept that nothing sets before; and what is read where a package is found
-    (`if(OpenMP_FOUND)`) that nothing looks for, and a part of the name of a target that is called so everywhere. What
-    packages set that are not built with ament (`octomap`) is known of none.
+    (`if(OpenMP_FOUND)`) that nothing looks for, a part of the name of a target that is called so everywhere, and
+    the value of what nothing reads. What packages set that are not built with ament (`octomap`) is known of none.
     """
     dead, off = DeadBranches(variables.cmake), SwitchedOff(variables.cmake)
     for each in (*variables.all(), *UnreadTwins(variables).all()):
@@ -86,11 +87,11 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
             (not each.near and each.call.name == "install") or bool(dead.package_of(each.call)) or off.has(each.call)
         )
         is_mild = is_mild or bool(each.beside) or each.is_told_by_build
-        same = is_consistent(variables.cmake, each)
+        why = why_harmless(variables.cmake, each)
         is_mild = is_mild or variables.brings(each) or variables.is_harmless(each)
         is_certain = variables.is_certain(each)
-        level = Severity.INFO if is_mild or same or not is_certain else Severity.ERROR if is_sure else None
-        text = message(each, is_certain or is_mild) + ("; the target is called so everywhere" if same else "")
+        level = Severity.INFO if is_mild or why or not is_certain else Severity.ERROR if is_sure else None
+        text = message(each, is_certain or is_mild) + why
         yield Hit(each.call.path, each.span, text, level)
     for lost in UnreadLists(variables.cmake).all():
         text = f"nothing reads `{lost.name}` (did you mean `{lost.near}`?): what is appended is lost; correct the name"

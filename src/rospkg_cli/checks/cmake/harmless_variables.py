@@ -1,9 +1,19 @@
-"""Targets that have the name with an empty variable wherever they are named: nothing is lost by it (CMK115)."""
+"""Variables that are empty, and with which nothing is lost: the end of a sentence says why (CMK115)."""
 
 from __future__ import annotations
 
 from ...package.cmake.cmake_project import CMake
+from .needed_places import NeededPlaces
 from .unset_variables import UnsetVariable
+
+
+def why_harmless(cmake: CMake, each: UnsetVariable) -> str:
+    """Return why nothing is lost with a variable that nothing sets; "" where something may be."""
+    if is_consistent(cmake, each):
+        return "; the target is called so everywhere"
+    call = each.call
+    is_idle = call.name == "set" and bool(call.texts) and not NeededPlaces(cmake).is_read(call.texts[0])
+    return f"; nothing here reads `{call.texts[0]}`" if is_idle else ""
 
 
 def is_consistent(cmake: CMake, each: UnsetVariable) -> bool:
