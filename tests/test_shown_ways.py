@@ -125,6 +125,17 @@ def test_a_function_of_another_module(import_: str) -> None:
     assert level(f"{import_}\n\n\ndef main():\n    {call}\n", my_pkg__way=way) == "warning"
 
 
+DEAD = ("if __name__ == '__main__':\n    {}\n", "if False:\n    {}\n", "if True:\n    pass\nelse:\n    {}\n")
+
+
+@pytest.mark.parametrize("dead", DEAD)
+def test_what_an_import_of_a_module_does_not_run(dead: str) -> None:
+    way = "def go(): ...\n\n\n"
+    main = "from my_pkg import way\n\n\ndef main():\n    way.go()\n"
+    assert level(main, my_pkg__way=way + "lost()\n") == "error"
+    assert level(main, my_pkg__way=way + dead.format("lost()")) in ("info", "")
+
+
 def test_a_property_runs_where_it_is_read() -> None:
     text = node("print(self.speed)", "pass").replace(
         "    def tick", "    @property\n    def speed(self):\n        lost()\n\n    def tick"
@@ -177,6 +188,20 @@ def test_a_file_with_a_main_that_is_no_program_beside_programs() -> None:
     for page, expected in (("README.md", "info"), ("start.sh", "warning")):
         files = {**PYTHON, "my_pkg/talker.py": "def main(): ...\n", "my_pkg/way.py": text, page: pages[page]}
         assert [each.severity.value for each in lint_files(files, ["IDL010"]).findings] == [expected], page
+
+
+GUARDED = "def go(): ...\n\n\nif __name__ == '__main__':\n    lost()\n"
+
+
+@pytest.mark.parametrize("entries", [setup_py(), setup_py(scripts("talker = my_pkg.talker:main"), "scripts=found(),")])
+@pytest.mark.parametrize(("importer", "expected"), [("my_pkg/talker", "info"), ("test/test_it", "warning")])
+def test_a_main_of_a_module_that_others_import_where_no_program_is_known(
+    entries: str, importer: str, expected: str
+) -> None:
+    files = {**PYTHON, "setup.py": entries, "my_pkg/talker.py": "def main(): ...\n", "my_pkg/way.py": GUARDED}
+    files[f"{importer}.py"] = "from my_pkg.way import go\n\n\ndef main():\n    go()\n"
+    found = lint_files(files, ["DEP117"]).findings
+    assert [each.severity.value for each in found] == [expected]
 
 
 @pytest.mark.parametrize(("user", "expected"), [("", "info"), ("from my_pkg.words import Talker\n", "error")])

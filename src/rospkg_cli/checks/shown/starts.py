@@ -13,12 +13,14 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import FunctionNode
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
+from ...package.file_role import role_of
 from ...package.install_table import InstallTable
 from ...package.launch.launch_evaluator import ENTRIES
 from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ..installed_modules import InstalledModules
+from ..reached_modules import ReachedModules
 from ..run_imports import RunImports
 from ..started_by_path import python_files_in
 from ..unrun_tests import SOUGHT, is_never_run
@@ -45,6 +47,7 @@ class Starts:
     run: RunImports
     facts: PackageFacts
     workspace: Workspace
+    reached: ReachedModules
     cmake: CMake | None = None
 
     def all(self, meanings: Meanings) -> Iterator[Start]:
@@ -88,11 +91,18 @@ class Starts:
     def is_by_path(self, file: PythonFile) -> bool:
         """Return whether a module may be started by its path: a text that starts programs names it, or none is known.
 
-        What only a page names is shown to nobody beside programs.
+        What only a page names is shown to nobody beside programs, and what other modules import is there for them.
         """
+        if posixpath.basename(file.path) in self.named:
+            return True
         has_guard = any(isinstance(each, ast.If) and is_guard(each) for each in file.tree.body)
         is_only = has_guard and not (self.has_programs and self.table.knows("executable"))
-        return is_only or posixpath.basename(file.path) in self.named
+        return is_only and not self.is_imported(file)
+
+    def is_imported(self, file: PythonFile) -> bool:
+        """Return whether another module imports a file; a test may import a program."""
+        uses = self.reached.uses.get(self.installed.names.get(file.path, ""), [])
+        return any(other is not file and role_of(other.path) != "test" for other, _ in uses)
 
     @cached_property
     def named(self) -> frozenset[str]:

@@ -12,6 +12,8 @@ from ...light_dataclasses import dataclass
 from ...source import Span
 from .meanings import Own
 
+BLOCKS = ("body", "orelse", "finalbody")
+
 
 @dataclass(frozen=True, slots=True)
 class Place:
@@ -48,13 +50,20 @@ class Units:
 
     def conditions(self, unit: Own, span: Span, *, is_program: bool = False) -> int | None:
         """Return how many conditions of a unit must hold before a place runs; None where it never does."""
-        smallest, found = len(unit.file.source.text) + 1, None
+        smallest, found, around = len(unit.file.source.text) + 1, None, None
         for node, conditions in self.parts(unit, is_program=is_program):
             if isinstance(node, ast.stmt | ast.expr | ast.ExceptHandler | ast.keyword):
                 at = unit.file.span(node)
                 if at.holds(span) and at.end - at.start <= smallest:
-                    smallest, found = at.end - at.start, conditions
-        return found
+                    smallest, found, around = at.end - at.start, conditions, node
+        return None if around is not None and is_in_block(unit.file, around, span) else found
+
+
+def is_in_block(file: PythonFile, node: ast.AST, span: Span) -> bool:
+    """Return whether a place is in a statement of a block of a node: where that runs it is a part of its own."""
+    blocks = (getattr(node, name, ()) for name in BLOCKS)
+    inner = (each for block in blocks if isinstance(block, list) for each in block if isinstance(each, ast.stmt))
+    return any(file.span(each).holds(span) for each in inner)
 
 
 def unit_around(file: PythonFile, span: Span) -> Own:
