@@ -24,6 +24,7 @@ from .reached_modules import ReachedModules
 from .run_imports import RunImports
 from .shown.units import is_in_function
 from .shown.ways import ShownWays
+from .unimported_modules import UnimportedModules
 
 Met = Literal["maybe", "branch", "late", "seldom", "unshown", "never"]
 """In some runs; after another failure, by a switch or by the file's path alone; behind a `spin` that Ctrl-C leaves;
@@ -39,6 +40,7 @@ WHY: dict[Met, str] = {
 """What is said of a place that seldom or never runs."""
 MILDER: tuple[Met, ...] = ("branch", "seldom", "late", "unshown", "never")
 UNWANTED = "; nothing here leads to what imports this module"
+UNIMPORTED = "; nothing here imports this module"
 
 
 @dataclass(frozen=True)
@@ -50,6 +52,7 @@ class ReachedPlaces:
     uncalled: UncalledMethods
     definitions: ReachedDefinitions
     shown: ShownWays
+    unimported: UnimportedModules
 
     def met(self, file: PythonFile, span: Span) -> Met:
         """Return when a place is come to that is not met at every start, as far as the package itself shows."""
@@ -66,12 +69,13 @@ class ReachedPlaces:
     def conditions(self, file: PythonFile, span: Span) -> int | None:
         """Return how many conditions stand on the shortest way that is shown to a place; None where none is shown.
 
-        Whoever uses a library imports its modules.
+        Whoever uses a library imports its modules, but for those that nothing here does.
         """
         found = self.shown.conditions(file, span)
         if found is None and not is_in_function(file, span) and self.reached.is_library:
             is_started = self.installed.names.get(file.path) in self.reached.started
-            return self.shown.conditions_in_module(file, span) if is_started else None
+            is_met = is_started and not self.unimported.has(file.path)
+            return self.shown.conditions_in_module(file, span) if is_met else None
         return found
 
     def met_by_anybody(self, file: PythonFile, span: Span) -> Met:
@@ -117,6 +121,8 @@ class ReachedPlaces:
             return ""
         if self.is_unwanted(file):
             return UNWANTED
+        if self.unimported.has(path):
+            return UNIMPORTED
         is_inner = is_in_function(file, span)
         met = self.as_shown(file, span) if is_inner else self.met_by_anybody(file, span)
         met = self.met_by_importers(file) if met == "maybe" and not is_inner else met
@@ -159,7 +165,8 @@ class ReachedPlaces:
         module, rows = self.installed.names.get(file.path, ""), [*self.table.of("executable")]
         is_program = any(row.source == file.path and not row.entry for row in rows)
         is_started = (is_program or module in self.reached.started) and not self.reached.is_left(file.path)
-        if not is_started or self.reached.is_optional(file.path) or self.is_unwanted(file):
+        is_met = is_started and not self.unimported.has(file.path)
+        if not is_met or self.reached.is_optional(file.path) or self.is_unwanted(file):
             return frozenset()
         entries = [row.entry.partition(":")[2] for row in rows if row.entry.partition(":")[0] == module]
         nodes = certain_nodes(file, entries, is_program=is_program)

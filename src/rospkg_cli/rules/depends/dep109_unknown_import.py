@@ -27,8 +27,9 @@ GOOD = {"my_pkg/talker.py": "from my_pkg.speech import GREETING" + MAIN.format("
     levels={
         Severity.WARNING: "it is in a function or a branch, which may not be run, in a test, in a library's module "
         "that nothing here imports, or in a program that nothing starts, beside others that are started",
-        Severity.INFO: "nothing starts or imports the module, or leads to the function, it stands behind `rclpy.spin`, "
-        "or another package may have the module, and this one has one of its name",
+        Severity.INFO: "nothing starts or imports the module, or leads to the function, other packages here import "
+        "other parts of a library alone, it stands behind `rclpy.spin`, or another package may have the module, and "
+        "this one has one of its name",
     },
     examples=(
         Example(
@@ -62,7 +63,8 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
     a module has a `__getattr__` or an unknown star import, and where the package changes `sys.path`. A module that no
     entry point and no other file of the package names or imports, beside others that start, is an info, and so is an
     import in a function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's
-    module. Of a library such a module is a warning: others may import it, or nobody.
+    module. Of a library such a module is a warning: others may import it, or nobody. It is an info where other packages
+    here import the library, and none of them comes to that module.
 
     ## Fix safety
     The intended name is a guess.

@@ -23,8 +23,8 @@ MAIN = "\n\ndef main():\n    print(GREETING)\n"
         Severity.WARNING: "it is in a function or a branch, which may not be run, or in a program that nothing starts, "
         "beside others that are started; or an image that the repository builds on, a library that a page has "
         "installed by hand, or the maker of the device that it drives may bring the module",
-        Severity.INFO: "nothing leads to the function, it stands behind `rclpy.spin`, or the package has no program, "
-        "and no package of the workspace depends on it",
+        Severity.INFO: "nothing leads to the function, or imports a module of the library, it stands behind "
+        "`rclpy.spin`, or the package has no program, and no package of the workspace depends on it",
     },
     examples=(
         Example(

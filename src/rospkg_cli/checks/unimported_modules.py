@@ -1,0 +1,51 @@
+"""Rule input: the modules of a library that its users here do not come to, nor its own code."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from ..light_dataclasses import dataclass
+from ..package.package_facts import PackageFacts
+from ..package.workspace import Workspace
+from .installed_modules import InstalledModules
+from .reached_modules import PAGES, ReachedModules
+
+
+@dataclass(frozen=True)
+class UnimportedModules:
+    facts: PackageFacts
+    workspace: Workspace
+    installed: InstalledModules
+    reached: ReachedModules
+
+    def has(self, path: str) -> bool:
+        """Return whether a file is a module of a package without programs of which others import other parts alone.
+
+        Where no other package here imports any, it is for users that are not to be seen.
+        """
+        module = self.installed.names.get(path, "")
+        return bool(module) and self.reached.is_library and self.is_used and module not in self.imported
+
+    @cached_property
+    def is_used(self) -> bool:
+        return not self.installed.sources.keys().isdisjoint(self.taken)
+
+    @cached_property
+    def imported(self) -> frozenset[str]:
+        """The modules that are imported or named, and those that these import: also of what is started by its path."""
+        waiting = [*self.reached.all, *self.taken]
+        waiting += [module for module, source in self.installed.sources.items() if self.is_shown(module, source)]
+        return self.reached.imported_from(waiting, around=True)
+
+    @cached_property
+    def taken(self) -> list[str]:
+        """What other packages of the workspace import, each name as one of a module as well."""
+        others = (each for each in self.workspace.packages if each.name != self.facts.name)
+        found = {taken for each in others for taken in each.taken_names}
+        return [name for module, inner in found for name in (module, f"{module}.{inner}")]
+
+    def is_shown(self, module: str, source: str) -> bool:
+        """Return whether a module may be started by its path, or a page tells of it by its dotted name."""
+        files = self.installed.files
+        pages = (files.readable_text(path) for path in files.paths if path.endswith(PAGES))
+        return "__main__" in files.readable_text(source) or any(module in text for text in pages)
