@@ -158,3 +158,61 @@ def test_the_import_of_a_test_that_fails() -> None:
     test = "from my_pkg.gone import a\n\n\ndef test_it():\n    lost()\n"
     findings = lint_files({**PYTHON, "my_pkg/talker.py": "", "test/test_it.py": test}, ["DEP109", "DEP117"]).findings
     assert {each.code: each.severity.value for each in findings} == {"DEP109": "warning", "DEP117": "info"}
+
+
+BASE = """\
+class Base:
+    def declare(self, name, default=None, *, hint=''):
+        print(name, default, hint)
+
+    def ask(self, *names, **more):
+        print(names, more)
+"""
+CALLS = {
+    "self.declare('a', value=1)": "info",
+    "self.declare('a', 1, 2)": "info",
+    "self.declare(default=1)": "info",
+    "self.declare('a', hint=1)": "warning",
+    "self.declare(*given)": "warning",
+    "self.declare(**given)": "warning",
+    "self.ask(1, 2, value=3)": "warning",
+    "given and self.declare('a', value=1)": "warning",
+    "if given:\n            self.declare('a', value=1)": "warning",
+    "try:\n            self.declare('a', value=1)\n        except TypeError:\n            pass": "warning",
+}
+USER = """\
+from my_pkg.base import Base
+
+
+class User(Base):
+    def __init__(self, *given):
+        {}
+        self.tick()
+
+    def tick(self):
+        if input():
+            late()
+
+
+def main():
+    User(1)
+"""
+
+
+@pytest.mark.parametrize("call", CALLS)
+def test_a_call_that_an_own_method_refuses_ends_the_run(call: str) -> None:
+    files = {**PYTHON, "my_pkg/base.py": BASE, "my_pkg/talker.py": USER.format(call)}
+    findings = [each for each in lint_files(files, ["DEP117"]).findings if "`late`" in each.message]
+    assert [each.severity.value for each in findings] == [CALLS[call]]
+
+
+def test_a_method_that_something_sets_or_an_heir_has_may_take_any_call() -> None:
+    text = USER.format("self.declare('a', value=1)")
+    heir = text + "\n\nclass Heir(User):\n    def declare(self, *given, **more): ...\n"
+    for each in (
+        heir,
+        text.replace("        self.tick()", "        self.tick()\n\n    def set(self):\n        self.declare = print"),
+    ):
+        files = {**PYTHON, "my_pkg/base.py": BASE, "my_pkg/talker.py": each}
+        findings = [each for each in lint_files(files, ["DEP117"]).findings if "`late`" in each.message]
+        assert [each.severity.value for each in findings] == ["warning"]

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 
 from ...checks.installed_modules import InstalledModules
+from ...checks.refused_own_calls import RefusedOwnCalls
 from ...files import PackageFiles
 from ...finding import Finding, Location, Severity
 from ...languages.python.file import PythonFile
@@ -33,6 +34,7 @@ class EarlierFaults:
     modules: PythonModules
     facts: PackageFacts
     installed: InstalledModules | None = None
+    refused: RefusedOwnCalls | None = None
 
     def milder(self, every: Sequence[Finding | RuleCrash]) -> list[Finding | RuleCrash]:
         """Return results with an info for each fault of a file that its program does not come to."""
@@ -44,7 +46,8 @@ class EarlierFaults:
             file = self.modules.at(path.removeprefix(f"{self.files.folder}/" if self.files.folder else ""))
             if file is not None:
                 spans = (at.span for each in mild for at in self.stops.of(each, path, file))
-                found |= self.in_file(path, file, loud, (*failing.get(file.path, ()), *spans))
+                refused = self.refused.in_file(file) if self.refused is not None else ()
+                found |= self.in_file(path, file, loud, (*failing.get(file.path, ()), *spans, *refused))
                 found |= self.behind_waits(path, file, [each for each in loud if id(each) not in found])
         return [found.get(id(each), each) for each in every]
 
