@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.bare_neighbours import BareNeighbours
 from ...checks.depends.own_imports import OwnImports
+from ...checks.depends.path_starts import ALONE, is_started_by_path_alone
 from ...example import Example, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -24,7 +25,8 @@ MAIN = "\n\ndef main():\n    print(GREETING)\n"
         "beside others that are started; or an image that the repository builds on, a library that a page has "
         "installed by hand, or the maker of the device that it drives may bring the module",
         Severity.INFO: "nothing leads to the function, or imports a module of the library, it stands behind "
-        "`rclpy.spin`, or the package has no program, and no package of the workspace depends on it",
+        "`rclpy.spin`, pages and scripts start the file by its path alone, or the package has no program, and no "
+        "package of the workspace depends on it",
     },
     examples=(
         Example(
@@ -53,7 +55,8 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     Where the repository builds on an image that is none of the plain ones (`ros`, `ubuntu`, `python`, …), or a page or
     script has a library of that name installed by hand (a wheel, `setup.py install`, `cp … site-packages`), that may
     bring a module of the name: a warning, for it fails on a clean machine. So is a module that drives a device (it
-    imports `smbus`, `RPi` and the like), which the maker of a robot may have put there as a library.
+    imports `smbus`, `RPi` and the like), which the maker of a robot may have put there as a library. Where pages and
+    scripts have Python start the file by its path, and none runs or launches the package by `ros2`, it is an info.
 
     ## Fix safety
     A file that is also started by its path needs its package installed from then on.
@@ -72,6 +75,8 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
         if is_installed and each.names and file.source.slice(each.span) == each.module:
             fix = Fix(f"write `{full}`", (Edit(file.path, each.span, full),), Safety.UNSAFE)
         why, brought = imports.places.why_seldom(file.path, each.span), neighbours.may_be_brought(found)
+        if not why and is_started_by_path_alone(imports.files, imports.facts.name, file.path):
+            why, fix = ALONE, None
         is_mild = brought or each.is_local or imports.places.is_conditional(file.path, each.span)
         level = Severity.INFO if why or is_offered else Severity.WARNING if is_mild else None
         yield Hit(file.path, each.span, f"{message}{why or brought}", level, fix=fix)
