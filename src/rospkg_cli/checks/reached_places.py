@@ -13,12 +13,14 @@ from ..languages.python.nodes import nodes_of_kind
 from ..languages.python.stopped_places import StoppedPlaces
 from ..languages.python.unreached_functions import unreached_functions
 from ..light_dataclasses import dataclass
+from ..package.file_role import role_of
 from ..package.install_table import InstallTable
 from ..source import Span
 from .behind_spin import called_behind_spin, is_behind_spin, is_called_late
 from .installed_modules import InstalledModules
 from .interfaces.seldom_run import is_in_handler
 from .interfaces.uncalled_methods import UncalledMethods
+from .path_starts import is_started_by_path
 from .reached_definitions import ReachedDefinitions
 from .reached_modules import ReachedModules
 from .run_imports import RunImports
@@ -40,6 +42,8 @@ WHY: dict[Met, str] = {
 """What is said of a place that seldom or never runs."""
 MILDER: tuple[Met, ...] = ("branch", "seldom", "late", "unshown", "never")
 UNWANTED = "; nothing here leads to what imports this module"
+IN_TEST = "; only a test runs it"
+AT_TIMES = "; a condition stands on the way to it"
 UNIMPORTED = "; nothing here imports this module"
 
 
@@ -123,10 +127,26 @@ class ReachedPlaces:
             return UNWANTED
         if self.unimported.has(path):
             return UNIMPORTED
-        is_inner = is_in_function(file, span)
+        is_inner = is_in_function(file, span) or role_of(path) == "test" or self.is_aside(file)
         met = self.as_shown(file, span) if is_inner else self.met_by_anybody(file, span)
         met = self.met_by_importers(file) if met == "maybe" and not is_inner else met
         return WHY.get(met, "")
+
+    def is_aside(self, file: PythonFile) -> bool:
+        """Return whether a file is a module beside known programs that no code imports, and that pages only name."""
+        if not self.table.knows("executable") or self.reached.is_library or self.reached.has(file.path):
+            return False
+        return not is_started_by_path(self.installed.files, file.path)
+
+    def why_milder(self, path: str, span: Span) -> str:
+        """Return why a place is met by some alone: by a test, or under a condition on the way; "" where by all."""
+        file = self.run.modules.at(path) if path.endswith(".py") else None
+        if file is None:
+            return ""
+        is_offered = self.reached.is_library and not is_in_function(file, span)
+        if role_of(path) == "test" or (not is_offered and self.shown.is_for_tests(file, span)):
+            return IN_TEST
+        return AT_TIMES if self.conditions(file, span) else ""
 
     def met_by_importers(self, file: PythonFile) -> Met:
         """Return when a module is imported that functions alone import, as an optional part of a library."""

@@ -17,6 +17,7 @@ from ..package.workspace import Workspace
 from .pages_and_scripts import pages_and_scripts
 from .reached_modules import ReachedModules
 
+UNSTARTED = "; nothing here starts this program, as it does others of the package"
 STARTING = (".xml", ".launch", ".yaml", ".yml", ".json", ".service", ".desktop", ".conf")
 """Files that start programs, beside launch files in Python, pages and scripts."""
 OF_TOOLS = regex(r"(?i)bench(?:mark(?:s|ing)?)?|tools?|experiments?|notebooks?|training|debug(?:ging)?")

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...package.file_role import role_of
-from ..reached_places import WHY, Met
+from ..reached_places import AT_TIMES, IN_TEST, WHY, Met
 from .unknown_fields import FieldUses, UnknownField
 
-LEFT, IN_TEST = "; nothing starts or imports this module", "; only a test runs it"
+LEFT = "; nothing starts or imports this module"
 UNCALLED, UNREACHED = "; nothing calls this method", "; nothing here leads to this function"
 OFF, BY_PATH = "; a switch turns it off that nothing throws", "; it runs only where the file is started by its path"
 REPLACED, UNUSED = "; the class is defined again below", "; its object is made and never used"
@@ -27,7 +27,7 @@ REASONS = (
     (FieldUses.is_conditional, WHY["branch"]),
     (FieldUses.is_unshown, WHY["unshown"]),
     (FieldUses.is_seldom, WHY["seldom"]),
-    (FieldUses.is_at_times, "; a condition stands on the way to it"),
+    (FieldUses.is_at_times, AT_TIMES),
 )
 """Why a use seldom runs, where that is true of all places."""
 

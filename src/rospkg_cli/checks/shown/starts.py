@@ -50,7 +50,7 @@ class Starts:
     reached: ReachedModules
     cmake: CMake | None = None
 
-    def all(self, meanings: Meanings) -> Iterator[Start]:
+    def all(self, meanings: Meanings, *, with_tests: bool = True) -> Iterator[Start]:
         yield from self.programs(meanings)
         yield from self.taken(meanings)
         for role, file in self.run.files:
@@ -58,7 +58,7 @@ class Starts:
                 yield Start(Own(file, file.tree))
                 yield from (Start(each) for each in functions(file, ENTRIES))
             elif self.is_test(file):
-                yield from tests_in(file, meanings)
+                yield from tests_in(file, meanings) if with_tests else ()
             elif self.is_by_path(file):
                 yield Start(Own(file, file.tree), int(self.table.knows("executable")), is_program=True)
 

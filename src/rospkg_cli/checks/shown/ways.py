@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 from heapq import heappop, heappush
 
@@ -16,6 +16,7 @@ from .starts import Start, Starts
 from .steps import Step, Steps
 from .units import Units, unit_around
 
+Reached = dict[tuple[int, bool], int]
 BORN = ("__init__", "__new__", "__post_init__", "__init_subclass__")
 """What runs wherever an object is made."""
 HOOKS = {
@@ -33,10 +34,18 @@ class ShownWays:
 
     def conditions(self, file: PythonFile, span: Span) -> int | None:
         """Return how many conditions lie on the shortest way that is shown to a place; None where none is shown."""
+        return self.conditions_from(self.reached, file, span)
+
+    def is_for_tests(self, file: PythonFile, span: Span) -> bool:
+        """Return whether ways from tests alone are shown to a place."""
+        is_shown = self.conditions(file, span) is not None
+        return is_shown and self.conditions_from(self.reached_without_tests, file, span) is None
+
+    def conditions_from(self, reached: Reached, file: PythonFile, span: Span) -> int | None:
         unit = unit_around(file, span)
         found = []
         for is_program in (False, True):
-            before = self.reached.get((unit.key, is_program))
+            before = reached.get((unit.key, is_program))
             inside = self.units.conditions(unit, span, is_program=is_program) if before is not None else None
             found += [before + inside] if before is not None and inside is not None else []
         return min(found, default=None)
@@ -58,13 +67,20 @@ class ShownWays:
         return Meanings(self.starts.run, self.starts.installed)
 
     @cached_property
-    def reached(self) -> dict[tuple[int, bool], int]:
-        """The conditions on the way to each function, class and module; as a program, too."""
+    def reached(self) -> Reached:
+        return self.reached_from(self.starts.all(self.meanings))
+
+    @cached_property
+    def reached_without_tests(self) -> Reached:
+        return self.reached_from(self.starts.all(self.meanings, with_tests=False))
+
+    def reached_from(self, starts: Iterable[Start]) -> Reached:
+        """Return the conditions on the way to each function, class and module; as a program, too."""
         steps, made = Steps(self.meanings, self.objects, self.units), dict[int, int]()
-        found: dict[tuple[int, bool], int] = {}
+        found: Reached = {}
         pending: dict[int, list[tuple[Own, int]]] = {}
         heap = Heap()
-        for start in self.starts.all(self.meanings):
+        for start in starts:
             heap.push(start)
         while heap.has_more:
             start = heap.pop()

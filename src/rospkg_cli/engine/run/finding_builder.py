@@ -21,12 +21,15 @@ AT_RUN = frozenset({"DEP117", "DEP120", "IDL010"})
 """Rules about lines of Python that raise when they run."""
 OF_STARTS = AT_RUN | {"DEP109", "DEP110", "DEP112", "IDL011"}
 """Those, and the rules about imports and look-ups: what they find ends the programs that come to it."""
-UNSTARTED = "; nothing here starts this program, as it does others of the package"
 UNLED = "; nothing here leads to this file"
 
 
 def nothing_is_left(_: str) -> bool:
     return False
+
+
+def nothing_is_seldom(_: Hit) -> str:
+    return ""
 
 
 def nothing_is_unmet(_: str, __: Severity, ___: Hit) -> str:
@@ -42,8 +45,8 @@ class FindingBuilder:
     package: str
     is_left: Callable[[str], bool]
     """Whether nothing of the package leads to a file, by its path in the package."""
-    is_unstarted: Callable[[str], bool]
-    """Whether a file is of programs that nothing starts, beside others that are started."""
+    why_warning: Callable[[Hit], str]
+    """Why a fault of Python code that ends a run does so for some alone: its program is not started; "" for others."""
     why_unmet: Callable[[str, Severity, Hit], str]
     """Why no plain launch comes to the places of a hit, by the rule's code and the level; "" where one may."""
 
@@ -103,8 +106,8 @@ class FindingBuilder:
             return Severity.INFO, UNLED
         if unmet := self.why_unmet(code, level, hit):
             return Severity.INFO, f"; {unmet.removeprefix('but ')}"
-        if level is Severity.ERROR and code in OF_STARTS and self.is_unstarted(hit.path):
-            return Severity.WARNING, UNSTARTED
+        if level is Severity.ERROR and code in OF_STARTS and (why := self.why_warning(hit)):
+            return Severity.WARNING, why
         return level, ""
 
     def at_met_place(self, rule: Rule[Any], hit: Hit) -> Hit:

@@ -138,8 +138,8 @@ class Worker:
         whole = PackageFiles(package.files.whole or self.tree)
         facts = workspace.at(folder)
         inputs = self.inputs(package, seen)
-        left, unstarted = (cache(partial(each, inputs)) for each in (is_left, is_unstarted))
-        builder = FindingBuilder(package.files, whole, facts.name, left, unstarted, partial(why_unmet, inputs))
+        left, warned, unmet = cache(partial(is_left, inputs)), partial(why_warning, inputs), partial(why_unmet, inputs)
+        builder = FindingBuilder(package.files, whole, facts.name, left, warned, unmet)
         fitting = (code for code in codes if not (facts.is_for_ros1 and code.startswith(OF_ROS_2)))
         rules = [rule_by_code(code) for code in fitting if has_inputs(code, package)]
         results = milder_behind(list(run_rules(inputs, rules, builder)), inputs)
@@ -164,11 +164,14 @@ def is_left(inputs: InputsOf, path: str) -> bool:
     return any(each.has(path) for each in inputs(LeftFiles))
 
 
-def is_unstarted(inputs: InputsOf, path: str) -> bool:
-    """Return whether a file is of programs that nothing starts, beside others; imported where a finding needs it."""
-    from ...checks.unstarted_programs import UnstartedPrograms
+def why_warning(inputs: InputsOf, hit: Hit) -> str:
+    """Return why a fault that ends a run is met by some alone; imported where a finding needs it."""
+    from ...checks.reached_places import ReachedPlaces
+    from ...checks.unstarted_programs import UNSTARTED, UnstartedPrograms
 
-    return any(each.has(path) for each in inputs(UnstartedPrograms))
+    if any(each.has(hit.path) for each in inputs(UnstartedPrograms)):
+        return UNSTARTED
+    return next((each.why_milder(hit.path, hit.span) for each in inputs(ReachedPlaces)), "")
 
 
 def why_unmet(inputs: InputsOf, code: str, level: Severity, hit: Hit) -> str:

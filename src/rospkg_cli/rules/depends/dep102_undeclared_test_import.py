@@ -77,7 +77,8 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
             f"`{missing.name}` is imported by tests and not declared: {where} "
             f"{fails} fails with ModuleNotFoundError; {advice(declared, 'test_depend', missing.name)}{others}"
         )
-        end = NEVER_RUN if imports.are_never_run(missing.places) else imports.why_seldom(missing.places)
+        why = imports.why_seldom(missing.places) if imports.has_pytest else ""
+        end = NEVER_RUN if imports.are_never_run(missing.places) else why
         end = end or (BY_PAGE if imports.is_by_hand(missing) else "")
         places = related((place.path, place.span) for place in missing.places)
         is_mild = bool(end) or is_unmet(declared, missing.name, imports.serving(missing)) or not imports.has_pytest

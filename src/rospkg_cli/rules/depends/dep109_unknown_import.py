@@ -25,11 +25,12 @@ GOOD = {"my_pkg/talker.py": "from my_pkg.speech import GREETING" + MAIN.format("
     over=OwnImports,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a function or a branch, which may not be run, in a test, in a library's module "
-        "that nothing here imports, or in a program that nothing starts, beside others that are started",
-        Severity.INFO: "nothing starts or imports the module, or leads to the function, other packages here import "
-        "other parts of a library alone, it stands behind `rclpy.spin`, or another package may have the module, and "
-        "this one has one of its name",
+        Severity.WARNING: "it is in a function or a branch, which may not be run, a condition stands on the way to it, "
+        "only tests come to it, it is in a library's module that nothing here imports, or in a program that nothing "
+        "starts, beside others that are started",
+        Severity.INFO: "nothing starts or imports the module, or leads to the function, or a page alone names it, "
+        "other packages here import other parts of a library alone, it stands behind `rclpy.spin`, or another package "
+        "may have the module, and this one has one of its name",
     },
     examples=(
         Example(

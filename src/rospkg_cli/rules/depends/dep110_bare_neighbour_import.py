@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.bare_neighbours import BareNeighbours
 from ...checks.depends.own_imports import OwnImports
-from ...checks.depends.path_starts import ALONE, is_started_by_path_alone
+from ...checks.path_starts import ALONE, is_started_by_path_alone
 from ...example import Example, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule

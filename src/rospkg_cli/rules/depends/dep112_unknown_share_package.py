@@ -41,10 +41,11 @@ NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend
     over=ShareLookups,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a branch of a function, in a program that nothing starts, beside others that are "
-        "started, no target certainly compiles the file, or an image that the repository builds on may bring it",
-        Severity.INFO: "nothing starts or imports the module or leads to the function, a switch turns it off, or it "
-        "stands behind `rclpy.spin`",
+        Severity.WARNING: "it is in a branch of a function, a condition stands on the way to it, only tests come to "
+        "it, it is in a program that nothing starts, beside others that are started, no target certainly compiles the "
+        "file, or an image that the repository builds on may bring it",
+        Severity.INFO: "nothing starts or imports the module or leads to the function, or a page alone names it, a "
+        "switch turns it off, or it stands behind `rclpy.spin`",
     },
     examples=(
         Example(

@@ -21,10 +21,10 @@ GOOD = "from std_msgs.msg import String\n\nprint(String)\n"
     over=InterfaceImports,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a function or a branch, which may not be run, or in a program that nothing starts, "
-        "beside others that are started",
-        Severity.INFO: "nothing installs the file, starts or imports the module, or leads to the function, or it "
-        "stands behind `rclpy.spin` or under `__main__` of an entry point's module",
+        Severity.WARNING: "it is in a function or a branch, which may not be run, a condition stands on the way to it, "
+        "only tests come to it, or it is in a program that nothing starts, beside others that are started",
+        Severity.INFO: "nothing installs the file, starts or imports the module, or leads to the function, or a page "
+        "alone names it, or it stands behind `rclpy.spin` or under `__main__` of an entry point's module",
     },
     examples=(
         Example(
