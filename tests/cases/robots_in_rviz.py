@@ -10,7 +10,9 @@ ROBOT = """\
 </robot>
 """
 FOUND, RELATIVE = "$(find my_pkg)/meshes/a.stl", "meshes/a.stl"
-OPEN = '<let name="m" value="$(find-pkg-share my_pkg)/urdf/r.urdf.xacro"/>'
+NAME = '<let name="m" value="$(find-pkg-share my_pkg)/urdf/r.urdf.xacro"/>'
+PUBLISH = '<node pkg="robot_state_publisher" exec="robot_state_publisher"/>'
+OPEN = NAME + PUBLISH
 BESIDE = "../meshes/a.stl"
 CREATE = '<node pkg="ros_gz_sim" exec="create" args="-file $(find-pkg-share my_pkg)/urdf/r.urdf.xacro -name r"/>'
 GAZEBO = '<node pkg="gazebo_ros" exec="spawn_entity.py"/>'
@@ -29,7 +31,7 @@ TOP = """\
   <xacro:include filename="$(find my_pkg)/urdf/$(arg model).urdf.xacro"/>
 </robot>
 """
-SHOW_TOP = '<let name="m" value="$(find-pkg-share my_pkg)/urdf/top.urdf.xacro"/>' + RVIZ.format("")
+SHOW_TOP = NAME.replace("/r.", "/top.") + RVIZ.format("")
 
 
 def opened(mesh: str = FOUND, other: str = "", top: str = "", /, **launches: str) -> Example:
@@ -86,6 +88,11 @@ CASES = {
         opened(FOUND, include("a") + RVIZ.format(""), a=OPEN),
         opened(FOUND, RVIZ.format(""), a=OPEN + include("o", "other")),
         opened(FOUND, OPEN + include("a"), a=RVIZ.format("")),
+        opened(a=NAME + GAZEBO, b=include("a") + RVIZ.format("")),
+        opened(a=NAME + GAZEBO + include("c"), b=include("a") + RVIZ.format(""), c=PUBLISH),
+        opened(a=NAME + GAZEBO + include("rsp", "others"), b=include("a") + RVIZ.format("")),
+        opened(FOUND, NAME + '<node pkg="gazebo_ros" exec="spawn_entity.py"/>', a=RVIZ.format("")),
+        opened(FOUND, NAME + GAZEBO + include("a"), a=RVIZ.format("")),
         opened(FOUND, "", "q", a=OPEN + GAZEBO, b=SHOW_TOP),
         opened(FOUND, "", "r", a=OPEN + GAZEBO, b=SHOW_TOP),
         opened(FOUND, "", "q", a=OPEN + GAZEBO, b=SHOW_TOP + '<let name="model" value="r"/>'),

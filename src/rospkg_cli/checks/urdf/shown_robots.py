@@ -1,4 +1,7 @@
-"""Rule input: whether RViz or MoveIt shows a robot, as far as the launch files that open it say."""
+"""Rule input: whether RViz or MoveIt shows a robot, as far as the launch files that open it say.
+
+Gazebo, to which a launch file may give a model all the same, takes absolute paths.
+"""
 
 from __future__ import annotations
 
@@ -16,6 +19,7 @@ from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_words import LAUNCH, words_of
 from ...unreadable import READABLE
 from ..launch.started_viewers import OF_MOVEIT, is_on, shows, started_viewers
+from .given_to_viewers import NAMED_SO, hands_on, without_spawned
 from .launched_robots import LaunchedRobots
 from .xacro_calls import COMPUTED, INCLUDED
 
@@ -38,7 +42,8 @@ class ShownRobots:
     def paths(self) -> frozenset[str]:
         launched = self.launched
         launches = [each for each in launched.launches if posixpath.basename(each[0]) in self.together]
-        packages = [each for each in launched.workspace.packages if self.is_showing(each)]
+        launches = [each for each in launches if self.is_handed_on(posixpath.basename(each[0]))]
+        packages = [without_spawned(each) for each in launched.workspace.packages if self.is_showing(each)]
         words = [words_of(text) for _, text in launches]
         others = (each for facts in packages if facts.name != launched.package.name for each in facts.robot_words)
         words += [each for each in others if LAUNCH in each and launched.package.name in each]
@@ -47,7 +52,7 @@ class ShownRobots:
     @cached_property
     def together(self) -> frozenset[str]:
         """The names of the launch files of the package that run where RViz or move_group does."""
-        included = {posixpath.basename(each.path): includes_of(each) for each in self.files if not each.is_ros1}
+        included = self.included
         showing = {posixpath.basename(each.path) for each in self.files if self.starts(each)}
         found = set[str]()
         for name in included:
@@ -56,6 +61,21 @@ class ShownRobots:
         others = (each for each in self.launched.workspace.packages if each.name != self.launched.package.name)
         named = {name for facts in others if shows(facts) for each in facts.launch_summaries for name in each.includes}
         return frozenset(found | {name for top in named & set(included) for name in reached(top, included)})
+
+    @cached_property
+    def included(self) -> dict[str, frozenset[str]]:
+        """The names of the files that each launch file of the package includes."""
+        return {posixpath.basename(each.path): includes_of(each) for each in self.files if not each.is_ros1}
+
+    def is_handed_on(self, name: str) -> bool:
+        """Return whether a launch file, or what it includes, starts a reader of the robots that it names.
+
+        A file that is not read here counts where its name says so.
+        """
+        run = reached(name, self.included)
+        texts = (text for path, text in self.launched.launches if posixpath.basename(path) in run)
+        others = run - set(self.included)
+        return hands_on(texts) or any(SHOWING.search(each.lower()) or NAMED_SO.search(each) for each in others)
 
     def starts(self, file: LaunchFile) -> bool:
         """Return whether a launch file starts RViz or move_group, or includes a file of another package that does."""

@@ -103,8 +103,8 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     and in a macro that nothing here calls, or a condition that is constant or a default that no launch file, code or
     page names. The default of an argument is one where nothing reads it, or each launch file that opens the robot gives
     another. A path without a scheme is one where no launch file opens the robot, or none that does starts RViz or
-    move_group by default, where Gazebo finds it: `$(find …)`, or a relative one where `create -file` alone opens the
-    robot. So is a path that each such launch file replaces in its text, and a file that a page or a script fetches.
+    move_group by default, or starts what publishes or reads the robot, where Gazebo finds it: `$(find …)`, or a
+    relative one where `create -file` alone opens the robot. So is a path that each such launch file replaces in its text, and a file that a page or a script fetches.
     """
     for each in scope.missing():
         same = list(scope.beside.lacking(scope.robot, each))
