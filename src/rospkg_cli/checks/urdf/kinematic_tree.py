@@ -23,7 +23,10 @@ class KinematicTree:
         self.broken = False
 
     def faults(self, *, piece: bool) -> Iterator[Fault]:
-        """Yield what is wrong; of a file that may be part of a robot, only what no other file can repair."""
+        """Yield what is wrong; of a file that may be part of a robot, only what no other file can repair.
+
+        The links that its joints name may be in other files: what xacro makes of the whole robot shows them.
+        """
         for joint in self.joints:
             for fault in self.ends(joint, piece):
                 self.broken = True
@@ -39,8 +42,8 @@ class KinematicTree:
             if link is None or not link.value:
                 yield Fault(name_span(joint), f"the joint has no `<{tag} link=…>`: urdfdom refuses the robot")
             elif link.value not in self.names:
-                hint = did_you_mean(link.value, self.names)
-                if hint or not piece:
+                if not piece:
+                    hint = did_you_mean(link.value, self.names)
                     yield Fault(link.value_span, f"no link is called `{link.value}`{hint}: urdfdom refuses the robot")
             else:
                 ends[tag] = link

@@ -104,7 +104,8 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     page names. The default of an argument is one where nothing reads it, or each launch file that opens the robot gives
     another. A path without a scheme is one where no launch file opens the robot, or none that does starts RViz or
     move_group by default, or starts what publishes or reads the robot, where Gazebo finds it: `$(find …)`, or a
-    relative one where `create -file` alone opens the robot. So is a path that each such launch file replaces in its text, and a file that a page or a script fetches.
+    relative one where `create -file` alone opens the robot. So is a path that each such launch file replaces in its
+    text, and a file that a page or a script fetches.
     """
     for each in scope.missing():
         same = list(scope.beside.lacking(scope.robot, each))
