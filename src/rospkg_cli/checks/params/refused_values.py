@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from ...light_dataclasses import dataclass
-from ...source import Span
+from ...light_dataclasses import dataclass, replace
+from ..fault import Fault, softer_advice
 from .block_readers import BlockReaders
+from .list_readers import UNSHOWN, ListReaders
 from .parameter_file_use import ParameterFileUse
 
 
@@ -13,6 +14,13 @@ class RefusedValues:
     use: ParameterFileUse
     readers: BlockReaders
 
-    def is_unread(self, place: Span) -> bool:
-        """Return whether no node reads the block at a place: rclcpp converts the values of its own blocks alone."""
-        return self.readers.is_idle(self.use.file.path, place)
+    def at_its_level(self, fault: Fault) -> Fault:
+        """Return an empty list as an info where no node in C++ is shown to read its block.
+
+        rclcpp converts the values of its own blocks alone.
+        """
+        if self.readers.is_idle(self.use.file.path, fault.span):
+            return replace(fault, level="info")
+        if self.use.level == "info" or ListReaders(self.use, self.readers).has(fault.span):
+            return fault
+        return softer_advice(fault, "info", UNSHOWN)

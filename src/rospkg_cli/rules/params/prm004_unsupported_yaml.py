@@ -45,7 +45,7 @@ def example(bad: str, good: str) -> Example:
     levels={
         Severity.WARNING: "a list is empty, at which only C++ nodes stop, or launch files, code or a page name the "
         "file, and none is shown to give it to a node",
-        Severity.INFO: "nothing names the file, or a list is empty in a block that none reads",
+        Severity.INFO: "nothing names the file, or a list is empty in a block that no C++ node is shown to read",
     },
     examples=(
         example("    limits: [1, «2.5»]\n", "    limits: [1.0, 2.5]\n"),
@@ -74,9 +74,10 @@ def unsupported_yaml(scope: RefusedValues) -> Iterator[Hit]:
     launch file parses itself, to hand on values (and what a `RewrittenYaml` fills in), or that only code names and
     parses. rcl takes a list of mappings with one key each (`- a: 1`), and makes parameters of it. An empty list is a
     warning: a Python node takes it; nothing is said of it where launch files give the file to such nodes alone (of a
-    Python package, or an executable `*.py`); in a block that no node reads it is an info. All of a file is a warning
-    that no launch file of the workspace gives a node by its path. Of a file that no launch file, program or README of
-    the workspace names, it is an info.
+    Python package, or an executable `*.py`); it is an info where no node in C++ that is started is shown to read the
+    block: one that is given the file, or has the block's name. All of a file is a warning that no launch file of the
+    workspace gives a node by its path. Of a file that no launch file, program or README of the workspace names, it is
+    an info.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
@@ -86,11 +87,12 @@ def unsupported_yaml(scope: RefusedValues) -> Iterator[Hit]:
         return
     seen: set[tuple[int, str]] = set()  # `{0.0, 0.0}` lacks two values for one reason
     for fault in rcl_faults(file):
-        if use.is_rewritten(fault.span) or (fault.message.startswith(EMPTY_LIST) and use.is_for_python):
+        is_empty = fault.message.startswith(EMPTY_LIST)
+        if use.is_rewritten(fault.span) or (is_empty and use.is_for_python):
             continue
         place = file.source.position(fault.span.start)[0], fault.message
         if place not in seen:
             seen.add(place)
-            is_info = "info" in (fault.level, use.level)
-            is_info = is_info or (fault.message.startswith(EMPTY_LIST) and scope.is_unread(fault.span))
-            yield from hits(file.path, [replace(fault, level="info" if is_info else fault.level or use.level)])
+            found = scope.at_its_level(fault) if is_empty else fault
+            is_info = "info" in (found.level, use.level)
+            yield from hits(file.path, [replace(found, level="info" if is_info else found.level or use.level)])
