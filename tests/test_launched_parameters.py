@@ -138,10 +138,17 @@ def test_a_component_reads_its_file_through_python() -> None:
     given = f"<launch>{container.format(component.format(FILE))}</launch>\n"
     levels = [
         finding.severity.value
-        for launch in (given, xml(FILE))
+        for launch in (given, given.replace('name="talker"', 'name="other"'), xml(FILE))
         for finding in lint_files(package(launch, values), ["PRM005"]).findings
     ]
-    assert levels == ["warning", "info"]
+    assert levels == ["warning", "info", "info"]
+
+
+def test_a_number_in_a_block_that_no_node_reads() -> None:
+    values = "talker:\n  ros__parameters:\n    a: 10_000\nother:\n  ros__parameters:\n    b: 0\n"
+    launches = (xml(FILE, 'name="talker"'), xml(FILE.replace("robot", "robots"), 'name="talker"'))
+    found = [lint_files(package(each, values), ["PRM005"]).findings for each in launches]
+    assert [[each.severity.value for each in one] for one in found] == [["warning"], ["info"]]
 
 
 @pytest.mark.parametrize(

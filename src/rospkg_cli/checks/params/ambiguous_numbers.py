@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from ...languages.yaml.nodes import ScalarNode, SequenceNode, YamlNode
 from ...lazy_regex import regex
-from ...package.params.parameter_file import ParameterFile
+from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.params.scalar_types import integer, type_of, yaml_type
 from ..fault import Fault, TextRepair, replacement
 
@@ -21,18 +21,23 @@ def number_faults(file: ParameterFile, *, is_read_by_python: bool) -> Iterator[F
     What rcl reads as intended is an info where nothing else reads the file.
     """
     for block in file.blocks:
-        for parameter in block.parameters:
-            found = [fault for each in plain_scalars(parameter.value) if (fault := number_fault(each))]
-            if found:
-                edits = tuple(edit for fault in found if fault.repair for edit in fault.repair.edits)
-                more = f" ({len(found)} times in this list)" if len(found) > 1 else ""
-                is_info = all(fault.level for fault in found) and not is_read_by_python
-                yield Fault(
-                    found[0].span,
-                    found[0].message + more,
-                    "info" if is_info else None,
-                    TextRepair(f"write `{edits[0][1]}`", edits) if edits else None,
-                )
+        yield from block_faults(block, is_read_by_python=is_read_by_python)
+
+
+def block_faults(block: NodeBlock, *, is_read_by_python: bool) -> Iterator[Fault]:
+    """Yield the same of the parameters of one node."""
+    for parameter in block.parameters:
+        found = [fault for each in plain_scalars(parameter.value) if (fault := number_fault(each))]
+        if found:
+            edits = tuple(edit for fault in found if fault.repair for edit in fault.repair.edits)
+            more = f" ({len(found)} times in this list)" if len(found) > 1 else ""
+            is_info = all(fault.level for fault in found) and not is_read_by_python
+            yield Fault(
+                found[0].span,
+                found[0].message + more,
+                "info" if is_info else None,
+                TextRepair(f"write `{edits[0][1]}`", edits) if edits else None,
+            )
 
 
 def plain_scalars(value: YamlNode) -> Iterator[ScalarNode]:

@@ -47,6 +47,11 @@ class BlockReaders:
             return False
         return any(may_read(each, block) for each in given) or self.is_for_others(block, met)
 
+    def is_read_by_python(self, file: ParameterFile, block: NodeBlock) -> bool:
+        """Return whether a component that is started reads a block: launch_ros reads its files with PyYAML, not rcl."""
+        components = (each for each in self.given(file) if each.node.kind == "composable_node")
+        return any(may_read(each, block) and self.is_met(each) for each in components)
+
     def given(self, file: ParameterFile) -> list[NodeArguments]:
         return [each for each in self.launched.node_arguments if file in each.files]
 

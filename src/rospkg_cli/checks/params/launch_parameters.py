@@ -113,10 +113,6 @@ class LaunchParameters:
             return False
         return all(row.source != launch.path for _, row in self.table.below(f"share/{self.package.name}"))
 
-    def is_read_by_python(self, file: ParameterFile) -> bool:
-        """Return whether a launch file here gives a file to a component: then PyYAML reads it, not rcl."""
-        return any(each.node.kind == "composable_node" and file in each.files for each in self.node_arguments)
-
     def arguments_of(self, launch: LaunchFile, node: LaunchedNode) -> NodeArguments:
         found: list[ParameterFile] = []
         has_all = node.is_complete

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.ambiguous_numbers import number_faults
-from ...checks.params.launch_parameters import LaunchParameters
+from ...checks.params.ambiguous_numbers import block_faults
+from ...checks.params.block_readers import BlockReaders
 from ...edits.fault_hits import hits
 from ...edits.same_infos import same_infos_once
 from ...example import Example
 from ...finding import Hit, Safety, Severity
+from ...light_dataclasses import replace
 from ...package.params.parameter_file import ParameterFile
 from ...rule import rule
 
@@ -24,9 +25,9 @@ filter:
 @rule(
     "PRM005",
     "ambiguous-number",
-    over=LaunchParameters,
+    over=BlockReaders,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "rcl alone reads the file, and reads the number correctly"},
+    levels={Severity.INFO: "rcl alone reads the block, and reads the number correctly, or no node reads it"},
     examples=(
         Example(
             on="config",
@@ -47,7 +48,7 @@ filter:
         ),
     ),
 )
-def ambiguous_number(launched: LaunchParameters) -> Iterator[Hit]:
+def ambiguous_number(readers: BlockReaders) -> Iterator[Hit]:
     """
     ## What it does
     Finds numbers that rcl and YAML 1.1 read differently.
@@ -59,15 +60,20 @@ def ambiguous_number(launched: LaunchParameters) -> Iterator[Hit]:
     node or rewrite it: the parameter arrives as a string, and the node stops with an invalid type.
 
     ## When it is quiet
-    Where no launch file reads the file with Python, what rcl reads as a number is an info. Numbers in quotes are
-    strings for both, and `03` is 3 for both, as in decimal.
+    Where no component that is started reads the block with Python, what rcl reads as a number is an info. So is every
+    number in a file that nothing opens, or in a block that no node reads which is started with it. Numbers in quotes
+    are strings for both, and `03` is 3 for both, as in decimal.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; https://yaml.org/type/float.html
     """
-    found = (hit for file in launched.files if launched.is_whole for hit in of_file(launched, file))
+    launched = readers.launched
+    found = (hit for file in launched.files if launched.is_whole for hit in of_file(readers, file))
     yield from same_infos_once(found, "write the numbers so that both read them")
 
 
-def of_file(launched: LaunchParameters, file: ParameterFile) -> Iterator[Hit]:
-    return hits(file.path, number_faults(file, is_read_by_python=launched.is_read_by_python(file)))
+def of_file(readers: BlockReaders, file: ParameterFile) -> Iterator[Hit]:
+    for block in file.blocks:
+        for fault in block_faults(block, is_read_by_python=readers.is_read_by_python(file, block)):
+            is_idle = fault.level != "info" and readers.is_idle(file.path, fault.span)
+            yield from hits(file.path, [replace(fault, level="info") if is_idle else fault])
