@@ -15,6 +15,9 @@ LOST = '<link name="l"><visual><geometry><mesh filename="{}"/></geometry></visua
 MESH = LOST.format("package://my_pkg/urdf/a.stl")
 HOME = LOST.format("file:///home/ada/ws/src/my_pkg/meshes/a.stl")
 JOINT = '<link name="a"/><link name="b"/>'
+PROGRAM = CMAKE.replace(
+    "ament_package", f"install(PROGRAMS scripts/show.py DESTINATION lib/${{PROJECT_NAME}})\n{INSTALLS}"
+)
 FILES = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": CMAKE.replace("ament_package", INSTALLS)}
 NAMED = "from launch import LaunchDescription\n\nMODEL = {}\n\n\ndef generate_launch_description():\n    {}\n"
 ADDED = "return LaunchDescription([Node(package='a', executable='b', parameters=[{{'robot_description': {}}}])])"
@@ -34,8 +37,12 @@ MAYBE = [
     {"launch/a.launch.py": NAMED.format("'robot.urdf.xacro'", ADDED.format("open(MODEL).read()"))},
     {"launch/a.launch.py": NAMED.format("None", "lost = Node(package='robot.urdf')\n    return LaunchDescription([])")},
     {"launch/a.launch.py": NAMED.format("None", "return LaunchDescription([])  # robot.urdf")},
-    {"scripts/show.py": CODE.format("robot.urdf.xacro")},
-]
+    {"scripts/show.py": CODE.format("robot.urdf.xacro"), "CMakeLists.txt": PROGRAM},
+    {"scripts/show.py": CODE.format("robot.urdf")},
+    {**OPENED, "launch/b.launch.py": NAMED.format("None", "return LaunchDescription([])"),
+     "CMakeLists.txt": CMAKE.replace("ament_package", INSTALLS.replace("launch urdf", "urdf").replace(
+         "install(", "install(FILES launch/b.launch.py DESTINATION share/${PROJECT_NAME})\ninstall(", 1))},
+]  # fmt: skip
 
 
 @pytest.mark.parametrize("more", MAYBE)
@@ -49,7 +56,7 @@ def test_what_nothing_is_shown_to_open_is_an_info(more: dict[str, str], robot: s
     [
         OPENED,
         {"README.md": "    ros2 launch urdf_tutorial display.launch.py model:=urdf/robot.urdf\n"},
-        {"scripts/show.py": CODE.format("robot.urdf")},
+        {"scripts/show.py": CODE.format("robot.urdf"), "CMakeLists.txt": PROGRAM},
         {"urdf/whole.urdf.xacro": '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="w">'
          '<xacro:include filename="robot.urdf"/></robot>\n', "start.sh": "xacro urdf/whole.urdf.xacro\n"},
     ],

@@ -12,6 +12,7 @@ from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_words import LAUNCH, is_launch, may_be_made, words_of
 from ...package.workspace import Workspace
+from ..left_files import LeftFiles
 from .opened_robots import OpenedRobots, has_folders
 from .opening_texts import ROBOTS
 
@@ -22,6 +23,7 @@ class LaunchedRobots:
     package: PackageFacts
     workspace: Workspace
     opened: OpenedRobots
+    left: LeftFiles | None = None
 
     def has(self, path: str) -> bool:
         """Return whether a launch file names a file as the one it opens, or such a one includes it."""
@@ -75,7 +77,12 @@ class LaunchedRobots:
 
     @cached_property
     def launches(self) -> tuple[tuple[str, str], ...]:
-        return tuple((path, text) for path, text in self.opened.texts if is_launch(path))
+        """The path and the text of each launch file, but for those that nothing installs or names."""
+        return tuple(each for each in self.opened.texts if is_launch(each[0]) and not self.is_left(each[0]))
+
+    def is_left(self, path: str) -> bool:
+        """Return whether nothing leads to a launch file or a script."""
+        return self.left is not None and self.left.has(path)
 
     def is_this_copy(self, path: str, text: str) -> bool:
         """Return whether a text has the folders of a path in it, where the package has two files of one name."""

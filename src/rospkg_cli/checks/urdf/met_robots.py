@@ -72,9 +72,10 @@ class MetRobots:
 
     @cached_property
     def code(self) -> tuple[str, ...]:
-        """The code of the package that opens a robot, but for launch files."""
+        """The code of the package that opens a robot, but for launch files, and for what nothing leads to."""
         texts = ((path, text) for path, text in self.opened.texts if path.endswith(CODE))
-        return tuple(text for path, text in texts if role_of(path) != "launch" and OPENS.search(text))
+        texts = ((path, text) for path, text in texts if role_of(path) != "launch" and OPENS.search(text))
+        return tuple(text for path, text in texts if not self.launched.is_left(path))
 
 
 def without_conversion(line: str) -> str:

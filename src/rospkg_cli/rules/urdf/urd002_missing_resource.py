@@ -99,13 +99,13 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     under one which the defaults of the arguments switch off, and in a `<gazebo>` or `<plugin>`, which Gazebo alone
     reads, it is a warning; so it is in a robot that only code names, or a command of a page, and of an include of a
     `.urdf` that only another package may open, perhaps without xacro. It is an info in a robot that no launch file,
-    code or command of a page of the workspace is shown to open, by its folder, or that lies in a folder such as `old/`,
-    and in a macro that nothing here calls, or a condition that is constant or a default that no launch file, code or
-    page names. The default of an argument is one where nothing reads it, or each launch file that opens the robot gives
-    another. A path without a scheme is one where no launch file opens the robot, or none that does starts RViz or
-    move_group by default, or starts what publishes or reads the robot, where Gazebo finds it: `$(find …)`, or a
-    relative one where `create -file` alone opens the robot. So is a path that each such launch file replaces in its
-    text, and a file that a page or a script fetches.
+    code or command of a page of the workspace is shown to open, by its folder, or that lies in a folder such as `old/`
+    (what nothing installs or names opens nothing), and in a macro that nothing here calls, or a condition that is
+    constant or a default that no launch file, code or page names. The default of an argument is one where nothing reads
+    it, or each launch file that opens the robot gives another. A path without a scheme is one where no launch file
+    opens the robot, or none that does starts RViz or move_group by default, or what publishes the robot, where Gazebo
+    finds it: `$(find …)`, or a relative one where `create -file` alone opens the robot. So is a path that each such
+    launch file replaces in its text, and a file that a page or a script fetches.
     """
     for each in scope.missing():
         same = list(scope.beside.lacking(scope.robot, each))
