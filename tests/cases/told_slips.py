@@ -173,6 +173,7 @@ PROGRAMS = Example(
     },
     good={},
 )
+OF_MOVEIT = manifest("  <exec_depend>moveit_configs_utils</exec_depend>\n", "ament_cmake")
 LIMITS = """\
 default_velocity_scaling_factor: 0.1
 joint_limits:
@@ -189,7 +190,13 @@ joint_limits:
     max_position: 1.0
 """
 JOINTS = tuple(
-    Example(on="config", bad={f"config/{name}.yaml": LIMITS}, good={}) for name in ("my_joint_limits", "my_limits")
+    Example(on="config", bad={f"config/{name}.yaml": text, **more}, good={})
+    for name, text, more in (
+        ("my_joint_limits", LIMITS, {}),
+        ("my_limits", LIMITS, {}),
+        ("my_joint_limits", LIMITS, {"launch/a.launch.py": "FILE = 'config/my_joint_limits.yaml'\n"}),
+        *(("joint_limits", each, {"package.xml": OF_MOVEIT}) for each in (LIMITS, LIMITS.replace(": true", ": false"))),
+    )
 )
 ENTRY = "- ros_topic_name: /a\n  gz_topic_name: /b\n  ros_type_name: {}\n  gz_type_name: gz.msgs.Twist\n  {}\n"
 TYPES = (

@@ -113,4 +113,5 @@ def repeated(read: RepeatedRead) -> str:
 def unread(limit: MistypedLimit) -> str:
     """Return what comes of a misspelt limit of a joint."""
     meant = " or ".join(f"`{name}`" for name in limit.meant)
-    return f"no limit of a joint is called `{limit.name}`: the value is dropped; did you mean {meant}?"
+    when = "" if limit.is_met else ", where something opens the file and the value sets a limit"
+    return f"no limit of a joint is called `{limit.name}`: the value is dropped{when}; did you mean {meant}?"

@@ -85,14 +85,14 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     ## What it does
     Finds values for parameters that no code declares, where a similar name is declared.
     The package that declares the other parameters of the block declares the similar one, and the block does not give
-    it; or a name is longer by a word of its block, as `segmentation.min_points_segment`.
-    Names in launch files are compared with what the node's package declares; `wheels` is for `number_of_wheels`
-    there. Well-known packages are known without their sources, and `use_sim_time` is of every node; so are the names in
-    `joint_limits.yaml`. So is the one name in which two files differ that are called alike in two folders, where the
-    code declares the other one's. Slashes of ROS 1 stand for dots, and no name ends with the `:=` of the command line.
-    In code `get_parameter` is checked likewise: the file declares a similar name without getting it, or it makes its
-    node, and the name stands nowhere else in the code of the package. A name that is got twice is found where a second
-    one was declared, whose name stands nowhere else: right behind its declaration, or at its place in the row of reads.
+    it; or a name is longer by a word of its block, as `segmentation.min_points_segment`. Names in launch files are
+    compared with what the node's package declares; `wheels` is for `number_of_wheels` there. Well-known packages are
+    known without their sources, and `use_sim_time` is of every node; so are the names in `joint_limits.yaml`. So is the
+    one name in which two files differ that are called alike in two folders, where the code declares the other one's.
+    Slashes of ROS 1 stand for dots, and no name ends with the `:=` of the command line. In code `get_parameter` is
+    checked likewise: the file declares a similar name without getting it, or it makes its node, and the name stands
+    nowhere else in the code of the package. A name that is got twice is found where a second one was declared, whose
+    name stands nowhere else: right behind its declaration, or at its place in the row of reads.
 
     ## Why is this bad?
     The value is dropped, and the node runs with its default; or it stops, or a variable is never set.
@@ -105,7 +105,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     warning; into one that nothing reads, an info. So is what stands in code that nothing compiles, starts, imports or
     calls, a value in a block that no node reads which is started with the file, and one that is the default of the
     parameter that is meant, as the code or a table of well-known packages has it: that it is dropped changes nothing.
-    Where the default is not known, false, 0, an empty text and an empty list are taken for it, as they mostly are.
+    Where the default is not known, false, 0, an empty text and an empty list are taken for it, as they mostly are. So
+    is a limit of a joint in a file that nothing names, where no package needs moveit_configs_utils.
 
     ## Fix safety
     The similar name may not be the right one. A value of another type is not renamed, a single one for a list is put
@@ -133,7 +134,8 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         yield from hits(path, [fault])
     for limit in scope.joints.mistyped():
         others = tuple(Related(limit.path, span, "and here") for span in limit.others)
-        yield Hit(limit.path, limit.span, unread(limit), related=others)
+        level = None if limit.is_met else Severity.INFO
+        yield Hit(limit.path, limit.span, unread(limit), level, others)
     for read in scope.unknown_reads():
         softer, what = scope.told_of(read)
         yield Hit(read.path, read.span, what, Severity(softer), also(read.path, (span for _, span in read.more)))

@@ -88,8 +88,7 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     and one that several robots of a folder name at the same place, as those that one xacro file was made into.
 
     ## Why is this bad?
-    xacro stops at an include that isn't there. A missing mesh is not shown: RViz prints an error, Gazebo leaves the
-    shape out, and the launch goes on, so that is a warning.
+    xacro stops at an include that isn't there. A missing mesh is not shown, and the launch goes on: that is a warning.
 
     ## When it is quiet
     Nothing is said of packages that are not in the workspace, of paths that a property or an argument fills in, of
