@@ -146,6 +146,8 @@ CASES = {
         nodes(f"include(${{team_DIR}}/team.cmake)\n{SHARED}"),
         nodes(SHARED, main='int main() {BT::BehaviorTreeFactory factory; factory.registerNodeType<Wait>("Wait");}\n'),
         nodes(SHARED, main='int main() {BT::BehaviorTreeFactory factory; factory.registerFromPlugin("a.so");}\n'),
+        nodes(SHARED, main='int main() {BT::BehaviorTreeFactory f; f.registerFromPlugin("libwait_node.so");}\n'),
+        nodes(SHARED, main='#include "wait_node/wait_node.hpp"\nint main() {return 0;}\n'),
         nodes(SHARED.replace("MODULE", "STATIC")),
         nodes("add_executable(wait_node src/wait.cpp)\ninstall(TARGETS wait_node DESTINATION lib/my_pkg)"),
     ),

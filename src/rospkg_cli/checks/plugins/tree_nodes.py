@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
+from ...files import PackageFiles
 from ...languages.cpp.call import CppCall
 from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.file_role import role_of
+from ...package.package_facts import PackageFacts
+from ...package.workspace import Workspace
 from ..cmake.source_targets import SourceTargets
 
 MACRO = "BT_REGISTER_NODES"
@@ -17,6 +22,8 @@ DEFINITION = "BT_PLUGIN_EXPORT"
 REGISTERED = regex(r"\bregister(?:NodeType|Builder|SimpleAction|SimpleCondition)\b")
 """How code tells a factory of a node."""
 FUNCTION = "BT_RegisterNodesFromPlugin"
+QUOTED = regex(r'"[^"\\\n]+"')
+NAMING = (".yaml", ".yml", ".py", ".xml", ".launch", ".md", ".rst", ".sh")
 LOADED = frozenset({"SHARED", "MODULE"})
 
 
@@ -33,6 +40,21 @@ class UnexportedTreeNodes:
 class TreeNodeLibraries:
     package: CMakePackage
     sources: tuple[CppFile, ...]
+    files: PackageFiles
+    facts: PackageFacts
+    workspace: Workspace
+
+    def is_loaded(self, target: str) -> bool:
+        """Return whether a text of the package, but for CMake's, names a library, or a package needs this one.
+
+        Such a package may have the list of libraries for navigation2, or a program that loads them.
+        """
+        if self.workspace.needing(self.facts.name):
+            return True
+        name = re.compile(rf"(?<![\w-])(?:lib)?{re.escape(target)}(?:\.so)?(?![\w./-])")
+        texts = [self.files.readable_text(path) for path in self.files.paths if is_naming(path)]
+        texts += [quoted for file in self.sources for quoted in QUOTED.findall(file.source.text)]
+        return any(map(name.search, texts))
 
     def unexported(self) -> Iterator[UnexportedTreeNodes]:
         """Yield the calls of the macro in libraries that are loaded; nothing where a file names the definition."""
@@ -57,3 +79,9 @@ class TreeNodeLibraries:
     def is_exported(self) -> bool:
         in_cmake = any(DEFINITION in file.source.text for file in self.package.cmake.files)
         return in_cmake or any(DEFINITION in file.source.text for file in self.sources)
+
+
+def is_naming(path: str) -> bool:
+    """Return whether a file may tell a program or people which libraries to load."""
+    is_run = role_of(path) not in ("test", "aside") and path != "package.xml"
+    return is_run and path.endswith(NAMING)

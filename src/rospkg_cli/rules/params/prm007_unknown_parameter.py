@@ -105,12 +105,11 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     warning; into one that nothing reads, an info. So is what stands in code that nothing compiles, starts, imports or
     calls, a value in a block that no node reads which is started with the file, and one that is the default of the
     parameter that is meant, as the code or a table of well-known packages has it: that it is dropped changes nothing.
-    Where the default is not known, false, 0, an empty text and an empty list are taken for it, as they mostly are. So
-    is a limit of a joint in a file that nothing names, where no package needs moveit_configs_utils.
+    Where that is not known, false, 0, an empty text and list are taken for it. So is a limit of a joint in a file that
+    nothing names, where no package needs moveit_configs_utils.
 
     ## Fix safety
-    The similar name may not be the right one. A value of another type is not renamed, a single one for a list is put
-    into brackets.
+    The similar name may not be right. A value of another type stays, a single one for a list is put into brackets.
     """
     for group in scope.given.groups():
         for parameter, meant in group.unknown():

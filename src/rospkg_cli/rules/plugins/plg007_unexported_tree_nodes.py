@@ -23,11 +23,13 @@ public:
 
 «BT_REGISTER_NODES(factory)» {factory.registerNodeType<Wait>("Wait");}
 """
+LOADS = "bt_navigator:\n  ros__parameters:\n    plugin_lib_names: [wait_node]\n"
 LINES = """\
 find_package(behaviortree_cpp REQUIRED)
 add_library(wait_node SHARED src/wait.cpp)
 {}target_link_libraries(wait_node behaviortree_cpp::behaviortree_cpp)
 install(TARGETS wait_node DESTINATION lib)
+install(DIRECTORY config DESTINATION share/${{PROJECT_NAME}})
 """
 
 
@@ -40,9 +42,10 @@ def cmake(more: str) -> str:
     "unexported-tree-nodes",
     over=TreeNodeLibraries,
     severity=Severity.WARNING,
+    levels={Severity.INFO: "nothing here names the library, and no package needs this one"},
     examples=(
         Example(
-            bad={"CMakeLists.txt": cmake(""), "package.xml": NEEDS, "src/wait.cpp": SOURCE},
+            bad={"CMakeLists.txt": cmake(""), "package.xml": NEEDS, "src/wait.cpp": SOURCE, "config/nav2.yaml": LOADS},
             good={"CMakeLists.txt": cmake("target_compile_definitions(wait_node PRIVATE BT_PLUGIN_EXPORT)\n")},
             on="ament_cmake",
         ),
@@ -62,8 +65,12 @@ def unexported_tree_nodes(libraries: TreeNodeLibraries) -> Iterator[Hit]:
     ## When it is quiet
     Where any CMake file or source of the package names `BT_PLUGIN_EXPORT`, where the file itself calls the function,
     where another source of the package registers nodes itself, and for programs and static libraries, which may do so.
+    Where no parameter file, code, launch file or page of the package names the library, and no package of the workspace
+    needs this one, nobody is shown to load it: an info.
     """
     for each in libraries.unexported():
         add = f"target_compile_definitions({each.target} PRIVATE BT_PLUGIN_EXPORT)"
         lost = f"`{each.target}` exports no nodes, as `BT_PLUGIN_EXPORT` is not defined: whoever loads it finds none"
-        yield Hit(each.file.path, each.call.span, f"{lost}; add `{add}`")
+        is_loaded = libraries.is_loaded(each.target)
+        why, level = ("", None) if is_loaded else (", and nothing here is shown to load it", Severity.INFO)
+        yield Hit(each.file.path, each.call.span, f"{lost}{why}; add `{add}`", level)
