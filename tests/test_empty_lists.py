@@ -1,4 +1,7 @@
-"""PRM004: at an empty list a node in C++ stops, and is shown to read the block, or else it is an info."""
+"""PRM004: at an empty list a node in C++ stops, and is shown to read the block, or else it is an info.
+
+What rcl refuses stops nobody where only a launch file that is not installed gives the file to nodes (PRM001, PRM004).
+"""
 
 from __future__ import annotations
 
@@ -52,6 +55,22 @@ def test_a_well_known_node_behind_an_include(package: str, level: str) -> None:
         "my_pkg/launch/b.launch.xml": "<launch/>",
     }
     assert found(files, "collision_monitor") == [level]
+
+
+@pytest.mark.parametrize(("installed", "level"), [("launch config", "error"), ("config", "info")])
+@pytest.mark.parametrize(
+    "values", ["arm:\n  rate: 1\n/**:\n  ros__parameters: {}\n", "arm:\n  ros__parameters:\n    a: *b\n"]
+)
+def test_a_file_for_nodes_that_nobody_starts(installed: str, level: str, values: str) -> None:
+    given = '<node pkg="native" exec="arm"><param from="$(find-pkg-share my_pkg)/config/a.yaml"/></node>'
+    files = {
+        "package.xml": manifest("", "ament_cmake"),
+        "CMakeLists.txt": INSTALL.replace("launch config", installed),
+        "config/a.yaml": values,
+        "launch/a.launch.xml": f"<launch>{given}</launch>\n",
+    }
+    levels = [each.severity.value for each in lint_files(files, ["PRM001", "PRM004"]).findings]
+    assert levels == [level]
 
 
 def found(files: dict[str, str], node: str) -> list[str]:

@@ -15,6 +15,8 @@ from rospkg_cli.rules.manifest import xml305_missing_interface_group as xml305
 from rospkg_cli.testing import lint_files
 
 NATIVE = existing_files(BACKDROPS["ament_cmake"])
+LINES = "install(DIRECTORY config launch other DESTINATION share/${PROJECT_NAME})\nament_package"
+INSTALLED = {**NATIVE, "CMakeLists.txt": CMAKE.replace("ament_package", LINES)}
 PYTHON = existing_files(BACKDROPS["ament_python"])
 INTERFACES = existing_files(BACKDROPS["interfaces"])
 
@@ -391,7 +393,7 @@ def test_blocks_without_their_key_in_a_file_that_nothing_names(launched: str, le
         "config/arm.yaml": "a:\n  ros__parameters:\n    x: 1\nb:\n  y: 1\n",
         "config/base.yaml": "/**:\n  ros__parameters: {}\n",
     }
-    (found,) = lint_files({**NATIVE, **texts, "launch/a.launch.xml": launch}, ["PRM001"]).findings
+    (found,) = lint_files({**INSTALLED, **texts, "launch/a.launch.xml": launch}, ["PRM001"]).findings
     assert found.severity.value == level
 
 
@@ -404,7 +406,7 @@ def test_a_launch_file_that_names_another_file_of_the_same_name(launched: str, l
         "config/arm.yaml": "a:\n  ros__parameters:\n  x: 1\n  y: 2\n",
         "other/arm.yaml": "/**:\n  ros__parameters: {}\n",
     }
-    files = {**NATIVE, **texts, "launch/a.launch.xml": f"{start}{launched}'/></node></launch>\n"}
+    files = {**INSTALLED, **texts, "launch/a.launch.xml": f"{start}{launched}'/></node></launch>\n"}
     (found,) = lint_files(files, ["PRM004"]).findings
     assert (found.severity.value, len(found.related)) == (level, 1)
     assert found.message.endswith(": indent them")

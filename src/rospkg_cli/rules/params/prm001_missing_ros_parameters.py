@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.parameter_file_use import ParameterFileUse
+from ...checks.params.refused_values import RefusedValues
 from ...checks.params.ros_parameters_key import key_faults
 from ...edits.fault_hits import hits
 from ...example import Example, manifest
@@ -36,11 +36,11 @@ HANDED = {
 @rule(
     "PRM001",
     "missing-ros-parameters",
-    over=ParameterFileUse,
+    over=RefusedValues,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "launch files, code or a page name the file, and none is shown to give it to a node",
-        Severity.INFO: "nothing names the file, or code parses it itself",
+        Severity.INFO: "nothing names the file, nobody starts the nodes that get it, or code parses it itself",
     },
     examples=(
         Example(
@@ -57,7 +57,7 @@ HANDED = {
         ),
     ),
 )
-def missing_ros_parameters(use: ParameterFileUse) -> Iterator[Hit]:
+def missing_ros_parameters(scope: RefusedValues) -> Iterator[Hit]:
     """
     ## What it does
     Finds parameter files with a missing or misspelt `ros__parameters:` below a node.
@@ -72,7 +72,7 @@ def missing_ros_parameters(use: ParameterFileUse) -> Iterator[Hit]:
     launch file are read; those of tests, and templates, are not. Where a launch file parses the file itself
     (`yaml.safe_load`) and gives no node its path, a block without the key may be for something else. It is an error
     only where a launch file of the workspace gives a node the file by its path, and an info where nothing of the
-    workspace names the file.
+    workspace names the file, or gives it to nodes alone that nobody starts.
 
     ## Fix safety
     The fix of the spelling is safe. A missing `ros__parameters:` is added above all that the block holds, which is
@@ -81,7 +81,7 @@ def missing_ros_parameters(use: ParameterFileUse) -> Iterator[Hit]:
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c
     """
-    is_parsed = use.is_parsed_by_launch
-    level = "info" if is_parsed else use.level
+    use, is_parsed = scope.use, scope.use.is_parsed_by_launch
+    level = "info" if is_parsed else scope.level
     for fault in key_faults(use.file, is_parsed_by_launch=is_parsed):
         yield from hits(use.file.path, [replace(fault, level=level)])

@@ -45,7 +45,8 @@ def example(bad: str, good: str) -> Example:
     levels={
         Severity.WARNING: "a list is empty, at which only C++ nodes stop, or launch files, code or a page name the "
         "file, and none is shown to give it to a node",
-        Severity.INFO: "nothing names the file, or a list is empty in a block that no C++ node is shown to read",
+        Severity.INFO: "nothing names the file, nobody starts the nodes that get it, or a list is empty in a block "
+        "that no C++ node is shown to read",
     },
     examples=(
         example("    limits: [1, «2.5»]\n", "    limits: [1.0, 2.5]\n"),
@@ -76,8 +77,8 @@ def unsupported_yaml(scope: RefusedValues) -> Iterator[Hit]:
     warning: a Python node takes it; nothing is said of it where launch files give the file to such nodes alone (of a
     Python package, or an executable `*.py`); it is an info where no node in C++ that is started is shown to read the
     block: one that is given the file, or has the block's name. All of a file is a warning that no launch file of the
-    workspace gives a node by its path. Of a file that no launch file, program or README of the workspace names, it is
-    an info.
+    workspace gives a node by its path. Of a file that no launch file, program or README of the workspace names, or that
+    goes to nodes alone which nobody starts (of a launch file that is not installed, or never added), it is an info.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
@@ -94,5 +95,5 @@ def unsupported_yaml(scope: RefusedValues) -> Iterator[Hit]:
         if place not in seen:
             seen.add(place)
             found = scope.at_its_level(fault) if is_empty else fault
-            is_info = "info" in (found.level, use.level)
-            yield from hits(file.path, [replace(found, level="info" if is_info else found.level or use.level)])
+            is_info = "info" in (found.level, scope.level)
+            yield from hits(file.path, [replace(found, level="info" if is_info else found.level or scope.level)])
