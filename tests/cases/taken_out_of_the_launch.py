@@ -37,16 +37,17 @@ SOME_LINK = """\
 
 
 IN_PARTS = "'s' + 'im.yaml'"
+WITH_KEY = WITHOUT_KEY.replace("ros_p", "ros__p")
 
 
-def adding(actions: str, name: str = "'sim.yaml'") -> Example:
+def adding(actions: str, name: str = "'sim.yaml'", values: str = WITHOUT_KEY) -> Example:
     needed = "".join(f"  <exec_depend>{each}</exec_depend>\n" for each in NEEDED)
     installed = "install(DIRECTORY config launch urdf DESTINATION share/${PROJECT_NAME})\nament_package"
     return Example(
         bad={
             "CMakeLists.txt": CMAKE.replace("ament_package", installed),
             "package.xml": manifest(needed, "ament_cmake"),
-            "config/sim.yaml": WITHOUT_KEY,
+            "config/sim.yaml": values,
             "urdf/robot.urdf.xacro": SOME_LINK,
             "launch/robot.launch.py": LAUNCH.replace("ACTIONS", actions).replace("'sim.yaml'", name),
         },
@@ -57,6 +58,9 @@ def adding(actions: str, name: str = "'sim.yaml'") -> Example:
 
 CASES = {
     "PRM001": (adding("sim, shown"), adding("shown"), adding(f"shown, {OTHER}")),
-    "PRM002": (adding("sim, shown", IN_PARTS), adding("shown", IN_PARTS)),
+    "PRM002": (
+        *(adding(actions, IN_PARTS, WITH_KEY) for actions in ("sim, shown", "shown")),
+        adding("sim, shown", IN_PARTS),
+    ),
     "URD002": (adding("sim, shown"), adding("sim")),
 }

@@ -14,6 +14,7 @@ from .idle_nodes import may_start, start_of
 from .launch_parameters import LaunchParameters, NodeArguments
 from .mistyped_blocks import WILD, last
 from .parameter_file_use import ParameterFileUses
+from .refused_files import is_refused
 
 TO_SPAWNERS = "param-file"
 """How a spawner is given a file, for a controller whose name is not that of a node here."""
@@ -27,11 +28,18 @@ class BlockReaders:
     uses: ParameterFileUses
 
     def is_idle(self, path: str, place: Span) -> bool:
-        """Return whether a place is in a parameter file that nothing opens, or in a block that no node reads."""
+        """Return whether a place is in a file that nothing opens or rcl refuses, or in a block that no node reads."""
         file = next((each for each in self.launched.files if each.path == path), None)
         blocks = file.blocks if file is not None else ()
         block = next((each for each in blocks if each.key.span == place or each.value.span.holds(place)), None)
-        return file is not None and (self.is_unopened(file) or (block is not None and self.is_unread(file, block)))
+        if file is None or self.is_unopened(file) or self.is_refused(file):
+            return file is not None
+        return block is not None and self.is_unread(file, block)
+
+    def is_refused(self, file: ParameterFile) -> bool:
+        """Return whether rcl refuses a file, and no component gets it, for which PyYAML reads it."""
+        has_components = any(each.node.kind == "composable_node" for each in self.given(file))
+        return not has_components and is_refused(self.uses.of(file))
 
     def is_unopened(self, file: ParameterFile) -> bool:
         """Return whether nothing names a file, or launch files give it to nodes alone that nobody starts."""

@@ -56,8 +56,8 @@ def duplicate_parameter(every: ParameterFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Names in different blocks, or in different documents of a file, may well be the same. Where both values are written
-    alike nothing changes, and it is an info; so it is where nothing opens the file, or no node that is started with it
-    reads the block.
+    alike nothing changes, and it is an info; so it is where nothing opens the file, rcl refuses it as a whole, or no
+    node that is started with it reads the block.
 
     ## References
     ros2/rclcpp#2166
