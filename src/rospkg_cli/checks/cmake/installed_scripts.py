@@ -14,6 +14,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import CopiedFile, copied_files
 from ...package.cmake.install_rules import InstallRule
+from ...package.launch.live_text import live_text
 from ...package.workspace import Workspace
 from ...ros.share_layout import LAUNCH
 from .left_out_nodes import USES_ROS, is_last, is_left_out, is_node
@@ -134,7 +135,8 @@ class InstalledScripts:
             return True
         started = re.compile(rf"\bros2 run {re.escape(self.package.facts.name)} {re.escape(name)}(?![.-]?\w)")
         texts = (*self.texts, *(files.readable_text(each) for each in files.paths if is_readme(each)))
-        return any(name in text for text in self.launch_texts) or any(started.search(text) for text in texts)
+        named = re.compile(rf"(?<![\w.-]){re.escape(name)}(?!\w)")
+        return any(map(named.search, self.live_launches)) or any(map(started.search, texts))
 
     def is_tool(self, script: BrokenScript) -> bool:
         """Return whether a script without `#!` has no word of ROS, and nothing starts it: people give it to Python."""
@@ -181,6 +183,13 @@ class InstalledScripts:
     def texts_with_python(self) -> tuple[str, ...]:
         """The launch files that run Python, with single quotes."""
         return tuple(text.replace('"', "'") for text in self.launch_texts if "python3" in text)
+
+    @cached_property
+    def live_launches(self) -> tuple[str, ...]:
+        """The launch files without their comments."""
+        files = self.package.cmake.package_files
+        paths = (path for path in files.paths if LAUNCH.fullmatch(posixpath.basename(path)))
+        return tuple(live_text(files, path) for path in paths)
 
     @cached_property
     def launch_texts(self) -> tuple[str, ...]:
