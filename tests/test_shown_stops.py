@@ -189,6 +189,41 @@ def test_what_is_lost_with_a_dollar_sign(lines: str, level: str) -> None:
     assert text.startswith(f"{level}: ")
 
 
+PROGRAM = {"src/a.cpp": "int a() {return 1;}\n"}
+
+
+@pytest.mark.parametrize(("option", "level"), [("", "error"), ("EXCLUDE_FROM_ALL ", "warning")])
+def test_a_program_without_main_that_is_built_on_demand(option: str, level: str) -> None:
+    (text,) = said(package(f"add_executable(a {option}src/a.cpp)") | PROGRAM, "CMK125")
+    assert text.startswith(f"{level}: ")
+
+
+STARTED = "install(PROGRAMS scripts/hello.py DESTINATION lib/my_pkg)"
+
+
+RUNS = '<executable cmd="$(var home)/{}"/>'
+
+
+@pytest.mark.parametrize(
+    ("line", "level"),
+    [
+        (RUNS.format("bye.py"), "warning"),
+        (RUNS.format("good_bye.py"), "info"),
+        (RUNS.format("bye.pyc"), "info"),
+        ("<!-- bye.py -->", "info"),
+    ],
+)
+def test_a_launch_file_that_names_a_script(line: str, level: str) -> None:
+    script = "#!/usr/bin/env python3\nprint('hello')\n"
+    files = {
+        **package(STARTED),
+        **dict.fromkeys(("scripts/hello.py", "scripts/bye.py"), script),
+        "launch/a.launch.xml": f"<launch>\n  {line}\n</launch>\n",
+    }
+    (text,) = said(files, "CMK112")
+    assert text.startswith(f"{level}: ")
+
+
 NODE = "def main():\n    print('hello')\n"
 STARTS = '<launch>\n  <node pkg="my_pkg" exec="talker"/>\n</launch>\n'
 

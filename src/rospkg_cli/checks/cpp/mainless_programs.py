@@ -27,6 +27,7 @@ MAIN = regex(r"^int\s+main\s*\(", re.MULTILINE)
 MACRO = regex(r"^(?!RCLCPP_|PLUGINLIB_|CLASS_LOADER_|RCUTILS_|Q_)[A-Z][A-Z0-9_]{2,}[ \t]*\(", re.MULTILINE)
 """A macro outside of functions, which may make a `main()` as well."""
 COMPONENT = "RCLCPP_COMPONENTS_REGISTER_NODE"
+ON_DEMAND = "EXCLUDE_FROM_ALL"
 SETTINGS = ("set_target_properties", "target_link_options", "set_property")
 
 
@@ -37,7 +38,7 @@ class MainlessProgram:
     """The one file with a `main()` that no target has, in the folder of a source; "" where there is none."""
     is_component: bool
     is_whole: bool
-    """Whether all of its sources are there, and all that it is linked with is known."""
+    """Whether it is built by default, all of its sources are there, and all that it is linked with is known."""
 
 
 @dataclass(frozen=True)
@@ -56,9 +57,10 @@ class MainlessPrograms:
             given = self.given_main(target) if there and not self.may_have_main(there) else True
             if given is not True:
                 is_whole = len(there) == len(paths or ()) and given is False and not cmake.reads_unknown_files
+                is_asked = ON_DEMAND in target.options
                 if (lost := self.lost(there)) or is_whole:
                     is_component = any(COMPONENT in self.text(path) for path in there)
-                    yield MainlessProgram(target, lost, is_component, is_whole)
+                    yield MainlessProgram(target, lost, is_component, is_whole and not is_asked)
 
     def paths(self, target: Target) -> list[str] | None:
         """Return the sources of a target; None where one is not known, or of another language."""

@@ -40,8 +40,8 @@ int main(int argc, char ** argv)
     over=MainlessPrograms,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a source is not there, as one of a submodule, or a library can't be evaluated, and a file "
-        "beside the others has a `main()`"
+        Severity.WARNING: "it is built on demand alone; or a source is not there, as one of a submodule, or a library "
+        "can't be evaluated, and a file beside the others has a `main()`"
     },
     examples=(
         Example(
@@ -68,8 +68,8 @@ def program_without_main(programs: MainlessPrograms) -> Iterator[Hit]:
     Where a source is not known, or of another language than C++; where one, a header of the package that it includes,
     or a library of the package has `main(`, `MAIN` or an unknown macro in it, and where a library is linked that has
     `main` in its name (`gtest_main`). Where a source is not there or a library can't be evaluated, unless a file beside
-    the others has a `main()` and stands in no CMake file: a warning. For tests, and below a condition that can't be
-    evaluated.
+    the others has a `main()` and stands in no CMake file: a warning, as for a program that is only built on demand
+    (EXCLUDE_FROM_ALL). For tests, and below a condition that can't be evaluated.
     """
     for each in programs.all():
         word = each.target.word
