@@ -39,6 +39,9 @@ INDEX = Index(
 )
 
 
+VCS = "repositories:\n  x:\n    type: git\n    url: https://example.org/x.git\n"
+
+
 def lint(body: str, *targets: str, codes: str = "DEP001", complete: bool = True) -> list[Finding]:
     """Lint a package that declares something, where the index is known."""
     scope = Scope(
@@ -143,6 +146,14 @@ def test_keys_from_pypi_are_those_of_the_index() -> None:
         ({"a/b/pkg/sim.repos": ""}, True),
         ({"a/b/deps.rosinstall": ""}, True),
         ({"other/deep/down.repos": ""}, False),
+        ({".vcs/ros2_packages": VCS}, True),
+        ({"underlay": VCS, "x/a.cpp": ""}, False),
+        ({"docker/sources.yaml": VCS.replace("  x", "# ours\n  x")}, True),
+        ({"installs.txt": "- git: {local-name: x, uri: 'https://example.org/x'}\n"}, True),
+        ({"docs/notes.txt": "The file has a line\nrepositories:\nand what belongs to it.\n"}, False),
+        ({"a/b/pkg/config/x.yaml": VCS, "a/b/pkg/y.yaml": VCS}, False),
+        ({f"data/{n}.txt": "" for n in range(30)} | {"data/zzz.txt": VCS}, False),
+        ({f"data/{n}.txt": "" for n in range(30)} | {"data/repositories.txt": VCS}, True),
         ({".gitmodules": '[submodule "x"]\n\tpath = x\n'}, True),
         ({".gitmodules": '[submodule "x"]\n\tpath = x\n', "x/README": ""}, False),
     ],

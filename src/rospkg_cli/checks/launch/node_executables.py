@@ -197,6 +197,10 @@ class NodeExecutables:
             if wrong is not None and each.executable.span not in seen:
                 seen.add(each.executable.span)
                 level = milder(level_met(file, each.span, workspace), level_at(file, each.executable.span))
+                from .other_sources import may_be_another  # few launch files start what is not there
+
+                if other := may_be_another(each.package, workspace, self.scope.files):
+                    level = "info", other
                 is_plain = file.source.slice(each.executable.span) == name
                 yield WellKnownUse(each.package, each.executable, name, wrong, *level, is_plain)
 

@@ -13,8 +13,8 @@ from ...lazy_regex import regex
 from ...leftovers import is_never_source
 from ...light_dataclasses import dataclass
 from ...unreadable import UnreadableError
+from .lists_by_content import lists_among
 
-LISTS = (".repos", ".rosinstall")
 MAX_BYTES = 1_000_000
 """The largest .gitmodules or list that is read."""
 
@@ -52,7 +52,7 @@ def missing_packages(around: Path | None, packages: Sequence[Path]) -> MissingPa
 def children(folder: Path) -> Iterator[Path]:
     try:
         names = [entry.name for entry in scan(folder) if not is_never_source(entry.name)]
-        yield from (folder / name for name in names if name[0] != "." and is_folder(folder / name))
+        yield from (folder / name for name in names if is_folder(folder / name))
     except OSError:
         return
 
@@ -61,8 +61,8 @@ def missing_below(folder: Path, top: Path) -> Iterator[MissingPackages]:
     """Yield what a folder's lists and submodules say of packages that are not here."""
     try:
         names = [entry.name for entry in scan(folder) if not is_never_source(entry.name)]
-        for name in names:
-            found = missing_of_list(folder / name, top) if name.endswith(LISTS) else MissingPackages()
+        for path in lists_among(folder, names):
+            found = missing_of_list(path, top)
             if found.why:
                 yield found
         paths = submodules(folder / ".gitmodules") if ".gitmodules" in names else []
@@ -87,6 +87,7 @@ def missing_of_list(path: Path, top: Path) -> MissingPackages:
     if listed is None:
         return MissingPackages(f"`{shown}` lists repositories and can't be read")
     above = [folder for folder in (path.parent, *path.parent.parents) if folder.is_relative_to(top)]
+    above += children(top)  # `vcs import external < ours.repos`
     places = [place for folder in above for place in (folder, folder / "src")]
     missing = [each for each in listed if not is_here(each, places)]
     if not missing:

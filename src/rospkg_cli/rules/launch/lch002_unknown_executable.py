@@ -38,8 +38,8 @@ FILES = {
     levels={
         Severity.WARNING: "its condition can't be evaluated, `ros2 run` starts it, the launch file is for Foxy, or an "
         "old distribution had it, and the repository is for later ones",
-        Severity.INFO: "the node is off by default or never added to the launch description, or an old distribution "
-        "had it, and nothing shows that the repository is for later ones",
+        Severity.INFO: "the node is off by default or never added to the launch description, an old distribution had "
+        "it, and nothing shows that the repository is for later ones, or another package of a known name may be meant",
     },
     examples=(
         Example(
@@ -78,6 +78,9 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     docstrings and names of files are asked; where several are named, the package's own description is. It is an info,
     too, where package.xml declares a sister of the package that no distribution has: a fork may have it, and where
     every launch ends before, as it looks for a package that is neither here, nor released, nor in a listed repository.
+    What is known of a package that is not here is an info where another one of its name may be meant: repositories are
+    listed that are not here, or a page clones one that is called so; not so of what `ros_base` brings, and of what a
+    page or a container installs (`apt install ros-jazzy-topic-monitor`).
 
     ## Fix safety
     The name is replaced by the only similar one; another program may be right.
