@@ -16,6 +16,11 @@ PAGES = (
 )
 CLONE = "```sh\ngit clone https://github.com/jlblancoc/nanoflann.git\n```\n"
 COPY = "sudo cp nanoflann/include/nanoflann.hpp /usr/local/include/\n"
+MADE = "cd nanoflann-1.4.0\nmkdir build\ncd build\ncmake ..\nmake\nsudo make install # this installs it\n"
+IN_IMAGE = "RUN unzip -q x.zip && cd libs/nanoflann && mkdir build && cd build && cmake .. && make && make install\n"
+PLACED = "cd nanoflann\ncmake -B build\nsudo cmake --build build --target install\n"
+LEFT = "cd nanoflann\ncolcon build\n"
+"""Builds nothing that is installed beside ROS."""
 PROGRAM = "{}add_executable(tree src/tree.cpp)\ninstall(TARGETS tree DESTINATION lib/${{PROJECT_NAME}})\n"
 
 
@@ -38,5 +43,5 @@ CASES = {
         tree("git clone git@github.com:jbeder/yaml-cpp.git\n", FOUND, "vector"),
         tree("It reads YAML.\n", FOUND, "vector"),
     ),
-    "DEP105": tuple(map(tree, (CLONE, COPY, "It uses nanoflann.\n"))),
+    "DEP105": tuple(map(tree, (CLONE, COPY, MADE, IN_IMAGE, PLACED, LEFT, "It uses nanoflann.\n"))),
 }

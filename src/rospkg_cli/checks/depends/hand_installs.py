@@ -22,6 +22,13 @@ WHEEL_FILES = regex(r"\bpip3?\s+install\b[^\n]{0,300}?\b([A-Za-z]\w*)(?:[-.][\w.
 FOLDERS = regex(r"\bpip3?\s+install\s+(?:-\w\s+)?((?:\.{1,2}|~)?/[^\s&|;]+)")
 SETUPS = regex(r"\bcd\s+([^\n;&|]{1,200})[^c]{0,9}(?:sudo\s+)?python[\d.]*\s+setup\.py\s+install\b")
 """How a library that lies in a folder, or is a file of its own, is put where Python looks."""
+MAKES = regex(
+    r"\bcd[ \t]+(?:[^\s;&|]{0,200}/)?([A-Za-z][\w.+-]*)(?=/?[\s;&|\"'`)])(?=(?s:.){0,400}?\b(?:"
+    r"(?:make|ninja)[ \t][^\n;&|]{0,40}?install|cmake[^\n;&|]{0,60}?[ \t]--(?:install|target[ =]install))\b)"
+)
+"""The folder of sources that a build is made and installed from: `cd lcm-1.4.0 && mkdir build && cd build && …`."""
+RELEASE = regex(r"[-_.]v?\d+(?:\.\d+)+$")
+"""What the folder of an unpacked archive has behind its name."""
 WORD = regex(r"[A-Za-z][\w.+-]*")
 AROUND = regex(r"^(?:python3?-|lib)|(?:-dev|\.h|\.hpp|\.git|\.py|\d+)$")
 """What keys, headers and packages of CMake have around the name of a library."""
@@ -42,6 +49,7 @@ class HandInstalls:
         found = set[str]()
         for _, text in installing_texts(self.files):
             found.update(name for each in (CLONES, FETCHES, WHEEL_FILES) for name in each.findall(text))
+            found.update(RELEASE.sub("", name) for name in MAKES.findall(text))
             told = (part for each in (CONDA, WHEELS, SOURCE, COPIES, FOLDERS, SETUPS) for part in each.findall(text))
             found.update(word for part in told for word in WORD.findall(part))
         return frozenset(map(plain, found))
