@@ -126,3 +126,31 @@ def test_what_is_exported_and_nowhere_declared(name: str, depends: str, before: 
     files = {**CPP, "CMakeLists.txt": cmake, "package.xml": manifest(depends, "ament_cmake")}
     found = lint_files(files, ["DEP111"]).findings
     assert [(f.message.split("`")[1], f.severity.value) for f in found] == says
+
+
+EXPORTED = CMAKE.replace(
+    "ament_package()",
+    "find_package(urdfdom_headers REQUIRED)\nament_export_dependencies(urdfdom_headers)\nament_package()",
+)
+BUILT = manifest(need("liburdfdom-headers-dev", "build_depend"), "ament_cmake")
+FINDS = USER["user/CMakeLists.txt"].replace("add_library", "find_package(my_pkg REQUIRED)\nadd_library")
+JOB = "jobs:\n  test:\n    uses: ros-industrial/industrial_ci\n    env: {PRERELEASE: true}\n"
+
+
+@pytest.mark.parametrize(
+    "needs, others, level",
+    [
+        ("", {".github/workflows/pre.yaml": JOB}, "warning"),
+        ("", {"copy/.github/workflows/pre.yaml": JOB, ".git/HEAD": "x"}, "info"),
+        ("", {}, "info"),
+        (need("moveit_core", "depend"), {".github/workflows/pre.yaml": JOB}, "info"),
+    ],
+)
+def test_an_export_that_only_a_release_lacks(needs: str, others: dict[str, str], level: str) -> None:
+    """A job of a copy in a repository runs nowhere, and what a user declares may bring it under another name."""
+    files = {**CPP, "CMakeLists.txt": EXPORTED, "package.xml": BUILT}
+    own = manifest(need("my_pkg", "depend") + needs, "ament_cmake").replace("<name>my_pkg", "<name>user")
+    beside = {f"copy/my_pkg/{path}": text for path, text in files.items()} | USER
+    beside |= {"user/package.xml": own, "user/CMakeLists.txt": FINDS, **others}
+    (found,) = lint_files(beside, ["DEP111"]).findings
+    assert found.severity.value == level

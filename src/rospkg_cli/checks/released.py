@@ -12,7 +12,7 @@ from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
-from .setup.linked_build import build_texts
+from .setup.linked_build import build_files
 
 CHANGES = "CHANGELOG.rst"
 """What bloom makes the changelogs of a release of."""
@@ -20,6 +20,8 @@ OF_BLOOM = ("tracks.yaml", ".rosinstall.release")
 """Files in the root of a repository that is released."""
 RELEASES = regex(r"\bbloom-(?:generate|release)\b|\bgit-bloom-release\b|\bros_buildfarm\b|\bPRERELEASE\b|\bprerelease_")
 """What makes packages of Debian, or asks the build farm to try it."""
+JOBS = ".github/"
+"""Where a host looks for jobs: in the root of a repository alone."""
 TITLE = regex(r"\s*(\S[^\n]*)")
 
 
@@ -37,9 +39,16 @@ class Release:
         """
         if self.files.above(OF_BLOOM) is not None or any(map(self.files.exists, OF_BLOOM)):
             return True
-        if any(map(RELEASES.search, build_texts(self.files))):
+        if any(map(RELEASES.search, self.texts())):
             return True
         return self.is_named_in_changes and all(self.have_changes())
+
+    def texts(self) -> Iterator[str]:
+        """Yield what builds the repository; jobs of a copy in the midst of it run nowhere."""
+        for whole, path in build_files(self.files):
+            top, is_job, _ = path.partition(JOBS)
+            if whole.has_file(path) and not (is_job and any(not f"{each}/".startswith(top) for each in self.here)):
+                yield whole.readable_text(path)
 
     @property
     def is_named_in_changes(self) -> bool:
@@ -53,11 +62,15 @@ class Release:
             yield self.files.whole is not None and has_file(self.files.whole, posixpath.join(each.folder, CHANGES))
 
     @cached_property
+    def here(self) -> frozenset[str]:
+        """The folders of the packages of the repository; none where it is not known."""
+        return next((each for each in self.workspace.repositories if self.facts.folder in each), frozenset())
+
+    @cached_property
     def neighbours(self) -> tuple[PackageFacts, ...]:
         """The other packages of the repository; of the run, where its repositories are not known."""
-        here = next((each for each in self.workspace.repositories if self.facts.folder in each), None)
         return tuple(
             each
             for each in self.workspace.packages
-            if each.folder != self.facts.folder and (here is None or each.folder in here)
+            if each.folder != self.facts.folder and (not self.here or each.folder in self.here)
         )

@@ -101,7 +101,7 @@ class HandedOnPackages:
                 seen.add(word.text)
                 bringer = self.declared.bringer_among(names, there)
                 if bringer is None or not bringer.is_certain:
-                    is_met = bringer is None and self.stops(own) and self.is_met(own)
+                    is_met = bringer is None and self.stops({*own, *names}) and self.is_met(own)
                     place, there_too = (word.path, word.span), self.is_installed(own)
                     yield HandedOnPackage(own, word.text, *place, is_met, there_too)
 
