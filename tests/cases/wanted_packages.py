@@ -32,6 +32,19 @@ USES = (
     {"urdf/a.urdf": '<robot name="a"><mesh filename="package://arm/a.stl"/></robot>\n'},
 )
 
+OF_THE_INNER = (
+    {"arm/README.md": "ros2 run arm talker\n"},
+    {"copy/arm/package.xml": INNER["arm/package.xml"], "arm/package.xml": "", "copy/README.md": "ros2 run arm a\n"},
+    {"arm/a.py": "import arm\n"},
+)
+RELEASED = {"slam/package.xml": manifest("", "ament_cmake", "slam_toolbox")}
+ON_RELEASED = (
+    {"package.xml": NEEDING.replace("arm", "slam_toolbox")},
+    {"README.md": "ros2 run slam_toolbox a\n"},
+    {"README.md": "colcon build --packages-select slam_toolbox\n"},
+)
+"""A package of a distribution is installed where it is named; only a build of the copy misses the copy."""
+
 
 def beside(files: dict[str, str]) -> dict[str, str]:
     """Return files with the outer package in a folder, as one may lie beside it."""
@@ -42,6 +55,8 @@ def beside(files: dict[str, str]) -> dict[str, str]:
 CASES = {
     "WSP005": (
         *(Example(bad=beside({**OUTER, **INNER, **use}), good={}, on="") for use in USES),
+        *(Example(bad=beside({**OUTER, **INNER, **use}), good={}, on="") for use in OF_THE_INNER),
+        *(Example(bad=beside({**OUTER, **RELEASED, **use}), good={}, on="") for use in ON_RELEASED),
         Example(bad={**OUTER, **CATKIN, "README.md": "ros2 run arm talker\n"}, good={}, on=""),
         Example(bad={**OUTER, **INNER, "b/package.xml": manifest("", "cmake", "b"),
                      "README.md": "ros2 run b b\n"}, good={}, on=""),

@@ -29,8 +29,12 @@ def every_text(files: PackageFiles) -> Iterator[str]:
     """Yield the pages and scripts of the package and the packages in it, and those that say how all is built."""
     yield from build_texts(files)
     for path in files.every:
-        if path.endswith(TEXTS) or path.rpartition("/")[2].startswith("Dockerfile"):
+        if is_page(path):
             yield files.readable_text(path)
+
+
+def is_page(path: str) -> bool:
+    return path.endswith(TEXTS) or path.rpartition("/")[2].startswith("Dockerfile")
 
 
 def carried(text: str) -> Iterator[str]:

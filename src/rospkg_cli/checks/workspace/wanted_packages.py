@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -10,7 +11,8 @@ from ...light_dataclasses import dataclass
 from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
-from .carried_folders import CONTINUED, every_text
+from ..setup.linked_build import build_texts
+from .carried_folders import CONTINUED, is_page
 
 COMPILED = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 USING = (*COMPILED, ".py", ".xml", ".launch", ".yaml", ".yml", "CMakeLists.txt", ".cmake", ".xacro", ".urdf")
@@ -24,8 +26,9 @@ USES = r"""
   | \bpackage://{0}/
 """
 """How code, launch files and robots name a package that they need: an import, a header, a look-up, a node."""
-COMMANDS = r"\bros2[ \t]+(?:run|launch)[ \t]+{0}\b|--packages-(?:select|up-to)(?![\w-])[^\n;&|]*[\s=]{0}(?![\w-])"
-"""How pages and scripts build and start one."""
+STARTS = r"\bros2[ \t]+(?:run|launch)[ \t]+{0}\b"
+BUILDS = r"--packages-(?:select|up-to)(?![\w-])[^\n;&|]*[\s=]{0}(?![\w-])"
+"""How pages and scripts start and build one."""
 
 
 @dataclass(frozen=True)
@@ -34,14 +37,19 @@ class WantedPackages:
     workspace: Workspace
 
     def has(self, name: str) -> bool:
-        """Return whether a package is missed where it is not built."""
+        """Return whether a package is missed where it is not built; one of the distributions may be installed."""
+        if self.is_told(BUILDS, name):
+            return True
+        if self.workspace.index.is_package(name):
+            return False
         needed = self.workspace.is_needed(name) or any(is_used(name, each) for each in self.workspace.packages)
         uses = re.compile(USES.format(re.escape(name)), re.VERBOSE | re.MULTILINE)
-        return needed or any(map(uses.search, self.code)) or self.is_commanded(name)
+        return needed or any(map(uses.search, self.code)) or self.is_told(STARTS, name)
 
-    def is_commanded(self, name: str) -> bool:
-        commands = re.compile(COMMANDS.format(re.escape(name)))
-        return any(map(commands.search, self.pages))
+    def is_told(self, commands: str, name: str) -> bool:
+        """Return whether a page or a script has a command on a package."""
+        told = re.compile(commands.format(re.escape(name)))
+        return any(map(told.search, self.pages))
 
     @cached_property
     def code(self) -> tuple[str, ...]:
@@ -52,7 +60,15 @@ class WantedPackages:
 
     @cached_property
     def pages(self) -> tuple[str, ...]:
-        return tuple(CONTINUED.sub(" ", text) for text in every_text(self.files))
+        """What those of the repository and of the outer package say: the inner ones' own tell of another build."""
+        return tuple(CONTINUED.sub(" ", text) for text in (*build_texts(self.files), *self.own_pages()))
+
+    def own_pages(self) -> Iterator[str]:
+        inner = [path.removesuffix("package.xml") for path in self.files.every if path.endswith("/package.xml")]
+        for path in self.files.paths:
+            place = path.rpartition("/")[0]
+            if is_page(path) and not (place and any(each.startswith(f"{place}/") for each in inner)):
+                yield self.files.readable_text(path)
 
 
 def is_used(name: str, facts: PackageFacts) -> bool:

@@ -13,8 +13,9 @@ from ...source import Span
 INNER = manifest().replace("<name>my_pkg</name>", "<name>my_driver</name>")
 SENTENCES: dict[Way, str] = {
     "none": ": colcon does not look there, and never builds it; move it next to `{0}`, or remove its package.xml",
-    "idle": ": colcon does not look there, and never builds it, which nobody here is shown to miss: nothing depends on "
-    "it, uses it in code, or builds or runs it by its name; move it next to `{0}`, or remove its package.xml",
+    "idle": ": colcon does not look there, and never builds it, which nobody here is shown to miss: distributions have "
+    "it, or nothing depends on it, uses it in code, or builds or runs it by its name; move it next to `{0}`, or remove "
+    "its package.xml",
     "started": ": colcon finds it only where it is started below `{0}`, as a page or a script does here; move it next "
     "to `{0}`",
     "carried": ": colcon finds it only where it is linked, copied or named on its own, as a page or a script does "
@@ -31,9 +32,9 @@ SENTENCES: dict[Way, str] = {
     over=NestedPackages,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "nothing depends on one of them, or builds, runs, imports or looks for it by its name; all of "
-        "them are for ROS 1, in a hidden folder, or built by the outer one; or a README has colcon started below the "
-        "outer one, or brings them to another place"
+        Severity.INFO: "distributions have them, or nothing depends on one, or builds, runs, imports or looks for it; "
+        "all of them are for ROS 1, in a hidden folder, or built by the outer one; or a README has colcon started "
+        "below the outer one, or brings them to another place"
     },
     examples=(
         Example(
@@ -55,7 +56,8 @@ def nested_package(nested: NestedPackages) -> Iterator[Hit]:
     Folders with an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE), those that git ignores, those of tests,
     templates, examples and third parties, and a package.xml that is installed as data, are left alone. Those that
     nobody is shown to want are an info: no package depends on one, no launch file, code or CMake names it, and no page
-    or script builds or runs it (`ros2 run my_driver`, `--packages-select my_driver`). So are packages for ROS 1, those
+    or script beside it builds or runs it (`ros2 run my_driver`, `--packages-select my_driver`). So are copies of what
+    distributions have, which may be installed, unless a page or script builds one. So are packages for ROS 1, those
     in hidden folders, and those whose name a package has that colcon finds. So are those that
     colcon finds where a README or a script starts it (`cd driver && colcon build`), those that one links, copies or
     mounts into a workspace (`ln -s`, `cp -r`, `COPY`), and those that the outer package builds itself
