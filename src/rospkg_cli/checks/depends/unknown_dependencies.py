@@ -17,6 +17,7 @@ from .unavailable_on_target import UnavailableName, lacking_distros
 from .wrong_names import WrongDependencyName, is_installable, is_of_python_2, wrong_name
 
 BUILD_TYPES_ALONE = frozenset({"ament_python"})
+SKIPPED = "; a page or a script here has rosdep skip it"
 NO_NEEDS = frozenset({"doc_depend", "conflict", "replace"})
 """Tags that install nothing: rosdoc2 reads names of its own in doc_depend."""
 
@@ -76,6 +77,16 @@ class DependencyNames:
     def repeated(self, first: Dependency) -> list[Dependency]:
         """Return the dependencies of the same name that come later."""
         return [each for each in self.by_name[first.name] if each is not first]
+
+    def is_skipped(self, name: str) -> bool:
+        """Return whether whoever follows a page or a script here has rosdep leave a name out."""
+        return name in self.skipped
+
+    @cached_property
+    def skipped(self) -> frozenset[str]:
+        from .skipped_keys import skipped_keys  # a clean package needs none
+
+        return skipped_keys(self.declared.release.files)
 
     @cached_property
     def by_name(self) -> dict[str, list[Dependency]]:

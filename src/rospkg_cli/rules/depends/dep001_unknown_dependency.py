@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.unknown_dependencies import DependencyNames
+from ...checks.depends.unknown_dependencies import SKIPPED, DependencyNames
 from ...edits.manifest import remove_element, rename_dependency, split_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -18,7 +18,10 @@ LINE = "  <exec_depend>{}</exec_depend>\n"
     "unknown-dependency",
     over=DependencyNames,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where another distribution or a missing repository may have it, or a variable asks for it"},
+    levels={
+        Severity.INFO: "where another distribution or a missing repository may have it, a variable asks for it, or a "
+        "page has rosdep skip it"
+    },
     examples=(
         Example(
             bad={"package.xml": manifest(LINE.format("«opencv-python»"))},
@@ -59,7 +62,8 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
     ## When it is quiet
     Packages of the workspace, of an installed prefix (AMENT_PREFIX_PATH, /opt/ros) and of any distribution are known.
     Where a `.repos` file or an empty submodule says that more packages belong to the workspace, a name that resembles
-    one of the repositories that are missing is left alone, and another that nothing explains is an info. Dependencies
+    one of the repositories that are missing is left alone, and another that nothing explains is an info. So is a name
+    that a page, a script or a job here has rosdep skip (`--skip-keys`). Dependencies
     whose condition excludes the targets, and doc_depend, are left alone. No other name is suggested for a plain CMake
     project of the workspace, which colcon builds and rosdep does not know.
 
@@ -86,5 +90,6 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
         related = tuple(Related(manifest.path, other.span, "and here") for other in others)
         message = f'`{name}` {each.reason}: `rosdep install` ends with "{each.rosdep_error.format(name)}"'
         message += f"; {advice}" if advice else ""
-        level = Severity.INFO if each.is_uncertain else None
+        by_page = SKIPPED if names.is_skipped(name) else ""
+        level, message = Severity.INFO if each.is_uncertain or by_page else None, message + by_page
         yield Hit(manifest.path, each.dependency.span, message, level, related, fix)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ...checks.depends.unknown_dependencies import DependencyNames
+from ...checks.depends.unknown_dependencies import SKIPPED, DependencyNames
 from ...edits.manifest import remove_element
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -20,7 +20,7 @@ OF_INTERFACES = frozenset({"message_generation", "message_runtime"})
     "ros1-dependency",
     over=DependencyNames,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where ROS 1 had it, and nothing says that it went away"},
+    levels={Severity.INFO: "where ROS 1 had it, and nothing says that it went away, or a page has rosdep skip it"},
     examples=(
         Example(
             bad={"package.xml": manifest("  <exec_depend>«rospy»</exec_depend>\n")},
@@ -56,7 +56,8 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
     ## When it is quiet
     A dependency whose condition excludes ROS 2 (`$ROS_VERSION == 1`) is left alone, and so is a package of that name in
     the workspace. Nobody knows who has ported a package that was only released for ROS 1: it is an info, and nothing is
-    said where a repository that a `.repos` file lists is called like it.
+    said where a repository that a `.repos` file lists is called like it. What a page, a script or a job here has rosdep
+    skip (`--skip-keys`) is an info.
 
     ## Fix safety
     A line for interfaces is removed where the package has none, or declares what makes them in ROS 2 already; a build
@@ -90,7 +91,8 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
             for found in (each, *(other for other in others if other.condition is None))
         )
         fix = Fix(f"remove `{each.name}`", edits, Safety.UNSAFE) if needless else None
-        yield Hit(manifest.path, each.span, message, related=further(names, each), fix=fix)
+        level, message = (Severity.INFO, message + SKIPPED) if names.is_skipped(each.name) else (None, message)
+        yield Hit(manifest.path, each.span, message, level, further(names, each), fix)
 
 
 def further(names: DependencyNames, first: Dependency) -> tuple[Related, ...]:
