@@ -35,6 +35,10 @@ def tree(page: str, line: str = "", header: str = "nanoflann.hpp") -> Example:
     return Example(on="ament_cmake", bad=files, good={})
 
 
+MODBUS = (
+    "```sh\ngit clone https://github.com/stephane/libmodbus\ncd libmodbus && ./configure && sudo make install\n```\n"
+)
+LINKED = "add_library(lib src/tree.cpp)\ntarget_link_libraries(lib modbus)\n"
 FOUND = "find_package(yaml-cpp REQUIRED)\n"
 CASES = {
     "DEP101": tuple(map(trained, PAGES)),
@@ -43,5 +47,6 @@ CASES = {
         tree("git clone git@github.com:jbeder/yaml-cpp.git\n", FOUND, "vector"),
         tree("It reads YAML.\n", FOUND, "vector"),
     ),
+    "DEP115": (tree(MODBUS, LINKED, "vector"), tree("It reads Modbus.\n", LINKED, "vector")),
     "DEP105": tuple(map(tree, (CLONE, COPY, MADE, IN_IMAGE, PLACED, LEFT, "It uses nanoflann.\n"))),
 }

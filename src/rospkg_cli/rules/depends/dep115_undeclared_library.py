@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.bare_libraries import BareLibraries
+from ...checks.depends.hand_installs import BY_PAGE
 from ...checks.depends.linked_libraries import LinkedLibraries
 from ...checks.depends.name_source import is_lacked_by_nobody, is_unmet
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others
@@ -42,7 +43,7 @@ def example(lines: str, key: str, more: str = "") -> Example:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a dependency brings it, or may bring it, another package of an unreleased repository "
-        "declares it, or package.xml has it in a comment"
+        "declares it, package.xml has it in a comment, or a page tells to install it by hand"
     },
     examples=(
         example(LINKS, "libmodbus-dev"),
@@ -65,7 +66,8 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
 
     ## When it is quiet
     What a declared dependency certainly installs is one info, which names who brings it, and what may come with one is
-    another, as is what another package of the repository declares where nothing shows a release. Targets and library
+    another, as is what another package of the repository declares where nothing shows a release, and what a page tells
+    to install by hand. Targets and library
     files of the package are left alone, what CMake downloads or takes from a folder of its own (`link_directories()`,
     `HINTS`), calls under a condition, and libraries that DEP104 or DEP105 tell of.
 
@@ -86,8 +88,9 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
             f"`{key}` is not declared, and CMake needs `{each.name}` of it: the build stops where nothing else "
             f"brings it; {advice(declared, kind, key)}"
         )
-        level = Severity.INFO if is_unmet(declared, key, each.keys) else None
-        yield Hit(each.path, each.span, message, level, fix=declaration(declared, kind, key))
+        by_page = BY_PAGE if libraries.includes.are_by_hand(each.name, each.keys) else ""
+        level = Severity.INFO if by_page or is_unmet(declared, key, each.keys) else None
+        yield Hit(each.path, each.span, message + by_page, level, fix=declaration(declared, kind, key))
     yield from left_to_others(declared, brought, "needed by CMake")
     for bare in BareLibraries(libraries).all():
         kind = "test_depend" if bare.testing else "build_depend"
