@@ -112,6 +112,8 @@ CASES = {
                 ("src/b/src/arm", "src/b/src/a/arm"),
                 ("a/arm", "a/arms"),
                 ("arm", "src"),
+                ("arm", "b_ws/src/arm"),
+                ("a/arm", "b_ws/arm"),
                 ("src/arm", "src/arms", "src/old/arm"),
             )
         ),

@@ -26,8 +26,9 @@ MARKED = manifest(build_type="ament_cmake").replace("<name>my_pkg", "<name>«my_
     over=Workspace,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "no `src` and no folder called `…_ws` is above both, or one is laid aside",
-        Severity.INFO: "one of them is for ROS 1, or their folders are called as for different distributions",
+        Severity.WARNING: "no `src` and no folder called `…_ws` is above one of them, or one is laid aside",
+        Severity.INFO: "one of them is for ROS 1, lies outside of the workspace around the other, or their folders are "
+        "called as for different distributions",
     },
     examples=(
         Example(
@@ -55,7 +56,8 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
     Folders below an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE) are no packages. Two workspaces side by
     side (`one_ws/src` and `other_ws`, `ws/one/src` and `ws/other/src`) are built apart; so is one within another where
     only the inner one is linted. Folders that are called as for different distributions (`humble/`, `jazzy/`) are
-    built one at a time: an info. All packages of one name are one finding.
+    built one at a time: an info. So is a copy outside of the folder called as a workspace that the other one lies in:
+    nothing shows that colcon is started above both. All packages of one name are one finding.
     """
     for facts, copies in ((each, same) for same in workspace.repeated for each in same):
         others = [each for each in copies if each is not facts and are_built_together(facts, each, workspace.selected)]
@@ -66,6 +68,8 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
             first = others[0].at("package.xml").lstrip("/")
             level = max((level_of(facts, each) for each in others), key=lambda each: each.rank)
             end = "colcon builds nothing" if level is Severity.ERROR else "a colcon that finds both builds nothing"
+            if all(root_of(each.folder) != root_of(facts.folder) for each in others):
+                end = "a colcon that is started above both, as nothing shows here, builds nothing"
             message = (
                 f"`{first}` is called `{facts.name}` too: {end} (`Duplicate package names not "
                 f"supported`); rename one, or put a COLCON_IGNORE into the copy"
@@ -76,7 +80,7 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
 
 def level_of(facts: PackageFacts, other: PackageFacts) -> Severity:
     """Return the level: an error where a workspace is above both and none between, so that colcon finds both."""
-    if facts.is_for_ros1 != other.is_for_ros1:
+    if facts.is_for_ros1 != other.is_for_ros1 or root_of(facts.folder) != root_of(other.folder):
         return Severity.INFO
     one, two = (each.folder.split("/")[:-1] for each in (facts, other))
     shared = len(posixpath.commonprefix([one, two]))
