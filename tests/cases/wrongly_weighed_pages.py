@@ -19,6 +19,7 @@ COPY = "sudo cp nanoflann/include/nanoflann.hpp /usr/local/include/\n"
 MADE = "cd nanoflann-1.4.0\nmkdir build\ncd build\ncmake ..\nmake\nsudo make install # this installs it\n"
 IN_IMAGE = "RUN unzip -q x.zip && cd libs/nanoflann && mkdir build && cd build && cmake .. && make && make install\n"
 PLACED = "cd nanoflann\ncmake -B build\nsudo cmake --build build --target install\n"
+TAKEN = "Download nanoflann from [its page](https://github.com/jlblancoc/nanoflann/releases) and unzip it.\n"
 LEFT = "cd nanoflann\ncolcon build\n"
 """Builds nothing that is installed beside ROS."""
 PROGRAM = "{}add_executable(tree src/tree.cpp)\ninstall(TARGETS tree DESTINATION lib/${{PROJECT_NAME}})\n"
@@ -48,5 +49,5 @@ CASES = {
         tree("It reads YAML.\n", FOUND, "vector"),
     ),
     "DEP115": (tree(MODBUS, LINKED, "vector"), tree("It reads Modbus.\n", LINKED, "vector")),
-    "DEP105": tuple(map(tree, (CLONE, COPY, MADE, IN_IMAGE, PLACED, LEFT, "It uses nanoflann.\n"))),
+    "DEP105": tuple(map(tree, (CLONE, COPY, MADE, IN_IMAGE, PLACED, TAKEN, LEFT, "It uses nanoflann.\n"))),
 }
