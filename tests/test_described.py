@@ -43,11 +43,15 @@ def test_files_of_other_packages() -> None:
     mesh = (
         '<link name="c"><visual><geometry><mesh filename="package://ur_description/a.stl"/></geometry></visual></link>'
     )
-    assert said(robot(mesh)) == [("ur_description", "warning")]
+    page = {"README.md": "    xacro urdf/a.urdf.xacro > a.urdf\n"}
+    assert said({**robot(mesh), **page}) == [("ur_description", "warning")]
+    assert said(robot(mesh)) == [("ur_description", "info")]
     assert said(robot(mesh), "ur_description") == []
-    assert said({"worlds/a.sdf": "<sdf><uri>package://ur_description/a.stl</uri></sdf>\n"}) == [
-        ("ur_description", "warning")
-    ]
+    world = {"worlds/a.sdf": "<sdf><uri>package://ur_description/a.stl</uri></sdf>\n"}
+    assert said(world) == [("ur_description", "info")]
+    filled = {"worlds/a.sdf": world["worlds/a.sdf"].replace("package://", "$(find ").replace("tion/", "tion)/")}
+    assert said({**filled, "README.md": "    gz sim worlds/a.sdf\n"}) == [("ur_description", "info")]
+    assert said({**world, "README.md": "    gz sim worlds/a.sdf\n"}) == [("ur_description", "warning")]
 
 
 @pytest.mark.parametrize(

@@ -194,6 +194,7 @@ def test_a_header_that_all_include_under_a_condition(first: str, second: str, co
 )
 def test_a_robot_needs_a_package_where_an_argument_asks_for_it(robot: str, level: str) -> None:
     files = {"CMakeLists.txt": INSTALLED, "urdf/robot.xacro": XACRO.format(robot)}
+    files["README.md"] = "    xacro urdf/robot.xacro > robot.urdf\n"
     assert levels("DEP106", NATIVE, files) == [level]
 
 

@@ -35,7 +35,7 @@ def levels(files: dict[str, str], *others: str, body: str = "") -> list[str]:
 @pytest.mark.parametrize(
     ("launch", "others", "level"),
     [
-        ("", (), "warning"),
+        ("", (), "info"),
         ("PATH = share + '/urdf/spare.xacro'\n", (), "warning"),
         ("PATH = share + '/urdf/robot.xacro'\n", (), "info"),
         ("PATH = share + '/urdf/robot.xacro'\n", ("PATH = get('my_pkg') + '/urdf/spare.xacro'\n",), "warning"),

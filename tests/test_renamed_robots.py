@@ -33,6 +33,7 @@ def test_the_own_package_is_meant_where_it_has_the_files(named: str, ends: str, 
         "package.xml": manifest("", "ament_cmake"),
         "CMakeLists.txt": INSTALL,
         "meshes/a.stl": "solid\n",
+        "README.md": "    check_urdf urdf/robot.urdf\n",
         "urdf/robot.urdf": f'<robot name="r">{meshes}</robot>\n',
     }
     (finding,) = lint_files(files, ["DEP106"]).findings

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from ...languages.xml.parser import Element
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from ...package.file_role import LAUNCH, role_of
 from ...package.install_table import InstallTable
 from ...package.package_facts import PluginUse
@@ -39,6 +39,9 @@ LOADS_TYPES = frozenset({"joy_teleop"})
 """Packages whose nodes load interfaces by the names in their parameters."""
 GENERATED = frozenset({"msg", "srv", "action"})
 RUN = frozenset({"depend", "exec_depend"})
+OF_GAZEBO = (".sdf", ".world")
+UNFILLED = "; Gazebo takes `$(find …)` as it stands, where no xacro is run on it"
+UNOPENED = "; nothing here opens this file"
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +56,8 @@ class RobotUse:
     """What happens where the package is not installed."""
     is_optional: bool = False
     """Whether the package may not be needed at all."""
+    why: str = ""
+    """Why nobody meets it, as the end of a sentence."""
 
 
 @dataclass(frozen=True)
@@ -90,8 +95,8 @@ class RobotUses:
             for each in robot.references if self.is_used(robot.path) else ():
                 if not self.declared.has([each.package]):
                     is_off = self.is_off(robot.path) or is_switched_off(robot.document.root, each.span)
-                    is_off = is_off or self.opened.is_passed_over(robot.path)
-                    yield each.package, reference_use(robot, each, is_off=is_off)
+                    use = reference_use(robot, each, is_off=is_off)
+                    yield each.package, use if self.opened.has(robot.path) else unopened(use)
 
     def found_by_parameters(self) -> Iterator[tuple[str, RobotUse]]:
         """Yield the packages that installed parameter files look for, where a launch file has them filled in.
@@ -108,7 +113,8 @@ class RobotUses:
         """Yield the unknown packages whose files installed parameter files name, and that a package here has."""
         for name, _, path, span in named_by_parameters(self.launch.files):
             if name != self.declared.facts.name and self.is_used(path) and self.renamed(name)[0]:
-                yield name, RobotUse(path, span, "and its files are named here", "they are not found")
+                use = RobotUse(path, span, "and its files are named here", "they are not found")
+                yield name, use if self.parameters.may_have(path) else unopened(use)
 
     def typed(self) -> Iterator[tuple[str, RobotUse]]:
         """Yield the packages of interfaces that installed parameter files tell a node to load by their names.
@@ -260,8 +266,14 @@ def is_switched_off(root: Element, place: Span) -> bool:
 def reference_use(robot: RobotFile, reference: ResourceReference, *, is_off: bool) -> RobotUse:
     """xacro fills in `$(find …)` wherever it stands; what shows a robot looks for `package://…`."""
     is_filled_in = reference.use == "include" or robot.source.text.startswith("$(find", reference.span.start)
+    if is_filled_in and robot.path.endswith(OF_GAZEBO) and "xacro" not in robot.source.text:
+        return RobotUse(robot.path, reference.span, "and its files are used here", "it is not found", True, UNFILLED)
     consequence = "xacro stops" if is_filled_in else "it is missing wherever this is shown"
     return RobotUse(robot.path, reference.span, "and its files are used here", consequence, is_off)
+
+
+def unopened(use: RobotUse) -> RobotUse:
+    return replace(use, is_optional=True, why=UNOPENED)
 
 
 def merged_navigation(found: dict[str, list[RobotUse]]) -> dict[str, list[RobotUse]]:

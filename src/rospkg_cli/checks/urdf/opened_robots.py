@@ -206,14 +206,6 @@ class OpenedRobots:
             if any(p.rpartition("/")[2] == name for p in (*each.share_files, *each.uninstalled))
         ]
 
-    def is_passed_over(self, path: str) -> bool:
-        """Return whether the package or another opens robots of it, and not this one."""
-        own = any(".urdf" in text or ".xacro" in text for other, text in self.texts if other.endswith(LAUNCH))
-        others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
-        return (
-            own or any(self.package.name in words for each in others for words in each.robot_words)
-        ) and not self.has(path)
-
     def is_always_given(self, path: str, argument: str) -> bool:
         """Return whether each launch file that runs xacro and names a robot gives it an argument, and one does."""
         stem = re.compile(rf"\b{re.escape(path.rpartition('/')[2].partition('.')[0])}\b")

@@ -41,7 +41,7 @@ Visualization Manager:
     },
     examples=(
         Example(
-            bad={"urdf/robot.urdf.xacro": ROBOT},
+            bad={"urdf/robot.urdf.xacro": ROBOT, "README.md": "    xacro urdf/robot.urdf.xacro > robot.urdf\n"},
             good={"package.xml": manifest(DECLARED.format("ur_description"))},
             fix=Safety.SAFE,
         ),
@@ -75,9 +75,9 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     (controller_manager, nav2, MoveIt), or in a file that no launch file for ROS 2 names: others may use the file
     without them. So is a controller that is not spawned where launch files spawn others of its file, or load none at
     all, one whose type is in a comment, a plugin that no list beside it names (`plugins: [static_layer]`), a type that
-    comes with the node which loads it (`geometry_msgs` with joy_teleop), and what a robot needs that nothing opens,
-    beside others, or only where an argument turns it on (`GAZEBO:=true`),
-    and what another package of the repository declares where nothing shows a release.
+    comes with the node which loads it (`geometry_msgs` with joy_teleop), and what a robot needs that nothing opens, or
+    only where an argument turns it on (`GAZEBO:=true`), what stands as `$(find …)` in SDF without a word of xacro, and
+    what another package of the repository declares where nothing shows a release.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. Where this
@@ -106,6 +106,7 @@ def undeclared(robots: RobotUses, tag: str, name: str, uses: list[RobotUse]) -> 
     meant = owner or robots.launch.meant(name)
     todo = f"did you mean `{meant}`{having(files)}?" if meant else advice(declared, tag, name)
     message = f"`{name}` is not declared, {first.usage}: {where_absent(declared, name)} {first.consequence}; {todo}"
+    message += first.why if all(use.why for use in uses) else ""
     fix = None if meant else declaration(declared, tag, name)
     mild = is_unmet(declared, name) or all(use.is_optional for use in uses)
     places = related((use.path, use.span) for use in uses)
