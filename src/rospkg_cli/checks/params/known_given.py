@@ -21,6 +21,7 @@ from .declaring_packages import given_type, is_its_own
 from .idle_nodes import Start, start_of
 from .launch_parameters import LaunchParameters, NodeArguments
 from .mistyped_blocks import MANAGER, TYPE, WILD, last
+from .plugin_lists import is_unloaded
 from .unchanged_values import value_text
 
 PLUGIN = ".plugin"
@@ -64,7 +65,9 @@ class KnownGroup:
     file: ParameterFile | None = None
     """The file that gives them; None for a launch file."""
     is_certain: bool = True
-    """Whether the node is certainly of one of the packages, and started: not by its name alone."""
+    """Whether the node is certainly of one of the packages, and started: not by its name alone, nor a plugin that no
+    list of its block names.
+    """
     start: Start | None = None
     """Where a launch file starts the node; None for a file."""
 
@@ -121,6 +124,7 @@ class KnownNodes:
             if packages:
                 kind: PartKind = "plugin" if owner else "controller" if last(block) in kinds else "node"
                 is_certain = kind != "node" or self.is_certain(file, block)
+                is_certain = is_certain and not (kind == "plugin" and is_unloaded(block, owner))
                 yield KnownGroup(file.path, kind, packages, tuple(map(file_value, parameters)), file, is_certain)
 
     def readers(self, file: ParameterFile, key: str) -> list[NodeArguments]:

@@ -62,6 +62,15 @@ def unlisted_groups(block: NodeBlock) -> set[str]:
     return {group for group in groups if "." not in group} - {item.text for _, item in listed_names(block)} - named
 
 
+def is_unloaded(block: NodeBlock, group: str) -> bool:
+    """Return whether a block lists plugins, and neither a list nor another value of it names the one of a group."""
+    if group in WITH_TYPES or not listed_names(block) or group not in unlisted_groups(block):
+        return False
+    values = [each.value for each in block.parameters]
+    items = [item for value in values for item in (value.items if isinstance(value, SequenceNode) else (value,))]
+    return all(not isinstance(item, ScalarNode) or item.text != group for item in items)
+
+
 def doubled_plugins(block: NodeBlock) -> Iterator[tuple[ScalarNode, str, str]]:
     """Yield each name that a list has twice, with its list and the one group of a similar name that no list has."""
     unlisted, seen = unlisted_groups(block), set[tuple[str, str]]()

@@ -56,8 +56,8 @@ def example(bad: str, good: str, fix: Safety | None = None) -> Example:
     over=MistypedValues,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "nothing names the file, adds the action or reads the block, the block is one of a well-known "
-        "node by its name alone, or another file has a double"
+        Severity.INFO: "nothing names the file, adds the action, reads the block or lists the plugin, the block is one "
+        "of a well-known node by its name alone, or another file has a double"
     },
     examples=(
         example("rate: «50»", "rate: 50.0", Safety.SAFE),
@@ -95,9 +95,9 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     unless pages name newer distributions alone. Where pages and scripts name Foxy alone, which takes any type, only
     what well-known packages declare is told, as an info. Where nothing names the file, nothing adds the action that
     starts the node, no node that is started with the file reads the block, code declares what only ends so
-    (`prefix + '.x'`), and where only the name of a block tells which well-known package is meant, it is an info; nav2's
-    nodes are known by several blocks together. Launch files that ROS 2 refuses for what they have of ROS 1 (LCH006) are
-    left alone.
+    (`prefix + '.x'`), no list of the block has the plugin, or only the name of one tells which well-known package is
+    meant, it is an info; nav2's nodes are known by several blocks together. Launch files that ROS 2 refuses for what
+    they have of ROS 1 (LCH006) are left alone.
     """
     told, is_old = set(), scope.distribution.is_named_alone
     for group in () if is_old else scope.given.groups():

@@ -56,8 +56,8 @@ talker:
     levels={
         Severity.ERROR: "code gets a parameter that is not declared, and nothing may catch what it throws",
         Severity.INFO: "older releases had it, the value is the default, or probably is, nothing names the file, adds "
-        "the action or reads block or variable, nothing leads to the code, only the block's name tells the node, or "
-        "the repository is for Crystal",
+        "the action or reads block or variable, nothing leads to the code, only the block's name tells the node, no "
+        "list has the plugin, or the repository is for Crystal",
     },
     examples=(
         Example(
@@ -106,7 +106,7 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     calls, a value in a block that no node reads which is started with the file, and one that is the default of the
     parameter that is meant, as the code or a table of well-known packages has it: that it is dropped changes nothing.
     Where that is not known, false, 0, an empty text and list are taken for it. So is a limit of a joint in a file that
-    nothing names, where no package needs moveit_configs_utils.
+    nothing names, where no package needs moveit_configs_utils, and what a plugin gets that its block's lists leave out.
 
     ## Fix safety
     The similar name may not be right. A value of another type stays, a single one for a list is put into brackets.
