@@ -89,6 +89,101 @@ def test_a_default_of_a_node_that_everybody_uses(value: str, level: str) -> None
     assert found.severity.value == level
 
 
+PLUGIN = ("wait_at_waypoint", "info"), ("photo_at_waypoint", "warning")
+
+
+@pytest.mark.parametrize(("value", "level"), PLUGIN)
+def test_a_default_that_is_a_text_in_the_code(value: str, level: str) -> None:
+    given = f"loop_rate: 20\n    stop_on_failure: false\n    waypoint_task_execturo_plugin: {value}\n"
+    files = {
+        "package.xml": manifest("  <exec_depend>nav2_bringup</exec_depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package", "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package"
+        ),
+        "config/a.yaml": f"waypoint_follower:\n  ros__parameters:\n    {given}",
+        "launch/a.launch.xml": LAUNCH.format("nav2_waypoint_follower", "waypoint_follower"),
+    }
+    (found,) = lint_files(files, ["PRM007"]).findings
+    assert found.severity.value == level
+
+
+@pytest.mark.parametrize(
+    ("code", "value", "level"),
+    [
+        ('std::string("map")', "map", "info"),
+        ('rclcpp::ParameterValue(std::string("map"))', "map", "info"),
+        ('std::string{"map"}', "odom", "warning"),
+        ("first_frame()", "map", "warning"),
+    ],
+)
+def test_a_default_that_is_a_string_of_cpp(code: str, value: str, level: str) -> None:
+    source = (
+        "#include <rclcpp/rclcpp.hpp>\nint main(int argc, char ** argv)\n{\n  rclcpp::init(argc, argv);\n"
+        '  auto node = std::make_shared<rclcpp::Node>("talker");\n  node->declare_parameter("rate", 1.0);\n'
+        f'  node->declare_parameter("queue_depth", 5);\n  node->declare_parameter("frame_id", {code});\n'
+        "  rclcpp::spin(node);\n}\n"
+    )
+    build = "find_package(rclcpp REQUIRED)\nadd_executable(talker src/talker.cpp)\n"
+    build += "target_link_libraries(talker rclcpp::rclcpp)\n"
+    build += "install(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n"
+    files = {
+        "package.xml": manifest("  <depend>rclcpp</depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package", build + "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package"
+        ),
+        "src/talker.cpp": source,
+        "config/a.yaml": YAML.format("frame_di", value),
+        "launch/a.launch.xml": LAUNCH.format("my_pkg", "talker"),
+    }
+    (found,) = lint_files(files, ["PRM007"]).findings
+    assert found.severity.value == level
+
+
+LIBRARY = """\
+talker:
+  rate: {type: double, default_value: 1.0}
+  queue_depth: {type: int, default_value: 5}
+  frame_id: {type: string, default_value: map}
+"""
+
+
+@pytest.mark.parametrize(("value", "level"), [("map", "info"), ("odom", "warning")])
+def test_a_default_of_a_generated_library(value: str, level: str) -> None:
+    build = "find_package(generate_parameter_library REQUIRED)\n"
+    build += "generate_parameter_library(talker_parameters src/talker.yaml)\n"
+    files = {
+        "package.xml": manifest("  <depend>generate_parameter_library</depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package", build + "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package"
+        ),
+        "src/talker.yaml": LIBRARY,
+        "config/a.yaml": YAML.format("frame_di", value),
+        "launch/a.launch.xml": LAUNCH.format("my_pkg", "talker"),
+    }
+    (found,) = lint_files(files, ["PRM007"]).findings
+    assert found.severity.value == level
+
+
+@pytest.mark.parametrize(("plugins", "level"), [("[Grid, Fine]", "warning"), ("[Fine]", "info")])
+@pytest.mark.parametrize(("code", "value"), [("PRM007", "tolerence: 1.0"), ("PRM006", "tolerance: 1")])
+def test_a_plugin_that_no_list_names_is_not_loaded(code: str, value: str, plugins: str, level: str) -> None:
+    planners = (
+        f"planner_server:\n  ros__parameters:\n    planner_plugins: {plugins}\n    Grid:\n"
+        f"      plugin: nav2_navfn_planner::NavfnPlanner\n      {value}\n"
+        "    Fine:\n      plugin: nav2_smac_planner::SmacPlannerHybrid\n"
+    )
+    files = {
+        "package.xml": manifest("  <exec_depend>nav2_planner</exec_depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package", "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package"
+        ),
+        "config/a.yaml": planners,
+        "launch/a.launch.xml": LAUNCH.format("nav2_planner", "planner_server"),
+    }
+    (found,) = lint_files(files, [code]).findings
+    assert found.severity.value == level
+
+
 @pytest.mark.parametrize(("value", "level"), [("true", "info"), ("True", "info"), ("false", "warning")])
 def test_a_default_of_a_plugin_that_everybody_uses(value: str, level: str) -> None:
     layers = (
@@ -150,7 +245,7 @@ def test_a_known_default_is_believed_before_what_mostly_is_one() -> None:
 
 
 @pytest.mark.parametrize(
-    ("value", "level"), [("false", "info"), ("[]", "info"), ('""', "info"), ("", "warning"), ("[1]", "warning")]
+    ("value", "level"), [("false", "info"), ("[]", "info"), ('""', "info"), ("", "info"), ("[1]", "warning")]
 )
 def test_empty_values_of_a_parameter_file(value: str, level: str) -> None:
     files = {

@@ -41,7 +41,7 @@ controller_server:
     FollowPath: {plugin: "dwb_core::DWBLocalPlanner"}
 bt_navigator:
   ros__parameters:
-    global_flame: map
+    global_flame: odom
     robot_base_frame: base_link
     odom_topic: odom
 local_costmap:

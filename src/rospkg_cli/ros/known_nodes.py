@@ -10,6 +10,7 @@ from .read_table import rows
 NAMES = "node_names.txt"
 TABLE = "well_known_parameters.txt"
 NEWER = "newer_parameters.txt"
+OF_TABLE = "known_defaults.txt"
 TYPES = {"b": "bool", "d": "double", "i": "int", "s": "string"}
 TAIL = "*"
 
@@ -21,6 +22,11 @@ class KnownParameter:
     is_tail: bool
     type: str
     """bool, int, double or string, with `[]` for a list of them; "" where it is unknown, or releases differ."""
+
+    @property
+    def key(self) -> str:
+        """How a table of defaults names it."""
+        return f"{TAIL if self.is_tail else ''}{self.name}"
 
     def fits(self, name: str) -> bool:
         """Return whether a parameter of this name is this one."""
@@ -58,43 +64,35 @@ def known_parameter(word: str) -> KnownParameter:
     return KnownParameter(name.removeprefix(TAIL), name.startswith(TAIL), TYPES[kind[0]] + brackets if kind else "")
 
 
-DEFAULTS: dict[str, dict[str, str]] = {
-    "nav2_costmap_2d": {
-        "combination_method": "1", "cost_scaling_factor": "1.0", "enabled": "true", "inflate_around_unknown": "false",
-        "inflate_unknown": "false", "inflation_radius": "0.55", "map_subscribe_transient_local": "true",
-        "mark_threshold": "0", "max_obstacle_height": "2.0", "origin_z": "0.0", "publish_voxel_map": "false",
-        "subscribe_to_updates": "false", "unknown_threshold": "15", "z_resolution": "0.2", "z_voxels": "10",
-    },
-}  # fmt: skip
-"""What the parameters of plugins are where nothing is given, by package and the last part of their name."""
-OF_NODES: dict[str, dict[str, str]] = {
-    "diff_drive_controller": {"enable_odom_tf": "true", "open_loop": "false", "publish_limited_velocity": "false"},
-    "joy": {
-        "autorepeat_rate": "20.0", "coalesce_interval_ms": "1", "deadzone": "0.05", "device_id": "0",
-        "sticky_buttons": "false",
-    },
-    "nav2_amcl": {
-        "always_reset_initial_pose": "false", "first_map_only": "false", "set_initial_pose": "false",
-        "tf_broadcast": "true",
-    },
-    "nav2_controller": {
-        "controller_frequency": "20.0", "costmap_update_timeout": "0.3", "failure_tolerance": "0.0",
-        "min_theta_velocity_threshold": "0.0001", "min_x_velocity_threshold": "0.0001",
-        "min_y_velocity_threshold": "0.0001", "publish_zero_velocity": "true", "speed_limit_topic": "speed_limit",
-        "use_realtime_priority": "false",
-    },
-    "nav2_planner": {"costmap_update_timeout": "1.0", "expected_planner_frequency": "1.0"},
-    "robot_localization": {"print_diagnostics": "false", "publish_tf": "true", "two_d_mode": "false"},
+OF_LAYERS = {"inflation_radius": "0.55", "max_obstacle_height": "2.0"}
+"""What parameters of the layers of a costmap are where nothing is given, whose names their sources have too."""
+BY_HAND: dict[str, dict[str, str]] = {
+    "nav2_costmap_2d": {f"{TAIL}.{name}": default for name, default in OF_LAYERS.items()},
     "turtlesim": {"background_b": "255", "background_g": "86", "background_r": "69"},
-}  # fmt: skip
-"""What the parameters of nodes are where nothing is given, alike in all distributions that have them."""
+}
+"""Defaults that are constants in the code, or that another declaration of the name has otherwise."""
+
+
+@cache
+def table_of_defaults(package: str) -> dict[str, str]:
+    return {name: value for name, _, value in (each.partition("=") for each in rows(OF_TABLE).get(package, ()))}
 
 
 def default_of(package: str, name: str) -> str:
-    """Return the default of a parameter of a well-known package, of a node or a plugin; "" where none is known."""
-    if "." not in name:
-        return OF_NODES.get(package, {}).get(name, "")
-    return DEFAULTS.get(package, {}).get(name.rpartition(".")[2], "")
+    """Return the default of a parameter of a well-known package, of a node or a plugin; "" where none is known.
+
+    Of the declarations that a name fits the closest count: the whole name, else the longest end of it.
+    """
+    fitting = [each for each in known_parameters(package) if each.fits(name)]
+    closest = max(map(closeness, fitting), default=None)
+    found = {table_of_defaults(package).get(each.key, "") for each in fitting if closeness(each) == closest}
+    default = found.pop() if len(found) == 1 else ""
+    by_hand = name if "." not in name else f"{TAIL}.{name.partition('.')[2]}"
+    return default or BY_HAND.get(package, {}).get(by_hand, "")
+
+
+def closeness(known: KnownParameter) -> tuple[bool, int]:
+    return not known.is_tail, len(known.name.lstrip("."))
 
 
 def is_same_value(text: str, default: str) -> bool:

@@ -56,8 +56,8 @@ RCL_TYPES = {
 }  # fmt: skip
 
 VALUE = regex(
-    r"""(?:(?:rclcpp::)?ParameterValue\s*[({]\s*)?"""
-    r"""(?:"(?P<text>[^"\\]*)"|(?P<word>true|false|-?\d+(?:\.\d*)?(?:[eE]-?\d+)?))[fF]?\s*[)}]?"""
+    r"""(?:(?:rclcpp::)?ParameterValue\s*[({]\s*)?(?:std::string\s*[({]\s*)?"""
+    r"""(?:"(?P<text>[^"\\]*)"|(?P<word>true|false|-?\d+(?:\.\d*)?(?:[eE]-?\d+)?))[fFs]?(?:\s*[)}]){0,2}"""
 )
 
 TypeOf = Callable[[str], str]

@@ -130,5 +130,7 @@ def defined_parameters(reading: ReaderInput) -> Iterator[DeclaredParameter]:
             keys = each.keys[maps[-1] + 1 :] if maps else each.keys
             base = base_of(each.type) or ""
             kind = base.replace("_array", "[]") if base != "none" else ""
-            required = each.field("default_value") is None and not maps and base != "none"
-            yield DeclaredParameter(".".join(keys), bool(maps), kind, required, library.path)
+            value = each.field("default_value")
+            required = value is None and not maps and base != "none"
+            default = value.text if isinstance(value, ScalarNode) else ""
+            yield DeclaredParameter(".".join(keys), bool(maps), kind, required, library.path, default)
