@@ -277,6 +277,8 @@ def test_a_target_of_a_folder_is_installed_beside_its_like() -> None:
         ("generate_parameter_library(parameters src/a.yaml)", 1),
         ("generate_parameter_library(${NAME} src/a.yaml)", 0),
         ("generate_parameter_library(parameters test/there.py src/validators.hpp)", 0),
+        ("ament_auto_package(INSTALL_TO_SHARE test USE_SCOPED_HEADER_INSTALL_DIR)", 0),
+        ("ament_auto_package(INSTALL_TO_SHARE test USE_SCOPED_HEADERS)", 1),
     ],
 )
 def test_what_tests_and_parameters_need(lines: str, count: int) -> None:

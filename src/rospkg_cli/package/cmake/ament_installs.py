@@ -10,12 +10,15 @@ from ...languages.cmake.values import Word
 from ..install_table import PYTHON
 from .install_rules import PACKAGE_KEYWORDS, InstallRule, Pattern, below_prefix, files_rule, rules_of_install
 
+FLAGS_OF_AUTO = ("INSTALL_TO_PATH", "USE_SCOPED_HEADER_INSTALL_DIR")
+"""What is no folder wherever it stands among the arguments of `ament_auto_package`; the second since Humble 1.3.12."""
+
 
 def auto_package(project: str) -> Callable[[EvaluatedCommand], Iterator[InstallRule]]:
     """`ament_auto_package(INSTALL_TO_SHARE …)`: folders are installed in share/, under their own names."""
 
     def make(call: EvaluatedCommand) -> Iterator[InstallRule]:
-        _, values, _ = flags_and_values(call.words, ("INSTALL_TO_PATH",), (), ("INSTALL_TO_SHARE",))
+        _, values, _ = flags_and_values(call.words, FLAGS_OF_AUTO, (), ("INSTALL_TO_SHARE",))
         if folders := values.get("INSTALL_TO_SHARE"):
             yield InstallRule("DIRECTORY", tuple(folders), f"share/{project}", call)
 

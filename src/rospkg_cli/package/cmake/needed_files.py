@@ -7,6 +7,7 @@ from typing import Literal
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values
 from ...languages.cmake.values import Word
+from .ament_installs import FLAGS_OF_AUTO
 
 COMPILED = frozenset({
     "ament_add_gtest", "ament_add_gmock", "ament_add_gtest_executable", "ament_add_gmock_executable",
@@ -24,7 +25,6 @@ PARAMETERS = frozenset({"generate_parameter_library", "generate_parameter_module
 ENDS = frozenset({"ament_package", "ament_auto_package", "autoware_ament_auto_package"})
 """Commands that hand .cmake files on to the users of the package, and stop where one does not exist."""
 EXTRAS = ("CONFIG_EXTRAS", "CONFIG_EXTRAS_POST")
-OF_ENDS = ("INSTALL_TO_PATH", "USE_SCOPED_HEADER_INSTALL_DIR")
 
 Need = Literal["source", "test", "parameters", "extras"]
 
@@ -39,6 +39,6 @@ def needed_files(call: EvaluatedCommand) -> Iterator[tuple[Need, Sequence[Word]]
     if call.name in PARAMETERS and all(word.is_known and not word.maybe for word in call.words[:2]):
         yield "parameters", call.words[1:2]
     if call.name in ENDS:
-        _, values, _ = flags_and_values(call.words, OF_ENDS, (), (*EXTRAS, "INSTALL_TO_SHARE"))
+        _, values, _ = flags_and_values(call.words, FLAGS_OF_AUTO, (), (*EXTRAS, "INSTALL_TO_SHARE"))
         for keyword in EXTRAS:
             yield "extras", values.get(keyword, [])
