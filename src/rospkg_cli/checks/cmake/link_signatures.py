@@ -14,6 +14,7 @@ from ...package.workspace import Workspace
 from ...ros.link_targets import link_targets
 from .ament_target_dependencies import KEYWORDS, LINK_KEYWORDS, LINK_PLAINLY, REMOVED
 from .dead_branches import DeadBranches
+from .switched_off import SwitchedOff
 from .unmade_targets import UnmadeTargets
 
 AUTOMATIC = ("ament_auto_add_gtest", "ament_auto_add_library", "ament_auto_add_executable")
@@ -42,6 +43,8 @@ class MixedLink:
     """Whether both are run for everyone, and link the same way in every distribution."""
     unsought: str
     """A package that must be found for one of them, and that nothing looks for; else ""."""
+    is_off: bool
+    """Whether one of them is run only where somebody turns a switch on, and nothing here does so."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +63,8 @@ class LinkSignatures:
                 told.add(link.target)
                 perhaps = any(each.call.maybe or each.call.name in AUTOMATIC for each in (other, link))
                 unsought = (self.dead.package_of(each.call) for each in (other, link))
-                yield MixedLink(other, link, not perhaps, next(filter(None, unsought), ""))
+                is_off = any(self.off.has(each.call) for each in (other, link))
+                yield MixedLink(other, link, not perhaps, next(filter(None, unsought), ""), is_off)
             before.append(link)
 
     def clash(self, one: SignedLink, other: SignedLink) -> bool:
@@ -101,6 +105,10 @@ class LinkSignatures:
     @cached_property
     def dead(self) -> DeadBranches:
         return DeadBranches(self.package.cmake)
+
+    @cached_property
+    def off(self) -> SwitchedOff:
+        return SwitchedOff(self.package.cmake)
 
     @cached_property
     def links_automatically(self) -> bool:

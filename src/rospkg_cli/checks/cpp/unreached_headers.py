@@ -13,6 +13,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.foreign_commands import foreign_commands
 from ...source import Span
 from ..cmake.source_targets import SourceTargets
+from ..depends.compiled_sources import harm_in
 from ..depends.ros1_sources import Ros1Use
 from .include_folders import IncludeFolders
 from .missing_headers import MissingHeaders
@@ -34,6 +35,8 @@ class UnreachedHeader:
     """What is not told of the folder; "" where nothing is told of any."""
     behind: Ros1Use | None = None
     """What of ROS 1 ends the build of all targets with the file."""
+    is_off: bool = False
+    """Whether only a switch that nothing turns on, or a target that nobody asks for, has the file compiled."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +45,7 @@ class UnreachedHeaders:
 
     def first(self) -> Iterator[UnreachedHeader]:
         """Yield the first include of a header that no compiler finds, one that the build comes to before others."""
-        yield from sorted(self.all(), key=lambda each: each.behind is not None)[:1]
+        yield from sorted(self.all(), key=lambda each: each.is_off or each.behind is not None)[:1]
 
     def all(self) -> Iterator[UnreachedHeader]:
         """Yield the first of each file."""
@@ -67,7 +70,8 @@ class UnreachedHeaders:
             is_clear = len(folders) == 1 and not owners and posixpath.basename(folders[0]) == "include"
             if is_clear and (target := self.without(source.path, folders[0])) is not None:
                 behind = self.headers.ros1.stopping_all([source.path])
-                yield UnreachedHeader(source.path, each.span, each.path, folders[0], target, behind)
+                is_off = harm_in(self.headers.package.cmake, self.headers.sources, source.path) == "info"
+                yield UnreachedHeader(source.path, each.span, each.path, folders[0], target, behind, is_off)
 
     def without(self, source: str, folder: str) -> str | None:
         """Return a target that compiles a source without a folder; "" where no folder is named, None for nobody."""

@@ -41,7 +41,7 @@ def cmake(lines: str) -> str:
     levels={
         Severity.WARNING: "one of the calls is under a condition that can't be evaluated, or an `ament_auto_add_…`, "
         "which links in its own way",
-        Severity.INFO: "one of them waits for a package that nothing looks for",
+        Severity.INFO: "one of them waits for a package that nothing looks for, or for a switch that nothing turns on",
     },
     examples=(
         Example(
@@ -72,7 +72,8 @@ def mixed_link_signatures(signatures: LinkSignatures) -> Iterator[Hit]:
     CMake stops: "All uses of target_link_libraries with a target must be either all-keyword or all-plain."
 
     ## When it is quiet
-    In a branch for a package (`if(OpenMP_CXX_FOUND)`) that nothing here looks for it is an info: it is not taken.
+    In a branch for a package (`if(OpenMP_CXX_FOUND)`) that nothing here looks for it is an info: it is not taken. So
+    it is in one for an option that is off (`option(WITH_TOOLS "…" OFF)`), and that no page or script has.
     In branches that exclude each other, in those for a target (`if(TARGET plugins)`) that is only made in a branch that
     is never taken, as for a file that is not there, where the libraries of one call can't be evaluated or there are
     none, and for `ament_target_dependencies()` with packages of which it is unknown whether they bring targets.
@@ -86,10 +87,11 @@ def mixed_link_signatures(signatures: LinkSignatures) -> Iterator[Hit]:
         kind = "without a keyword" if each.link.has_keyword else "with a keyword"
         by = f"`{former.name}`" if former.name != call.name else "another call"
         start = f"`{each.link.target}` is linked {how} here, and {other} by {by}"
-        stops = f"CMake stops where something finds `{each.unsought}`" if each.unsought else "CMake stops"
+        stops = "CMake stops as soon as somebody turns its switch on" if each.is_off else "CMake stops"
+        stops = f"CMake stops where something finds `{each.unsought}`" if each.unsought else stops
         message = f"{start}: {stops}, since it takes one kind for a target; {advice(each)}"
         related = (Related(former.words[0].path, former.words[0].span, f"linked {kind} here"),)
-        level = Severity.INFO if each.unsought else None if each.is_certain else Severity.WARNING
+        level = Severity.INFO if each.unsought or each.is_off else None if each.is_certain else Severity.WARNING
         yield Hit(call.words[0].path, call.words[0].span, message, level, related, fix=repair(signatures, each))
 
 

@@ -36,8 +36,8 @@ int main()
     levels={
         Severity.WARNING: "in a file that only others compile, tests do, or that is compiled on demand, or in a folder "
         "that no command names",
-        Severity.INFO: "in a file that nothing compiles, beside others or in a package that installs nothing, or "
-        "behind a header of ROS 1",
+        Severity.INFO: "in a file that nothing compiles, beside others or in a package that installs nothing, that "
+        "only a switch which is off has, or behind a header of ROS 1",
     },
     examples=(
         Example(
@@ -94,7 +94,8 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
         related = tuple(Related(each.path, each.span, "and here") for each in others)
         yield Hit(first.path, first.span, *said(message(first), Severity(first.level), first.behind), related, fix)
     for lost in UnreachedHeaders(headers).first():
-        yield Hit(lost.path, lost.span, *said(unreached(lost), Severity.WARNING, lost.behind))
+        level = Severity.INFO if lost.is_off else Severity.WARNING
+        yield Hit(lost.path, lost.span, *said(unreached(lost), level, lost.behind))
     for other in ForeignHeaders(headers).all():
         yield Hit(other.path, other.span, *said(of_nobody(other), Severity(other.level), other.behind))
 
