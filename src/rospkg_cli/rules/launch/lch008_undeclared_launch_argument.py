@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.unset_configurations import LaunchConfigurations, UnsetConfiguration
+from ...checks.launch.told_arguments import TOLD, ConfigurationsAndPages
+from ...checks.launch.unset_configurations import UnsetConfiguration
 from ...checks.launch.who_meets import why_unmet
 from ...example import Example, manifest
 from ...finding import Hit, Severity
@@ -35,11 +36,12 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
 @rule(
     "LCH008",
     "undeclared-launch-argument",
-    over=LaunchConfigurations,
+    over=ConfigurationsAndPages,
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "others include it, or probably do, it declares none, it includes a file that is not here, "
-        "nothing reads the variable, or the launch ends before at a package that nothing brings"
+        "nothing reads the variable, each command that pages and comments tell gives it, or the launch ends before at "
+        "a package that nothing brings"
     },
     examples=(
         Example(
@@ -52,7 +54,7 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
         ),
     ),
 )
-def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator[Hit]:
+def undeclared_launch_argument(of: ConfigurationsAndPages) -> Iterator[Hit]:
     """
     ## What it does
     Finds launch configurations that are used without a default and that nothing sets.
@@ -72,9 +74,10 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
     what only those that include it set, where it declares an argument that begins its name (`R` for `roll`) and uses it
     nowhere. One that others include may get the argument from them: an info, as where it uses many, or declares none at
     all: then it is the user, or the file that includes it, who must set it. Where it includes a file that is not here,
-    it is an info, if it declares others and no file of the workspace has that name.
+    it is an info, if it declares others and no file of the workspace has that name. And it is one where pages, scripts
+    or the comments of the file tell how to start it, and each of these commands gives the argument.
     """
-    file = configurations.file
+    configurations, file = of.configurations, of.configurations.file
     found = [each for each in configurations.unset() if each.state != "late"]
     many = len(found) > FEW
     is_for_others = not any(each.declared for each in found)
@@ -100,9 +103,10 @@ def undeclared_launch_argument(configurations: LaunchConfigurations) -> Iterator
             hint = did_you_mean(each.name, alike)
             message, better = f"no file declares the launch argument `{each.name}`{hint}", "" if hint else better
         raised = f"KeyError: '{each.name}'" if each.is_lookup else f"launch configuration '{each.name}' does not exist"
+        told = f", {TOLD}" if of.is_told(each.name) else ""
         unless = "given, or set by a file that it includes" if each.may_be_included else "given"
-        stops = f'unless {unless}, the launch stops ("{raised}"){unread(each)}{why}'
-        yield Hit(file.path, each.span, f"{message}: {stops}{better}", mild)
+        stops = f'unless {unless}{told}, the launch stops ("{raised}"){unread(each)}{why}'
+        yield Hit(file.path, each.span, f"{message}: {stops}{better}", Severity.INFO if told else mild)
 
 
 def unread(each: UnsetConfiguration) -> str:

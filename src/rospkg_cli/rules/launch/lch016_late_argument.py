@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.unset_configurations import LaunchConfigurations
+from ...checks.launch.told_arguments import TOLD, ConfigurationsAndPages
 from ...checks.launch.who_meets import why_unmet
 from ...example import Example, manifest
 from ...finding import Hit, Severity
@@ -27,9 +27,12 @@ GOOD = """\
 @rule(
     "LCH016",
     "late-argument",
-    over=LaunchConfigurations,
+    over=ConfigurationsAndPages,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "the launch ends before, at a package that nothing here brings"},
+    levels={
+        Severity.INFO: "the launch ends before, at a package that nothing here brings, or each command that pages and "
+        "comments tell gives the argument"
+    },
     examples=(
         Example(
             bad={
@@ -40,7 +43,7 @@ GOOD = """\
         ),
     ),
 )
-def late_argument(configurations: LaunchConfigurations) -> Iterator[Hit]:
+def late_argument(of: ConfigurationsAndPages) -> Iterator[Hit]:
     """
     ## What it does
     Finds launch arguments that an action uses before they are declared in the launch description.
@@ -53,13 +56,16 @@ def late_argument(configurations: LaunchConfigurations) -> Iterator[Hit]:
     Nothing is said where the argument has been set by a file that includes this one, or where something of an unknown
     name may have set it. An argument without a default has to be given wherever it is declared: without it the launch
     stops before it begins, and given it is set from the start. Where the launch ends before, as it looks for a package
-    that nothing here brings, it is an info.
+    that nothing here brings, it is an info; so it is where pages, scripts or the comments of the file tell how to start
+    it, and each of these commands gives the argument.
     """
+    configurations = of.configurations
     for each in configurations.unset():
         if each.state == "late":
             why = why_unmet(configurations.file, each.span, configurations.workspace)
+            told = f", {TOLD}" if of.is_told(each.name) else ""
             message = (
-                f"`{each.name}` is used before it is declared: unless given, the launch stops "
+                f"`{each.name}` is used before it is declared: unless given{told}, the launch stops "
                 f"(\"launch configuration '{each.name}' does not exist\"){why and ', '}{why}; move the declaration up"
             )
-            yield Hit(configurations.file.path, each.span, message, Severity.INFO if why else None)
+            yield Hit(configurations.file.path, each.span, message, Severity.INFO if why or told else None)
