@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from functools import cached_property
 
 from ..files import PackageFiles
@@ -15,6 +16,15 @@ FETCHES = regex(
     r"(?im)^.*\b(?:unzip|unrar|7z|tar|wget|curl|gdown|rsync|scp|download\w*|git[ \t]+(?:lfs|clone|submodule))\b.*$"
 )
 """A line that tells to bring or to unpack files."""
+MAKES = (
+    r"(?im)^.*\b(?:save|put|place|copy|export(?![ \t]+\w+=)|store|record|generate|create|move|rename|provide)\b"
+    r"[^\n]*{0}"
+    r"|\b(?:cp|mv|ln)(?:[ \t]+-\S+)*[ \t]+[^\s-]\S*[ \t]+\S*{0}|(?:>|\btouch\b|[ \t]-o)[ \t]*[^\s>]*{0}"
+)
+"""What tells to make a file, or to put it there: the name of the file stands behind it."""
+MAPS = r"(?im)^.*\b(?:map_saver\w*|save_?map|serialize_?map)\b.*?(?:-f[ \t=]*|[/\"']){0}(?:\.\w+)?(?=[\s\"'`]|$)"
+"""What saves a map, which is named without what comes behind the dot."""
+MAP_FILES = (".yaml", ".pgm", ".png", ".posegraph", ".data")
 ARCHIVES = (".zip", ".tar", ".tar.gz", ".tgz", ".tar.xz", ".7z", ".rar")
 
 
@@ -48,6 +58,22 @@ class FetchedFiles:
         wanted = (name, *([f"{folder}/"] if folder else []), *packed)
         return any(each in line for line in self.lines for each in wanted)
 
+    def has_itself(self, path: str) -> bool:
+        """Return whether a line that brings or makes files names a missing one by its own name."""
+        name = posixpath.basename(path)
+        stem, end = posixpath.splitext(name)
+        whole = rf"(?<![\w.-]){re.escape(name)}(?![\w-])"
+        patterns = [re.compile(MAKES.format(whole))]
+        patterns += [re.compile(MAPS.format(re.escape(stem)))] if end in MAP_FILES else []
+        is_named = re.compile(whole)
+        if any(is_named.search(line) for line in self.lines):
+            return True
+        return any(each.search(text) for text in self.texts for each in patterns)
+
     @cached_property
     def lines(self) -> tuple[str, ...]:
-        return tuple(each.group() for text in pages_and_scripts(self.files) for each in FETCHES.finditer(text))
+        return tuple(each.group() for text in self.texts for each in FETCHES.finditer(text))
+
+    @cached_property
+    def texts(self) -> tuple[str, ...]:
+        return pages_and_scripts(self.files)

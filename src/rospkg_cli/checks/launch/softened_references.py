@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..fault import Level
+from ..left_to_people import files_of, why_left
 from .idle_actions import level_at
 from .include_arguments import IncludeContext
 from .missing_references import LaunchContext, MissingReference
@@ -21,6 +22,8 @@ def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None
     lacked = package_lacked(scope.file, each.span, scope.workspace) if softer != "info" else ""
     if lacked and lacked != each.package:
         softer, why = "info", ENDS_BEFORE.format(lacked)
+    if softer != "info" and (left := left_to_people(scope, each)):
+        softer, why = "info", left
     if softer != "info" and each.state in ("absent", "no slash") and has_others(scope, each):
         softer = "info"
     if not softer and each.state != "elsewhere" and not scope.is_installed:
@@ -42,3 +45,12 @@ def unmet_by_all(scope: LaunchContext, each: MissingReference) -> str:
 def has_others(scope: LaunchContext, each: MissingReference) -> bool:
     """Return whether it is only a parameter file of nodes that get other values, too."""
     return is_for_nodes(scope, each) and has_others_beside(scope, each)
+
+
+def left_to_people(scope: LaunchContext, each: MissingReference) -> str:
+    """Return why people are to bring the file themselves; "" where it is not so, and where another name is meant."""
+    own = each.package == scope.package.name
+    facts = scope.package if own else scope.workspace.named(each.package)
+    if facts is None or each.state != "absent" or each.better_path or each.use == "include":
+        return ""
+    return why_left(files_of(scope.files, facts, own=own), each.path, is_code=each.stops_launch)

@@ -19,7 +19,8 @@ from ...package.workspace import Workspace
 from ...source import Span
 from ...unreadable import READABLE
 from ..closest_path import closest_path
-from ..fault import Fault
+from ..fault import Fault, softer_advice
+from ..left_to_people import files_of, why_left
 from ..yaml_elsewhere import is_named_yaml
 from .launch_overrides import is_overridden
 
@@ -69,9 +70,9 @@ class NamedFiles:
         near = closest_path(image, [each for each in self.files.paths if posixpath.splitext(each)[1] in IMAGES])
         message = f"the map names its image `{found[1].strip()}`, and it is not there: map_server can't load the map"
         hint = posixpath.relpath(near, posixpath.dirname(path) or ".") if near else ""
-        yield Fault(
-            Span(*found.span(1)), f"{message}; {f'did you mean `{hint}`?' if hint else 'add it, or correct it'}"
-        )
+        hint = f"did you mean `{hint}`?" if hint else "add it, or correct it"
+        fault, left = Fault(Span(*found.span(1)), f"{message}; {hint}"), "" if near else self.left(self.package, image)
+        yield softer_advice(fault, "info", left) if left else fault
 
     def of_parameters(self, path: str, text: str) -> Iterator[Fault]:
         """Yield the files below a share directory; launch may set what it names, so that is an info."""
@@ -86,8 +87,14 @@ class NamedFiles:
             is_set = any(found[1].rpartition(".")[2] in each for each in self.starting)
             place = Span(*found.span(2 if found[2] else 3))
             is_set = is_set or is_overridden(path, place, self.parameters, self.launches)
-            why = ", where the launch file gives no other" if is_set else ""
-            yield Fault(Span(found.start(4) + 1, found.end(4)), f"{message}{why}; {hint}", "info" if is_set else None)
+            why = "where the launch file gives no other" if is_set else ""
+            why = why or (self.left(facts, named) if not near else "")
+            fault = Fault(Span(found.start(4) + 1, found.end(4)), f"{message}; {hint}")
+            yield softer_advice(fault, "info", why) if why else fault
+
+    def left(self, facts: PackageFacts, path: str) -> str:
+        """Return why a file of a package is left to people; "" where it is not."""
+        return why_left(files_of(self.files, facts, own=facts is self.package), path)
 
     @cached_property
     def starting(self) -> tuple[str, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ...light_dataclasses import replace
 from ..fault import Fault, softer
+from ..left_to_people import why_left
 from .missing_files import RobotInWorkspace
 from .missing_resource import MissingResource, wrong
 
@@ -20,8 +21,18 @@ def missing_fault(scope: RobotInWorkspace, missing: MissingResource) -> Fault:
         return softer(best, "info", "as soon as something opens this robot")
     if best.level != "info" and missing.state == "absent" and scope.is_fetched(missing):
         return softer(best, "info", "until it is fetched, as a page or a script here tells to")
+    if best.level != "info" and (left := left_to_people(scope, missing)):
+        return softer(best, "info", left)
     if best.level is None and not scope.is_installed:
         return softer(best, "warning", "where the robot is read from the source: it is not installed")
     if best.level is None and missing.is_include and scope.may_be_read_as_it_is:
         return softer(best, "warning", "where xacro reads it")
     return best
+
+
+def left_to_people(scope: RobotInWorkspace, missing: MissingResource) -> str:
+    """Return why people are to bring a file of the package that xacro does not read; "" where it is not so."""
+    is_own = missing.package == scope.package.name and not missing.is_model
+    if missing.is_include or missing.state != "absent" or missing.suggestion or not is_own:
+        return ""
+    return why_left(scope.files, missing.path)

@@ -54,7 +54,7 @@ NODE = {
         "directory, its action has a condition, or the launch file is not installed",
         Severity.INFO: "the action is off by default or never added to the launch description, the argument or value "
         "never used, the file itself gives the argument another value, an included one takes no such argument, the "
-        "node gets other parameters too, or nothing shows that it reads one of that name",
+        "node gets other parameters too, nothing shows that it reads one of that name, or people bring the file",
     },
     examples=(
         Example(
@@ -99,7 +99,10 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     is an info, and so is the value of a parameter that no code of the node's package, which is here, declares or gets,
     that a well-known node does not have, or of any other node where its name says nothing of a file (`…_file`,
     `…_path`, `yaml`, `map`, `url`), and what stands behind the place where every launch ends, as it looks for a package
-    that nothing here brings.
+    that nothing here brings. It is an info, too, where people bring the file and launch does not include it: a page or
+    a script has it fetched, saved or copied there by its name, or its folder holds
+    nothing but a `.gitkeep` or the like and is one for what people make (`maps`, `calibration`, `data`), has a README
+    alone, or the launch is to say the name.
     """
     for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):

@@ -34,7 +34,10 @@ INSTALLS = CMAKE.replace(
     "missing-named-file",
     over=NamedFiles,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "nothing here installs or names the file, or a launch file may give another value"},
+    levels={
+        Severity.INFO: "nothing here installs or names the file, a launch file may give another value, or people bring "
+        "what is missing"
+    },
     examples=(
         Example(
             on="ament_cmake",
@@ -62,7 +65,9 @@ def missing_named_file(scope: NamedFiles) -> Iterator[Hit]:
     ## When it is quiet
     Files that git ignores, that the build or the package's own code writes, or that lie in a submodule, are left alone,
     and so are packages of which not all is known that they install. What is there and not installed is told by others.
-    In a package of tests, a file that nothing names is left alone, too.
+    In a package of tests, a file that nothing names is left alone, too. It is an info where people bring what is
+    missing: a page or a script has it fetched, saved or copied there by its name, or its folder, for what people make
+    (`maps`, `calibration`, `data`), holds nothing but a `.gitkeep` or a README.
     """
     for path, fault in scope.faults():
         yield from hits(path, [fault])

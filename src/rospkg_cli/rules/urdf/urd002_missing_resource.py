@@ -51,7 +51,7 @@ FILES = {
         Severity.WARNING: "a mesh is missing, a condition is around it, it is for Gazebo alone, or code or a command "
         "of a page, and no launch file, opens the robot",
         Severity.INFO: "nothing is shown to open the robot, calls the macro or reads the property or default that it "
-        "is in, each launch file replaces the default or a part of the path, or a page tells to fetch the file",
+        "is in, each launch file replaces the default or a part of the path, or people bring the file",
     },
     examples=(
         Example(
@@ -104,7 +104,7 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     it, or each launch file that opens the robot gives another. A path without a scheme is one where no launch file
     opens the robot, or none that does starts RViz or move_group by default, or what publishes the robot, where Gazebo
     finds it: `$(find …)`, or a relative one where `create -file` alone opens the robot. So is a path that each such
-    launch file replaces in its text, and a file that a page or a script fetches.
+    launch file replaces in its text, what a page or a script fetches or makes, and a mesh of a folder kept for people.
     """
     for each in scope.missing():
         same = list(scope.beside.lacking(scope.robot, each))

@@ -1,0 +1,123 @@
+"""Files that are missing on purpose: a folder that is kept for what people make, and pages that have them made."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.testing import lint_files
+
+PACKAGE = {
+    "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n", "ament_cmake"),
+    "CMakeLists.txt": CMAKE.replace(
+        "ament_package",
+        "install(DIRECTORY launch maps config calibration DESTINATION share/${PROJECT_NAME})\nament_package",
+    ),
+    "maps/.gitkeep": "",
+    "config/.gitkeep": "",
+    "calibration/.placeholder": "",
+}
+LAUNCH = """\
+<launch>
+  <arg name="name"/>
+  <node pkg="p" exec="e" args="-f $(find-pkg-share my_pkg)/{}"/>
+</launch>
+"""
+PARAMETERS = "camera:\n  ros__parameters:\n    camera_info_url: package://my_pkg/calibration/ost.yaml\n"
+OFFICE = "maps/office.yaml"
+
+
+def told(rule: str, path: str = OFFICE, **files: str | None) -> list[str]:
+    """Return the levels of a rule, and what is said of them before the advice."""
+    others = {name.replace("__", "/").replace("_DOT_", "."): text for name, text in files.items()}
+    given = {**PACKAGE, "launch/a.launch.xml": LAUNCH.format(path), **others}
+    found = lint_files({name: text for name, text in given.items() if text is not None}, [rule]).findings
+    return [f"{each.severity.value}: {each.message.partition('finds nothing there')[2]}" for each in found]
+
+
+KEPT = ", until people put one into `{}/`, which is kept empty for theirs; add it, or correct the path"
+MADE = ", until it is fetched or made, as a page or a script here tells to; add it, or correct the path"
+LOUD = ["warning: ; add it, or correct the path"]
+
+
+def test_a_folder_that_is_kept_empty_for_maps_is_for_people() -> None:
+    assert told("LCH003") == [f"info: {KEPT.format('maps')}"]
+    assert told("LCH003", "maps/$(var name).yaml") == [f"info: {KEPT.format('maps')}"]
+
+
+def test_other_files_in_the_folder_show_that_it_is_not_kept_for_people() -> None:
+    assert told("LCH003", maps__hall_DOT_pgm="P5") == LOUD
+    assert told("LCH003", "maps/$(var name)_map.yaml", maps__hall_DOT_yaml="a: 1\n") == LOUD
+    assert told("LCH003", "maps/$(var name)_map.yaml", maps__hall_DOT_pgm="P5") == [
+        "info: , until people add one of theirs to `maps/`; add it, or correct the path"
+    ]
+
+
+def test_a_folder_for_code_that_git_keeps_empty_says_nothing() -> None:
+    assert told("LCH003", "config/robot.json") == LOUD
+    assert told("LCH003", "config/robot.json", config__README_DOT_md="Put the file of your robot here.\n") == [
+        f"info: {KEPT.format('config')}"
+    ]
+
+
+def test_what_the_launch_reads_as_code_is_not_for_people() -> None:
+    launch = '<launch>\n  <include file="$(find-pkg-share my_pkg)/maps/b.launch.xml"/>\n</launch>\n'
+    (text,) = told("LCH003", launch__a_DOT_launch_DOT_xml=launch)
+    assert text.startswith("error: ")
+
+
+def test_a_mesh_in_a_folder_that_is_kept_for_models_is_for_people() -> None:
+    robot = """<robot name="r"><link name="l"><visual><geometry>
+    <mesh filename="package://my_pkg/maps/base.stl"/></geometry></visual></link></robot>"""
+    files = {
+        "CMakeLists_DOT_txt": PACKAGE["CMakeLists.txt"].replace("calibration", "urdf"),
+        "urdf__robot_DOT_urdf": robot,
+    }
+    text = "`my_pkg` has no file `maps/base.stl`: it is missing wherever the robot is shown"
+    put = (
+        f"info: {text}, until people put one into `maps/`, which is kept empty for theirs; add it, or correct the path"
+    )
+    assert of_robot(**files) == [put]
+    assert of_robot(**files, maps__hall_DOT_pgm="P5") == [f"warning: {text}; add it, or correct the path"]
+
+
+def of_robot(**files: str) -> list[str]:
+    others = {name.replace("__", "/").replace("_DOT_", "."): text for name, text in files.items()}
+    found = lint_files({**PACKAGE, "launch/a.launch.xml": LAUNCH.format("urdf/robot.urdf"), **others}, ["URD002"])
+    return [f"{each.severity.value}: {each.message}" for each in found.findings]
+
+
+def test_calibrations_that_parameters_name_are_for_people() -> None:
+    launch = '<launch>\n  <node pkg="p" exec="e">\n    <param from="$(find-pkg-share my_pkg)/config/c.yaml"/>\n'
+    files = {"config__c_DOT_yaml": PARAMETERS, "launch__a_DOT_launch_DOT_xml": f"{launch}  </node>\n</launch>\n"}
+    assert told("PRM010", **files) == [f"info: {KEPT.format('calibration')}"]
+    assert told("PRM010", calibration__other_DOT_txt="", **files) == LOUD
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "Save the map as `maps/office.yaml`.",
+        "    ros2 run nav2_map_server map_saver_cli -f ~/ws/src/my_pkg/maps/office",
+        "    ros2 service call /save_map slam_toolbox/srv/SaveMap \"{name: {data: 'office'}}\"",
+        "    cp ~/office.yaml ~/ws/src/my_pkg/maps/office.yaml",
+        "    wget https://example.org/office.yaml",
+    ],
+)
+def test_a_page_that_has_the_file_made_leaves_it_to_people(line: str) -> None:
+    assert told("LCH003", maps__hall_DOT_pgm="P5", README_DOT_md=f"# Maps\n\n{line}\n") == [f"info: {MADE}"]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "Start it with `map:=maps/office.yaml`.",
+        "- `maps/office.yaml`: created with SLAM",
+        "    ros2 run nav2_map_server map_saver_cli -f ~/maps/hall",
+        "    export MAP=maps/office.yaml",
+        "    cp maps/office.yaml ~/",
+        "Save the map as `my_office.yaml`.",
+    ],
+)
+def test_a_page_that_names_the_file_makes_none(line: str) -> None:
+    assert told("LCH003", maps__hall_DOT_pgm="P5", README_DOT_md=f"# Maps\n\n{line}\n") == LOUD
