@@ -121,3 +121,31 @@ def test_a_page_that_has_the_file_made_leaves_it_to_people(line: str) -> None:
 )
 def test_a_page_that_names_the_file_makes_none(line: str) -> None:
     assert told("LCH003", maps__hall_DOT_pgm="P5", README_DOT_md=f"# Maps\n\n{line}\n") == LOUD
+
+
+SAVER = """\
+class Saver(Node):
+    def __init__(self):
+        super().__init__('saver')
+        self.declare_parameter('pose_file', '')
+        self.pose_file = self.get_parameter('pose_file').value
+
+    def save(self):
+        with open(self.pose_file, 'w') as out:
+            out.write('{}')
+"""
+SAVES = """\
+<launch>
+  <node pkg="my_pkg" exec="saver.py"><param name="pose_file" value="$(find-pkg-share my_pkg)/config/pose.json"/></node>
+</launch>
+"""
+WRITTEN = ["info: , until `scripts/saver.py` has written it; add it, or correct the path"]
+
+
+def test_what_a_node_of_the_package_writes_is_missing_until_it_ran() -> None:
+    files = {"launch__a_DOT_launch_DOT_xml": SAVES, "scripts__saver_DOT_py": SAVER}
+    assert told("LCH003", **files) == WRITTEN
+    assert told("LCH003", **{**files, "scripts__saver_DOT_py": SAVER.replace(", 'w'", "")}) == LOUD
+    reader = SAVES.replace("saver.py", "docker.py")
+    assert told("LCH003", **{**files, "launch__a_DOT_launch_DOT_xml": reader}) == LOUD
+    assert told("LCH003", **{**files, "launch__b_DOT_launch_DOT_xml": reader}) == [*WRITTEN, *WRITTEN]

@@ -12,6 +12,7 @@ from .undeclared_files import undeclared_for
 from .unmet_lookups import package_lacked
 from .unread_values import UnreadValues
 from .who_meets import ENDS_BEFORE
+from .written_by_nodes import written_for
 
 
 def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None, str]:
@@ -53,4 +54,6 @@ def left_to_people(scope: LaunchContext, each: MissingReference) -> str:
     facts = scope.package if own else scope.workspace.named(each.package)
     if facts is None or each.state != "absent" or each.better_path or each.use == "include":
         return ""
-    return why_left(files_of(scope.files, facts, own=own), each.path, is_code=each.stops_launch)
+    return why_left(files_of(scope.files, facts, own=own), each.path, is_code=each.stops_launch) or written_for(
+        scope, each
+    )

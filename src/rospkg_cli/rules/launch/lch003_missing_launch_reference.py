@@ -100,7 +100,7 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     that a well-known node does not have, or of any other node where its name says nothing of a file (`…_file`,
     `…_path`, `yaml`, `map`, `url`), and what stands behind the place where every launch ends, as it looks for a package
     that nothing here brings. It is an info, too, where people bring the file and launch does not include it: a page or
-    a script has it fetched, saved or copied there by its name, or its folder holds
+    a script has it fetched, saved or copied there by its name, a node of the package writes it, or its folder holds
     nothing but a `.gitkeep` or the like and is one for what people make (`maps`, `calibration`, `data`), has a README
     alone, or the launch is to say the name.
     """
