@@ -113,7 +113,7 @@ ADD = "add <exec_depend>arm</exec_depend>"
     [
         ({"arm": ("limits", "")}, "info", "would make a circle: let those declare it who call this"),
         ({"arm": ("name", "")}, "info", UNSHOWN),
-        ({"one": ("limits", HAS_ARM), "two": ("name", "")}, "info", "calls this declares it"),
+        ({"one": ("limits", HAS_ARM), "two": ("name", "")}, "info", "declares or uses it"),
         ({"one": ("limits", HAS_ARM), "two": ("share", "")}, "warning", ADD),
         ({"one": ("name", HAS_ARM)}, "info", UNSHOWN),
         ({}, "info", UNSHOWN),
@@ -131,6 +131,22 @@ def test_a_library_with_a_program_of_its_own_looks_for_itself() -> None:
     setup = setup_py(scripts("show = lib.show:main"))
     ((level, _),) = from_library({"arm": ("limits", "")}, **{"lib/show.py": program, "setup.py": setup})
     assert level == "warning"
+
+
+@pytest.mark.parametrize(("taken", "level"), [("name", "info"), ("share", "warning"), ("*", "warning")])
+def test_a_library_may_use_what_else_the_module_has(taken: str, level: str) -> None:
+    builder = f"from lib.helpers import {taken}\n"
+    ((found, _),) = from_library({"one": ("limits", HAS_ARM)}, **{"lib/builder.py": builder})
+    assert found == level
+
+
+@pytest.mark.parametrize(("starts", "level"), [("arm", "info"), ("other", "warning")])
+def test_a_user_that_starts_what_the_library_looks_for_needs_it_anyway(starts: str, level: str) -> None:
+    files = {**python_package("arm"), **python_package("lib", NEEDS, **{"lib/helpers.py": LIBRARY})}
+    user = {"launch/a.launch.py": LAUNCH.format("limits"), "launch/b.launch.xml": STARTS.format(starts)}
+    files |= python_package("one", "", **user)
+    (only,) = lint_files(files, ["DEP116"]).findings
+    assert only.severity.value == level
 
 
 STARTS = "<launch>\n  <node pkg='{}' exec='talker'/>\n</launch>\n"

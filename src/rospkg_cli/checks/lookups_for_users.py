@@ -13,11 +13,12 @@ from ..package.workspace import Workspace
 from ..source import Span
 from .installed_modules import InstalledModules
 from .reached_modules import ReachedModules
+from .workspace.wanted_packages import is_used
 
 Definition = FunctionNode | ast.ClassDef
 ROUND = "; that package uses this library, to declare it here would make a circle: let those declare it who call this"
 CIRCLE = "; that package starts programs of this one, to declare it here would make a circle: let a parameter give it"
-THEIRS = "; this library has no program, and each package that calls this declares it"
+THEIRS = "; this library has no program, and each package that calls this declares or uses it"
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,8 @@ class LookupsForUsers:
         users = [*self.users(file, module, span)]
         if any(each.name == name for each in users):
             return ROUND
-        is_theirs = bool(users) and not self.is_used_here(file) and all(declares(each, name) for each in users)
+        is_here = self.is_used_here(file, leading_names(file, span))
+        is_theirs = bool(users) and not is_here and all(declares(each, name) or is_used(name, each) for each in users)
         return THEIRS if is_theirs else ""
 
     def users(self, file: PythonFile, module: str, span: Span) -> Iterator[PackageFacts]:
@@ -51,16 +53,19 @@ class LookupsForUsers:
             ):
                 yield facts
 
-    def is_used_here(self, file: PythonFile) -> bool:
-        """Return whether another module of the library imports one: who calls that is not seen."""
-        last = file.path.rpartition("/")[2].removesuffix(".py")
-        others = (each for path in self.installed.names if (each := self.installed.modules.at(path)) is not None)
-        return any(
-            last in (each.module.rpartition(".")[2], *each.names)
-            for other in others
-            if other is not file
-            for each in other.imports
-        )
+    def is_used_here(self, file: PythonFile, leading: frozenset[str]) -> bool:
+        """Return whether another module of the library imports one as a whole, or what leads to the place.
+
+        Who calls that is not seen.
+        """
+        last, own = file.path.rpartition("/")[2].removesuffix(".py"), {each.name for each in definitions(file)}
+        others = (self.installed.modules.at(path) for path in self.installed.names if path != file.path)
+        for each in (one for other in others if other is not None for one in other.imports):
+            is_of_it = each.module.rpartition(".")[2] == last
+            taken = [name for name in each.names if name in leading or name not in own] if is_of_it else []
+            if taken or last in each.names or (is_of_it and not each.names):
+                return True
+        return False
 
 
 def definitions(file: PythonFile) -> list[Definition]:

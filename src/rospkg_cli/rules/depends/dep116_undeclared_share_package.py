@@ -56,8 +56,8 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     so is what stands in a module that nothing starts or imports, in a program that nothing starts beside others that
     are started, in a function that nothing calls, or in a source that no target compiles, beside others, and what
     another package of the repository declares where nothing shows a release. What a library without programs looks for
-    is an info where that package uses the library itself, or where each package that calls the function declares it. So
-    is a package whose launch files start programs of this one.
+    is an info where that package uses the library itself, or where each package that calls the function declares it or
+    starts something of it. So is a package whose launch files start programs of this one.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. There is none
