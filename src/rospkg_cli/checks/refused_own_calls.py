@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import cached_property
 
 from ..languages.python.attributes import is_of_self
@@ -11,9 +11,12 @@ from ..languages.python.class_members import attributes_set, members_bound
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import nodes_of_kind
 from ..light_dataclasses import dataclass
+from ..ros.rclpy_names import members_of_nodes
 from ..source import Span
-from .depends.own_classes import OwnClasses
+from .depends.own_classes import Line, OwnClasses
 from .installed_modules import InstalledModules
+from .own_objects import START, OwnObjects
+from .refused_arguments import why_refused
 from .run_imports import RunImports
 
 
@@ -24,6 +27,20 @@ class RefusedOwnCalls:
 
     def in_file(self, file: PythonFile) -> Iterator[Span]:
         """Yield the calls of a file that the methods of an object itself refuse, where all of its classes are known."""
+        yield from (file.span(call) for call, _ in self.calls(file))
+
+    def calls(self, file: PythonFile) -> Iterator[tuple[ast.Call, str]]:
+        """Yield these calls with what is wrong with their arguments."""
+        if self.is_dynamic:
+            return
+        yield from self.of_self(file)
+        for call, name, line in self.objects.calls(file):
+            is_shaped = name == START and any(each.node.decorator_list for each in line.classes)
+            may_be_of_node = line.is_node and (name == START or name in members_of_nodes())
+            if not is_shaped and not (may_be_of_node and name not in members_bound(line.classes[0].node.body)):
+                yield from refused(call, name, line, self.stored)
+
+    def of_self(self, file: PythonFile) -> Iterator[tuple[ast.Call, str]]:
         for owner in self.classes.all:
             line = self.classes.line(owner) if owner.file is file else None
             if line is None:
@@ -31,15 +48,20 @@ class RefusedOwnCalls:
             heirs = (one for each in self.classes.heirs(owner.node.name) for one in members_bound(each.node.body))
             others = self.stored.union(heirs)
             for call in nodes_of_kind(owner.node, ast.Call):
-                if is_of_self(call.func) and call.func.attr not in others:
-                    name = call.func.attr
-                    having = [each.node for each in line.classes if name in members_bound(each.node.body)]
-                    if having and all(has_refusing(each, name, call) for each in having):
-                        yield file.span(call)
+                if is_of_self(call.func):
+                    yield from refused(call, call.func.attr, line, others)
 
     @cached_property
     def classes(self) -> OwnClasses:
         return OwnClasses(self.run, self.installed)
+
+    @cached_property
+    def objects(self) -> OwnObjects:
+        return OwnObjects(self.classes)
+
+    @cached_property
+    def is_dynamic(self) -> bool:
+        return any("setattr(" in file.source.text for _, file in self.run.files)
 
     @cached_property
     def stored(self) -> frozenset[str]:
@@ -47,26 +69,20 @@ class RefusedOwnCalls:
         return frozenset(name for _, file in self.run.files for name in attributes_set(file.tree))
 
 
-def has_refusing(owner: ast.ClassDef, name: str, call: ast.Call) -> bool:
-    """Return whether a class binds a name by one plain method alone, which does not take a call."""
+def refused(call: ast.Call, name: str, line: Line, others: Collection[str]) -> Iterator[tuple[ast.Call, str]]:
+    """Yield a call of a method with what is wrong with it, where each class that has the method refuses it.
+
+    Other names may be something else.
+    """
+    having = [each.node for each in line.classes if name in members_bound(each.node.body)] if name not in others else []
+    found = [has_refusing(each, name, call) for each in having]
+    if all(found) and found:
+        yield call, found[0]
+
+
+def has_refusing(owner: ast.ClassDef, name: str, call: ast.Call) -> str:
+    """Return why a class refuses a call, where it binds the name by one plain method alone; "" for others."""
     named = [each for each in owner.body if isinstance(each, ast.FunctionDef) and each.name == name]
-    is_alone = len(named) == 1 == [*members_bound(owner.body)].count(name)
-    return is_alone and not named[0].decorator_list and refuses(named[0].args, call)
-
-
-def refuses(taken: ast.arguments, call: ast.Call) -> bool:
-    """Return whether parameters, of which the first one is the object, don't take a call's arguments."""
-    places = [each.arg for each in (*taken.posonlyargs, *taken.args)][1:]
-    names = {
-        *(each.arg for each in taken.args[0 if taken.posonlyargs else 1 :]),
-        *(each.arg for each in taken.kwonlyargs),
-    }
-    named = {each.arg for each in call.keywords if each.arg is not None}
-    given = [each for each in call.args if not isinstance(each, ast.Starred)]
-    if (named - names and taken.kwarg is None) or (len(given) > len(places) and taken.vararg is None):
-        return True
-    if len(given) < len(call.args) or len(named) < len(call.keywords):
-        return False
-    needed = places[: max(0, len(places) - len(taken.defaults))][len(given) :]
-    needed += [each.arg for each, value in zip(taken.kwonlyargs, taken.kw_defaults, strict=True) if value is None]
-    return any(each not in named for each in needed)
+    members = [*members_bound(owner.body)]
+    is_alone = len(named) == 1 == members.count(name) and "__new__" not in members
+    return why_refused(named[0].args, call) if is_alone and not named[0].decorator_list else ""

@@ -59,13 +59,15 @@ class UnknownRclpyNames:
                     seen.add(node.attr)
                     yield self.unknown(file, node, owner, better, is_test=role == "test")
 
-    def unknown(self, file: PythonFile, node: ast.Attribute, owner: str, better: str, *, is_test: bool) -> UnknownName:
-        span = attribute_span(file, node)
-        certain = self.uses.places.certain_spans(file)
-        is_certain = file.span(node.value) in certain and not is_test
+    def unknown(
+        self, file: PythonFile, node: ast.Attribute | ast.Name, owner: str, better: str, *, is_test: bool
+    ) -> UnknownName:
+        span = attribute_span(file, node) if isinstance(node, ast.Attribute) else file.span(node)
+        read = file.span(node.value) if isinstance(node, ast.Attribute) else span
+        is_certain = not is_test and read in self.uses.places.certain_spans(file)
         when: When = "certainly" if is_certain else self.uses.places.met(file, span)
         when = "branch" if when == "maybe" and is_under_condition(file, span) else when
-        return UnknownName(file, span, node.attr, owner, better, when)
+        return UnknownName(file, span, name_of(node), owner, better, when)
 
     def of_nodes(self, file: PythonFile) -> Iterator[tuple[ast.Attribute, str, str]]:
         """Yield calls of methods that a class of a node does not have, and nearly has."""
@@ -102,6 +104,10 @@ class UnknownRclpyNames:
         """What any class of the package has: a subclass may bring what its base calls."""
         owners = (each for _, file in self.uses.run.files for each in nodes_of_kind(file.tree, ast.ClassDef))
         return frozenset(name for each in owners for name in members(each))
+
+
+def name_of(node: ast.Attribute | ast.Name) -> str:
+    return node.attr if isinstance(node, ast.Attribute) else node.id
 
 
 def of_module(file: PythonFile) -> Iterator[tuple[ast.Attribute, str, str]]:

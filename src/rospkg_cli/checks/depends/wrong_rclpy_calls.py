@@ -1,4 +1,4 @@
-"""Calls of rclpy and of a node's own methods with arguments that these do not take (DEP120)."""
+"""Calls of rclpy, of nodes, and of the package's own classes with arguments that these do not take (DEP120)."""
 
 from __future__ import annotations
 
@@ -13,8 +13,12 @@ from ...languages.python.unreached_places import is_unreached
 from ...light_dataclasses import dataclass
 from ...ros.python_calls import OF_NODES, OF_RCLPY
 from ..older_distribution import OlderDistribution
+from ..refused_own_calls import RefusedOwnCalls
 from ..wrong_calls import CATCHES, wrong_call
-from .unknown_rclpy_names import UnknownName, UnknownRclpyNames, rebinds
+from .unknown_rclpy_names import UnknownName, UnknownRclpyNames, name_of, rebinds
+
+Called = ast.Attribute | ast.Name
+"""A method, or a class whose `__init__` is called."""
 
 SINCE_ELOQUENT = "needs `qos_profile` as well"
 """What is said of calls that Dashing and those before it take."""
@@ -35,17 +39,18 @@ class WrongRclpyCall:
 class WrongRclpyCalls:
     names: UnknownRclpyNames
     distribution: OlderDistribution
+    refused: RefusedOwnCalls
 
     def all(self) -> Iterator[WrongRclpyCall]:
         """Yield each wrong call of a file once for each function and each fault of it."""
         for role, file in self.names.files:
             caught = frozenset(guarded_nodes(file.tree.body, CATCHES))
             told: set[tuple[str, str]] = set()
-            for call, method, why in (*of_module(file), *self.of_nodes(file)):
+            for call, method, why in (*of_module(file), *self.of_nodes(file), *self.of_own(file)):
                 is_met = id(call) not in caught and not is_unreached(file, file.span(call))
-                if why and is_met and (method.attr, why) not in told:
-                    told.add((method.attr, why))
-                    owner = ast.unparse(method.value)
+                if why and is_met and (name_of(method), why) not in told:
+                    told.add((name_of(method), why))
+                    owner = ast.unparse(method.value) if isinstance(method, ast.Attribute) else ""
                     called = self.names.unknown(file, method, owner, "", is_test=role == "test")
                     is_older = why == SINCE_ELOQUENT and self.distribution.is_meant_before_eloquent
                     yield WrongRclpyCall(called, why, is_older)
@@ -56,6 +61,12 @@ class WrongRclpyCalls:
                 method = call.func
                 if is_of_self(method) and method.attr in OF_NODES and method.attr not in self.names.defined:
                     yield call, method, wrong_call(call, OF_NODES[method.attr])
+
+    def of_own(self, file: PythonFile) -> Iterator[tuple[ast.Call, Called, str]]:
+        """Yield the calls that own classes and their objects refuse."""
+        for call, why in self.refused.calls(file):
+            if isinstance(call.func, Called):
+                yield call, call.func, why
 
 
 def of_module(file: PythonFile) -> Iterator[tuple[ast.Call, ast.Attribute, str]]:

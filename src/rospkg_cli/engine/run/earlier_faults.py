@@ -69,7 +69,7 @@ class EarlierFaults:
         stops = {span: location(path, file, span) for span in failing}
         stops |= {at.span: at for each in loud for at in self.stops.of(each, path, file)}
         others = self.naming(file)
-        places = StoppedPlaces(file, tuple(sorted(stops)), lambda name: is_in(name, others))
+        places = StoppedPlaces(file, tuple(sorted(stops)), lambda name: is_in(name, others), is_raising=True)
         return self.behind(path, loud, places, [stops[span] for span in sorted(stops)])
 
     def behind_waits(self, path: str, file: PythonFile, loud: Sequence[Finding]) -> dict[int, Finding]:

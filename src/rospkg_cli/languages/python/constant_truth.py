@@ -29,7 +29,9 @@ def constant_truth(test: ast.expr, names: Mapping[str, bool]) -> bool | None:
             return names.get(name)
         case ast.Attribute(value=ast.Name(id="self"), attr=name) if f"self.{name}" in names:
             return names[f"self.{name}"]
-        case ast.Compare(left=ast.Name() | ast.Attribute(), ops=[_]) if names and (text := ast.unparse(test)) in names:
+        case ast.Compare(left=ast.Name() | ast.Attribute() | ast.Call(), ops=[_]) if (
+            names and (text := ast.unparse(test)) in names
+        ):
             return names[text]
         case ast.Compare(
             left=asked, ops=[ast.Eq() | ast.NotEq() as operator], comparators=[ast.Constant(value=value)]

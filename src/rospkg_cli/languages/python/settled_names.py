@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import operator
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from typing import Any
 
 from .file import PythonFile
@@ -20,6 +20,8 @@ OPERATORS: Mapping[type[ast.cmpop], Callable[[Any, Any], Any]] = {
     ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge,
 }  # fmt: skip
 
+OF_TEXT: Mapping[str, Callable[[str], str]] = {"lower": str.lower, "upper": str.upper, "strip": str.strip}
+
 
 def truths(tests: Iterable[ast.expr], values: Values) -> dict[str, bool]:
     """Return what the names in some tests, and their comparisons with constants, always are, by their text."""
@@ -30,11 +32,21 @@ def truths(tests: Iterable[ast.expr], values: Values) -> dict[str, bool]:
             if held and len(each := {bool(value) for _, value in held}) == 1:
                 found[name_of(node)] = each.pop()
             match node:
-                case ast.Compare(left=left, ops=[asked], comparators=[right]) if name_of(left) in values:
-                    every = {answer(value, asked, right) for _, value in values[name_of(left)]}
+                case ast.Compare(left=left, ops=[asked], comparators=[right]) if of := held_by(left, values):
+                    every = {answer(value, asked, right) for _, value in of}
                     if len(every) == 1 and (always := every.pop()) is not None:
                         found[ast.unparse(node)] = always
     return found
+
+
+def held_by(node: ast.expr, values: Values) -> frozenset[Held]:
+    """Return all that a name may hold, or a call on the text in it: `answer.lower()`; nothing where that is unknown."""
+    match node:
+        case ast.Call(func=ast.Attribute(value=inner, attr=method), args=[], keywords=[]) if method in OF_TEXT:
+            held = values.get(name_of(inner), frozenset())
+            texts = [value for _, value in held if isinstance(value, str)]
+            return frozenset((str, OF_TEXT[method](each)) for each in texts) if len(texts) == len(held) else frozenset()
+    return values.get(name_of(node), frozenset())
 
 
 def answer(value: Constant, asked: ast.cmpop, right: ast.expr) -> bool | None:
@@ -67,14 +79,18 @@ def name_of(node: ast.AST) -> str:
     return ""
 
 
-def settled_in(scope: FunctionNode | ast.Module, file: PythonFile) -> Values:
-    """Return the names that a scope binds to literal values alone; nothing else of it, nor of functions in it, does."""
+def settled_in(scope: FunctionNode | ast.Module, file: PythonFile, idle: Collection[ast.stmt] = frozenset()) -> Values:
+    """Return the names that a scope binds to literal values alone; nothing else of it, nor of functions in it, does.
+
+    What is in idle statements never runs.
+    """
     found: dict[str, set[Held]] = {}
-    plain: set[int] = set()
+    unread = {id(node) for each in idle for node in nodes_of(each)}
+    plain = {*unread}
     pairs = [(each.targets, each.value) for each in nodes_of_kind(scope, ast.Assign)]
     pairs += [([each.target], each.value) for each in nodes_of_kind(scope, ast.AnnAssign) if each.value is not None]
     for targets, given in pairs:
-        value = constant_of(given)
+        value = constant_of(given) if id(given) not in unread else None
         for target in targets:
             if isinstance(target, ast.Name) and value is not None:
                 plain.add(id(target))

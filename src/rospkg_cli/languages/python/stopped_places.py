@@ -11,6 +11,7 @@ from ...source import Span
 from .file import PythonFile
 from .nodes import FunctionNode, nodes_of, nodes_of_kind
 from .raising_regions import bodies, body_of, raises_when_called, region_behind, unit_at
+from .raising_statements import raising_statement
 
 Definition = FunctionNode | ast.ClassDef
 
@@ -34,6 +35,8 @@ class StoppedPlaces:
     """Whether other files read a name, so that they may come to what it names."""
     is_lasting: bool = False
     """Whether the stops are calls that don't return, during which callbacks run."""
+    is_raising: bool = False
+    """Whether each of them raises, and so leaves what is around it."""
 
     def has(self, place: int) -> bool:
         """Return whether a place is led to within the file, and each time something raises on the way."""
@@ -60,9 +63,16 @@ class StoppedPlaces:
             for stop in waiting:
                 region = region_behind(self.file, unit_at(self.bodies, stop.start), stop)
                 found |= {stop: region} if region is not None else {}
+            outer = [each for stop in waiting if stop in found for each in self.raising_around(stop)]
             calls = [] if self.is_lasting else self.failing_calls({each.end for each in found.values()})
-            waiting = [each for each in calls if each not in found and each not in waiting]
+            waiting = [each for each in dict.fromkeys((*outer, *calls)) if each not in found and each not in waiting]
         return tuple(found.values())
+
+    def raising_around(self, stop: Span) -> Iterator[Span]:
+        """Yield the statement around a stop that raises as well."""
+        scope = unit_at(self.bodies, stop.start) or self.file.tree
+        outer = raising_statement(self.file, scope, stop, self.is_taken) if self.is_raising else None
+        yield from [outer] if outer is not None else []
 
     def failing_calls(self, ends: set[int]) -> Iterator[Span]:
         """Yield the calls of functions whose rest is always skipped, and of classes whose `__init__` is such a one."""

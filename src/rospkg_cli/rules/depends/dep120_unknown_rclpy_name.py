@@ -65,7 +65,9 @@ def unknown_rclpy_name(calls: WrongRclpyCalls) -> Iterator[Hit]:
     It tells a name that is a letter or two from one that exists (`rclpy.spinn`, `self.create_publishr`), those of
     rospy (`rclpy.Rate`, `rclpy.loginfo`), and those taken from `self.get_logger` and `self.get_clock` without the call.
     Calls with what no distribution takes are told, too: `rclpy.init(sys.argv)`, which takes its `args` by name alone,
-    and `self.create_publisher(String, 'words')` without a depth.
+    and `self.create_publisher(String, 'words')` without a depth. So are calls that an own class refuses, where it and
+    all of its bases are known, in the constructor, of `self`, or of an object that a name or a member is given once:
+    `robot = Robot()`, and then `robot.stop(1)`, whose method takes `self` alone.
 
     ## Why is this bad?
     Nothing looks before the line runs: the build is green, and the node ends with AttributeError or TypeError.
@@ -87,7 +89,8 @@ def unknown_rclpy_name(calls: WrongRclpyCalls) -> Iterator[Hit]:
         yield Hit(each.file.path, each.span, message, LEVELS[each.when])
     for wrong in calls.all():
         called = wrong.called
-        message = f"`{called.owner}.{called.name}` {wrong.why}: {ENDS[called.when]} with TypeError"
+        what = f"{called.owner}.{called.name}" if called.owner else called.name
+        message = f"`{what}` {wrong.why}: {ENDS[called.when]} with TypeError"
         message += FOR_OLDER if wrong.is_for_older else ""
         yield Hit(called.file.path, called.span, message, Severity.INFO if wrong.is_for_older else LEVELS[called.when])
 
