@@ -83,6 +83,10 @@ def test_the_order_of_an_xml_file(body: str, codes: list[str]) -> None:
         ("return LaunchDescription([IncludeLaunchDescription('b.launch.py'), use])", []),
         ("return LaunchDescription([IncludeLaunchDescription('b.launch.py',\n"
          "    launch_arguments={'rate': LaunchConfiguration('rate')}.items())])", ["LCH008"]),
+        ("return LaunchDescription([GroupAction([use], launch_configurations={'rate': '1'})])", []),
+        ("return LaunchDescription([GroupAction([use],\n"
+         "    launch_configurations={'rate': LaunchConfiguration('rate')})])", ["LCH008"]),
+        ("return LaunchDescription([GroupAction([use], launch_configurations={'rate': '1'}), use])", ["LCH008"]),
         ("names = [DeclareLaunchArgument(n, default_value='') for n in ['rate', 'mode']]\n"
          "return LaunchDescription([*names, use])", []),
         ("return LaunchDescription([OpaqueFunction(function=lambda context: [use])])", ["LCH008"]),

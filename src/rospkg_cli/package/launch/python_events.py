@@ -122,7 +122,7 @@ class ExecutionOrder:
             yield LaunchEvent("push")
         given = call.get("launch_configurations")
         for key, _ in given.items.values() if isinstance(given, Mapping) else ():
-            yield LaunchEvent("define", text_of(key).literal or "", key.span)
+            yield LaunchEvent("pass", text_of(key).literal or "", key.span)
         actions = call.get("actions", 0)
         if actions is not None:
             yield from self.several(actions, depth)
