@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import manifest, scripts, setup_py
+from rospkg_cli.example import SETUP_PY_FOR_ALL, manifest, scripts, setup_py
 from rospkg_cli.testing import lint_files
 
 LAUNCH = """\
@@ -102,7 +102,7 @@ def test_a_file_that_the_launch_opens_as_well() -> None:
 @pytest.mark.parametrize(("name", "level"), [("calibration", "info"), ("calibration_file", "warning")])
 def test_a_path_on_one_machine(name: str, level: str) -> None:
     node = f"Node(package='unheard_of', executable='main', parameters=[{{'{name}': '/home/ada/my_pkg/robot.yaml'}}])"
-    files = {**FILES, "robot.yaml": "", "launch/a.launch.py": LAUNCH.format(node)}
+    files = {**FILES, "setup.py": SETUP_PY_FOR_ALL, "robot.yaml": "", "launch/a.launch.py": LAUNCH.format(node)}
     (found,) = lint_files(files, ["DEP118"]).findings
     assert found.severity.value == level
     assert ("is shown to read it by this key" in found.message) == (level == "info")

@@ -1,4 +1,4 @@
-"""Where it must be asked whether a fault of Python code stands behind another one that ends the run."""
+"""Where it must be asked whether a fault stands behind another one that ends the run of its Python code."""
 
 from __future__ import annotations
 
@@ -9,12 +9,27 @@ from ...finding import Finding, Severity
 from ...package.run_events import RuleCrash
 from .finding_builder import AT_RUN
 
+ENDING_LAUNCHES = frozenset({"LCH013", "LCH014"})
+"""Rules whose errors say that Python raises where it comes to the place."""
 
-def milder_behind(results: list[Finding | RuleCrash], inputs: Callable[[type], list[Any]]) -> list[Finding | RuleCrash]:
-    """Return results with an info for each fault that nobody meets as long as the run ends or waits before."""
-    at_run = (each for each in results if isinstance(each, Finding) and each.code in AT_RUN)
-    if all(each.severity is Severity.INFO for each in at_run):
-        return results
-    from .earlier_faults import EarlierFaults
+Results = list[Finding | RuleCrash]
+InputsOf = Callable[[type], list[Any]]
 
-    return next((each.milder(results) for each in inputs(EarlierFaults)), results)
+
+def milder_behind(results: Results, inputs: InputsOf, folder: str) -> Results:
+    """Return results with an info for each fault that nobody meets as long as the run ends or waits before.
+
+    Args:
+        folder: of the package, from the root of the run.
+    """
+    loud = [each for each in results if isinstance(each, Finding) and each.severity is not Severity.INFO]
+    if any(each.code in AT_RUN for each in loud):
+        from .earlier_faults import EarlierFaults
+
+        results = next((each.milder(results) for each in inputs(EarlierFaults)), results)
+    stops = [each for each in loud if each.code in ENDING_LAUNCHES and each.severity is Severity.ERROR]
+    if stops:
+        from .ended_launches import behind_ended_launches
+
+        results = behind_ended_launches(results, stops, inputs, folder)
+    return results

@@ -142,7 +142,7 @@ class Worker:
         builder = FindingBuilder(package.files, whole, facts.name, left, warned, unmet)
         fitting = (code for code in codes if not (facts.is_for_ros1 and code.startswith(OF_ROS_2)))
         rules = [rule_by_code(code) for code in fitting if has_inputs(code, package)]
-        results = milder_behind(list(run_rules(inputs, rules, builder)), inputs)
+        results = milder_behind(list(run_rules(inputs, rules, builder)), inputs, folder)
         results = behind_unreadable(results, folder)
         results += reader_crashes(package, builder.package, builder.crash_path)
         findings = tuple(r for r in results if isinstance(r, Finding))

@@ -1,0 +1,63 @@
+"""Faults that launch meets when it visits the actions of a file whose description Python never gets to return."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import PurePosixPath
+from typing import Any
+
+from ...finding import Finding, Severity
+from ...light_dataclasses import replace
+from ...package.run_events import RuleCrash
+from .earlier_faults import FIRST
+from .met_in_launch import AT_VISITS, WITH_WARNINGS
+
+VISITED = (*AT_VISITS, "LCH008", "LCH016")
+BEHIND = "; the launch ends before, at another line"
+
+
+def behind_ended_launches(
+    results: list[Finding | RuleCrash], stops: list[Finding], inputs: Callable[[type], list[Any]], folder: str
+) -> list[Finding | RuleCrash]:
+    """Return results with an info for each fault that a launch file would have if Python came to its end.
+
+    What Python meets itself, before or behind, keeps its level.
+
+    Args:
+        stops: findings that say that Python raises where it comes to their places.
+        folder: of the package, from the root of the run.
+    """
+    visited = [each for each in results if isinstance(each, Finding) and is_visited(each)]
+    paths = {each.location.path for each in visited}.intersection(each.location.path for each in stops)
+    found: dict[int, Finding] = {}
+    for path, first in first_stops(stops, paths, inputs, folder) if paths else ():
+        for each in visited:
+            if each.location.path == path:
+                related = (*each.related, (first.location, FIRST))
+                message = each.message + BEHIND
+                found[id(each)] = replace(each, severity=Severity.INFO, message=message, related=related)
+    return [found.get(id(each), each) for each in results]
+
+
+def is_visited(finding: Finding) -> bool:
+    """Return whether a finding is loud and shows itself when launch visits an action, or reads a value for one."""
+    is_value = finding.code == WITH_WARNINGS and finding.severity is Severity.WARNING
+    return finding.severity is not Severity.INFO and (finding.code.startswith(VISITED) or is_value)
+
+
+def first_stops(
+    stops: list[Finding], paths: set[str], inputs: Callable[[type], list[Any]], folder: str
+) -> Iterator[tuple[str, Finding]]:
+    """Yield the files, and where each call of the function that launch calls surely ends."""
+    from ...checks.launch.ended_descriptions import ends_description
+    from ...checks.launch.unmet_places import UnmetPlaces
+
+    for places in inputs(UnmetPlaces):
+        for scope in places.scopes:
+            path, python = str(PurePosixPath(folder, scope.file.path)), scope.file.python
+            if path not in paths or python is None or places.is_imported(scope.file.path):
+                continue
+            own = [each for each in stops if each.location.path == path]
+            sure = [each for each in own if ends_description(python, each.location.span)]
+            if sure:
+                yield path, min(sure, key=lambda each: each.location.span.start)

@@ -1,0 +1,57 @@
+"""What launch would meet at its visit is an info where Python stops before it has the description."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import SETUP_PY_FOR_ALL, manifest
+from rospkg_cli.testing import lint_files
+
+FILE = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch_ros.actions import Node
+{above}
+
+def generate_launch_description():
+    talker = Node(package='my_pkg', executable='talkr')
+    {stop}
+    return LaunchDescription([talker])
+"""
+FILES = {"package.xml": manifest("  <exec_depend>launch_ros</exec_depend>\n"), "setup.py": SETUP_PY_FOR_ALL}
+
+
+def levels(stop: str, above: str = "", **files: str) -> dict[str, tuple[str, str]]:
+    text = FILE.format(stop=stop, above=above)
+    written = {**FILES, "my_pkg/__init__.py": "", "launch/a.launch.py": text, **files}
+    findings = lint_files(written, ["LCH002", "LCH013", "LCH014"]).findings
+    return {each.code: (each.severity.value, each.message) for each in findings}
+
+
+@pytest.mark.parametrize(
+    "stop, above",
+    [
+        ("other = Node(package='my_pkg', condition=IfCondition('true'))", ""),
+        ("mode = DeclareLaunchArgument()", ""),
+        ("", "from launch.substitution import LaunchConfiguration\n"),
+    ],
+)
+def test_nobody_visits_what_python_never_returns(stop: str, above: str) -> None:
+    found = levels(stop, above)
+    ((level, message),) = [found[code] for code in found if code == "LCH002"]
+    assert level == "info"
+    assert message.endswith("; the launch ends before, at another line")
+    assert {level for code, (level, _) in found.items() if code != "LCH002"} == {"error"}
+
+
+@pytest.mark.parametrize(
+    "stop",
+    [
+        "",
+        "if talker.name:\n        other = IfCondition('true')",
+        "late = OpaqueFunction(function=lambda context: [IfCondition('true')])",
+        "try:\n        other = IfCondition('true')\n    except NameError:\n        pass",
+    ],
+)
+def test_what_may_be_visited_keeps_its_level(stop: str) -> None:
+    assert levels(stop)["LCH002"][0] == "error"
