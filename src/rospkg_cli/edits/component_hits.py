@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ..checks.cmake.component_registration import ComponentRegistration
 from ..checks.cmake.component_sentences import unknown_class
+from ..checks.cmake.misread_keywords import misread_keywords
 from ..checks.cmake.unloadable_components import unloadable_components
 from ..checks.cpp.components_elsewhere import components_elsewhere
 from ..checks.cpp.loaded_by_name import LoadedByName
@@ -13,6 +14,15 @@ from ..finding import Hit, Related, Severity
 from ..package.cmake.components import Component
 from ..suggest import nearest
 from .same_infos import same_infos_once
+
+
+def of_keywords(loaded: LoadedByName) -> Iterator[Hit]:
+    """Yield a hit for each command that takes keywords for classes; a program that it does not make may be missed."""
+    for each in misread_keywords(loaded.registration.package):
+        is_started = bool(each.program) and loaded.is_program_started(each.program)
+        is_missed = each.asks and is_started and not each.is_made
+        level = Severity.WARNING if is_missed else Severity.INFO
+        yield Hit(each.word.path, each.word.span, each.sentence(is_started=is_started), level)
 
 
 def of_sources(loaded: LoadedByName) -> Iterator[Hit]:

@@ -8,12 +8,12 @@ from typing import Literal
 
 from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.targets import Target
-from ...languages.cmake.values import BINARY, UNKNOWN, Word
+from ...languages.cmake.values import BINARY, UNKNOWN
 from ...languages.cpp.call import CppArgument
 from ...languages.cpp.file import CppFile
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.components import OF_ONE_NODE, Component
+from ...package.cmake.components import Component
 from ...package.cmake.target_links import TargetLinks
 from ...source import Span
 from ...suggest import nearest, slips
@@ -72,15 +72,6 @@ class ComponentRegistration:
             words = (component.target, component.plugin)
             if all(word.is_known and not word.maybe for word in words) and not component.call.maybe:
                 yield component
-
-    def misread_keywords(self) -> Iterator[tuple[Word, bool]]:
-        """Yield the first keyword of one node in each command that takes classes alone; whether it asks for a program.
-
-        Without one, the class that stands behind is registered all the same.
-        """
-        for call in self.package.cmake.named("rclcpp_components_register_nodes"):
-            words = {word.text for word in call.words}
-            yield from [(word, "EXECUTABLE" in words) for word in call.words if word.text in OF_ONE_NODE][:1]
 
     def without_target(self) -> Iterator[Component]:
         """Yield the components of a target that does not exist."""
@@ -159,11 +150,3 @@ def sources_of(targets: Iterable[Target]) -> frozenset[str]:
 
 def name_of(argument: CppArgument) -> str:
     return "".join(argument.text.split())
-
-
-def misread_keyword(word: Word, asks: bool) -> str:
-    """Return the sentence of a keyword that is taken for a class; whether the command asks for a program."""
-    why = f"`{word.text}` is no class: `rclcpp_components_register_nodes` takes classes alone"
-    if not asks:
-        return f"{why}: what stands behind is registered, and `{word.text}` as well, which nothing loads; remove it"
-    return f"{why}, and makes no executable; write `rclcpp_components_register_node`"

@@ -48,9 +48,11 @@ class LoadedByName:
 
     def is_started(self, component: Component) -> bool:
         """Return whether a launch file or a page starts the program that the command makes."""
-        if component.executable is None:
-            return False
-        package, name = self.named.package.name, component.executable.text
+        return component.executable is not None and self.is_program_started(component.executable.text)
+
+    def is_program_started(self, name: str) -> bool:
+        """Return whether a launch file or a page starts a program of the package."""
+        package = self.named.package.name
         run = re.compile(rf"\bros2[ \t]+run[ \t]+{re.escape(package)}[ \t]+{re.escape(name)}(?![\w.-])")
         in_launch = bool(self.named.workspace.having("started_nodes", package, name))
         return in_launch or any(map(run.search, self.named.pages))

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.component_registration import misread_keyword
 from ...checks.cmake.component_sentences import unknown_target
 from ...checks.cpp.loaded_by_name import LoadedByName
-from ...edits.component_hits import of_libraries, of_names, of_sources
+from ...edits.component_hits import of_keywords, of_libraries, of_names, of_sources
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -53,11 +52,13 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a source registers a class, no call of CMake does, and no launch file here loads it; or "
-        "the keywords of one node are taken for classes; or it is registered of a program that nothing here loads, or "
+        "the keywords of one node are taken for classes, so that a program is missing which a launch file or a page "
+        "starts; or it is registered of a program that nothing here loads, or "
         "of a library without it and of another one, or code makes the class itself and nothing starts the program "
         "that would load it",
-        Severity.INFO: "a source registers a class, and the package links its library itself, or the "
-        "keyword of one node stands before its class, which is registered too, or code makes the class itself, and "
+        Severity.INFO: "a source registers a class, and the package links its library itself, or "
+        "keywords of one node stand among the classes, and nothing starts the program that they ask for, or "
+        "something else makes it, or code makes the class itself, and "
         "nothing here loads it by its name",
     },
     examples=(
@@ -72,7 +73,11 @@ FILES = {"package.xml": manifest(BODY, "ament_cmake"), "src/talker.cpp": SOURCE}
             on="ament_cmake",
         ),
         Example(
-            bad={**FILES, "CMakeLists.txt": cmake(LINES.replace("node(talker PLUGIN", "nodes(talker «PLUGIN»"))},
+            bad={
+                **FILES,
+                "CMakeLists.txt": cmake(LINES.replace("node(talker PLUGIN", "nodes(talker «PLUGIN»")),
+                "README.md": "    ros2 run my_pkg talker_node\n",
+            },
             good={"CMakeLists.txt": cmake(LINES)},
             on="ament_cmake",
         ),
@@ -119,7 +124,6 @@ def unregistered_component(loaded: LoadedByName) -> Iterator[Hit]:
     for each in components.without_target():
         yield Hit(each.target.path, each.target.span, unknown_target(components, each))
     yield from of_libraries(loaded)
-    for word, asks in components.misread_keywords():
-        yield Hit(word.path, word.span, misread_keyword(word, asks), Severity.WARNING if asks else Severity.INFO)
+    yield from of_keywords(loaded)
     yield from of_names(loaded)
     yield from of_sources(loaded)
