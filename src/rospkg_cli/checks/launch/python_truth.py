@@ -15,8 +15,10 @@ from ...package.launch.evaluated_launch import EvaluatedLaunch, SubstitutionUse
 from ...package.launch.launch_classes import class_of, is_condition, is_resolved_at_run_time, type_name
 from ...source import Span
 from ..fault import Fault
+from .repeated_tests import RepeatedTests
 
 AT_RUN_TIME = "its text is known only when the launch runs"
+REPEATED = "what is added under it has a `condition` that says the same, so remove the test"
 
 NAMED = regex(r"str\([\w.]{1,60}\)")
 JOINING = {"&": "AndSubstitution", "|": "OrSubstitution"}
@@ -113,16 +115,17 @@ def test_faults(launch: EvaluatedLaunch) -> Iterator[Fault]:
     made = {call.span: call for call in launch.calls if is_resolved_at_run_time(call)}
     if not made:
         return
-    bound = bindings_of(file, made)
+    bound, repeated = bindings_of(file, made), RepeatedTests(launch)
     for node in nodes_of(file.tree):
-        for test in operands(node.test) if isinstance(node, ast.If | ast.IfExp | ast.While) else ():
-            call = bound.get(test.id) if isinstance(test, ast.Name) else made.get(file.span(test))
-            if call is not None:
-                message = f"{type_name(call)} itself is always true for Python: {AT_RUN_TIME}"
-                yield Fault(
-                    file.span(test), f"{message}; test it in an OpaqueFunction, or pass a `condition`", "warning"
-                )
-                break
+        tests = list(operands(node.test)) if isinstance(node, ast.If | ast.IfExp | ast.While) else []
+        calls = [bound.get(test.id) if isinstance(test, ast.Name) else made.get(file.span(test)) for test in tests]
+        found = [(file.span(test), call) for test, call in zip(tests, calls, strict=True) if call is not None]
+        for span, call in found[:1]:
+            message = f"{type_name(call)} itself is always true for Python: {AT_RUN_TIME}"
+            if repeated.is_repeated(node, [each for _, each in found]):
+                yield Fault(span, f"{message}; {REPEATED}", "info")
+            else:
+                yield Fault(span, f"{message}; test it in an OpaqueFunction, or pass a `condition`", "warning")
 
 
 def bindings_of(file: PythonFile, made: Mapping[Span, Call]) -> Mapping[str, Call | None]:

@@ -45,7 +45,8 @@ def generate_launch_description():
     levels={
         Severity.WARNING: "the launch goes on, with another value than intended",
         Severity.INFO: "it is another value than intended, which nothing uses, or which is only printed, the action "
-        "is never added, or not by default, or the repository is for Foxy alone, which takes it",
+        "is never added, or not by default, or has a condition that says what a test before it says, or "
+        "the repository is for Foxy alone, which takes it",
     },
     examples=(
         Example(
