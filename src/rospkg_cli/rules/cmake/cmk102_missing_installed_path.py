@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from posixpath import basename
 
 from ...checks.cmake.built_for_ros1 import is_built_for_ros1
+from ...checks.cmake.folders_of_people import FoldersOfPeople
 from ...checks.cmake.missing_path_sentences import PLURAL, consequence
 from ...checks.cmake.missing_paths import MissingPaths
 from ...checks.enumeration import in_ticks
@@ -40,8 +42,9 @@ EXTRAS = CMAKE.replace("ament_package()", "ament_package(CONFIG_EXTRAS «cmake/m
     levels={
         Severity.WARNING: "it is named in a branch that is taken only for some; or CMake runs a program in the "
         "package's folder, which may write what is installed",
-        Severity.INFO: "FILES_MATCHING keeps CMake silent about the folder, git ignores a folder that people fill, or "
-        "all sources are of ROS 1, or it is named for another system than Linux",
+        Severity.INFO: "FILES_MATCHING keeps CMake silent about the folder, git ignores a folder that people fill, a "
+        "page has them make one for maps, data or the like, or all sources are of ROS 1, or it is named for "
+        "another system than Linux",
     },
     examples=(
         Example(
@@ -93,6 +96,8 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     variable that nothing sets, and that no page or script of the repository has.
     """
     missing = MissingPaths(package.cmake)
+    names = frozenset({package.facts.name, basename(package.facts.folder)} - {""})
+    left = FoldersOfPeople(package.cmake.package_files, names)
     for (named, for_everyone), *others in together(package.cmake, missing.all()):
         paths = list(dict.fromkeys([named.path, *(each.path for each, _ in others)]))
         near = f" (did you mean `{meant}`?)" if (meant := meant_path(package.cmake, named)) else ""
@@ -104,6 +109,9 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
             level = Severity.WARNING if near else Severity.INFO
         is_idle = is_built_for_ros1(package.cmake) or missing.is_elsewhere(named) or missing.off.has(named.call)
         level = Severity.INFO if is_idle else level
+        if named.use == "folder" and level is not Severity.INFO and (why := left.why_left(paths)):
+            fault, between, advice = message.rpartition("; ")
+            level, message = Severity.INFO, f"{fault}, {why}{between}{advice}"
         yield Hit(named.word.path, named.word.span, message, level, related=related)
     for each in ReferencedPaths(package.cmake).ignored():
         start = f"`{each.path}` does not exist, and git ignores it: on a fresh clone the build stops at the end"
