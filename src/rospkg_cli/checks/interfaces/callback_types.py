@@ -11,13 +11,17 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_below, nodes_of_kind
 from .message_classes import MessageClasses
 
-REGISTER: dict[str, tuple[int, str, tuple[str, ...]]] = {
-    "create_subscription": (2, "callback", ("",)),
-    "create_service": (2, "callback", ("_Request", "_Response")),
+BY_NAME = 99
+"""The position of what is given by its name alone."""
+REGISTER: dict[str, tuple[int, int, str, tuple[str, ...]]] = {
+    "create_subscription": (0, 2, "callback", ("",)),
+    "create_service": (0, 2, "callback", ("_Request", "_Response")),
+    "ActionServer": (1, BY_NAME, "goal_callback", ("_Goal",)),
 }
-"""Which argument of a method of a node is the callback, and which parts of the interface it is called with."""
+"""Which arguments of a method of a node, or of a class, are the interface and the callback, and which parts of the
+interface that is called with."""
 
-KINDS = {"create_subscription": "msg", "create_service": "srv"}
+KINDS = {"create_subscription": "msg", "create_service": "srv", "ActionServer": "action"}
 
 Callbacks = dict[tuple[str, str], tuple[str, ...]]
 """The messages of the parameters, by class (or "") and function."""
@@ -53,16 +57,24 @@ def mentions(tree: ast.Module) -> Iterator[str]:
 
 def registration(call: ast.Call, classes: MessageClasses) -> tuple[ast.Attribute | ast.Name, tuple[str, ...]] | None:
     """Return the function that a call registers, `self.function` or `function`, and the messages it will be given."""
-    if not isinstance(call.func, ast.Attribute) or call.func.attr not in REGISTER or not call.args:
+    called = called_name(call)
+    if called not in REGISTER or (isinstance(call.func, ast.Name) and called != "ActionServer"):
         return None
-    position, keyword, suffixes = REGISTER[call.func.attr]
+    of_kind, position, keyword, suffixes = REGISTER[called]
     given = {each.arg: each.value for each in call.keywords}
     if None in given or "raw" in given or any(isinstance(each, ast.Starred) for each in call.args):
         return None
+    if len(call.args) <= of_kind:
+        return None
     function = call.args[position] if position < len(call.args) else given.get(keyword)
-    name = classes.named(call.args[0])
-    if name.split("/")[1:2] != [KINDS[call.func.attr]]:
+    name = classes.named(call.args[of_kind])
+    if name.split("/")[1:2] != [KINDS[called]]:
         return None
     if function is not None and is_of_self(function):
         return function, tuple(f"{name}{suffix}" for suffix in suffixes)
     return (function, tuple(f"{name}{suffix}" for suffix in suffixes)) if isinstance(function, ast.Name) else None
+
+
+def called_name(call: ast.Call) -> str:
+    """Return the last name of what is called: `create_service` of `self.create_service(…)`."""
+    return call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")

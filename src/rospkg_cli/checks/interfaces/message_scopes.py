@@ -10,6 +10,7 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import FunctionNode, nodes_of_kind
 from ...light_dataclasses import dataclass
 from .callback_types import callback_types
+from .handed_objects import handed_objects
 from .message_classes import MessageClasses
 from .message_variables import Bindings, Environment, Fields, asked_names, attributes_of, variables_of
 
@@ -78,6 +79,7 @@ class Signatures:
     def __init__(self, file: PythonFile, classes: MessageClasses) -> None:
         self.classes = classes
         self.callbacks = callback_types(file, classes)
+        self.handed = handed_objects(file)
         self.called = {
             node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
             for node in nodes_of_kind(file.tree, ast.Call)
@@ -86,9 +88,11 @@ class Signatures:
     def parameters(self, function: FunctionNode, owner: str) -> dict[str, str]:
         """Return the parameters that hold a message: by what the function is registered for, or by annotation.
 
-        What registers it decides. Annotations count where the file does not call the function: a caller may pass what
-        they don't say.
+        What registers it decides: rclpy calls with its own objects what it is given for these, whatever an annotation
+        says. Annotations count where the file does not call the function: a caller may pass what they don't say.
         """
+        if function.name in self.handed:
+            return {}
         every = [*function.args.posonlyargs, *function.args.args]
         types = self.callbacks.get((owner, function.name), ()) if not function.decorator_list else ()
         found = {each.arg: kind for each, kind in zip(every[bool(owner) :], types, strict=False)}

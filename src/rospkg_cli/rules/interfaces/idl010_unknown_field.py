@@ -74,7 +74,7 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     Finds fields that Python code sets or reads and that the message does not have.
     Messages that are made with values without names (`Point(1.0, 2.0)`), as only ROS 1 took them, are told too.
     The message of a variable is known by its assignments (`msg = Twist()`, `Drive.Feedback()`), its annotation, or the
-    `create_subscription` and `create_service` that a function is registered by.
+    `create_subscription`, `create_service` and `goal_callback` that a function is registered by.
 
     ## Why is this bad?
     A message has slots for its own fields: any other name raises AttributeError, often only when the first message
@@ -82,8 +82,10 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a variable may hold something else, or its type or attributes are asked for; where an AttributeError or
-    TypeError is caught; for what an action client is handed, a message around the feedback or result (`.feedback`); for
-    packages outside of the workspace, unless the name is near a field or was one in ROS 1; under a condition that is
+    TypeError is caught; for what an action client is handed, a message around the feedback or result (`.feedback`);
+    for what rclpy hands to callbacks, whatever their annotations say (the goal handle of `execute_callback`, the future
+    of `add_done_callback`, the bytes of `raw=True`); for packages outside of the workspace,
+    unless the name is near a field or was one in ROS 1; under a condition that is
     for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A method of an object that is bound to a name which
     nothing reads is an info, unless its construction comes to it, as is one of a class that is defined again below. A
     use in an `except` branch, in a function whose callers catch what it raises, and in a test is a warning. A module
