@@ -18,6 +18,8 @@ from .wrong_names import WrongDependencyName, is_installable, is_of_python_2, wr
 
 BUILD_TYPES_ALONE = frozenset({"ament_python"})
 SKIPPED = "; a page or a script here has rosdep skip it"
+FOUND = frozenset({"depend", "build_depend", "buildtool_depend"})
+"""The tags that ament_auto_find_build_dependencies() reads."""
 NO_NEEDS = frozenset({"doc_depend", "conflict", "replace"})
 """Tags that install nothing: rosdoc2 reads names of its own in doc_depend."""
 
@@ -41,6 +43,8 @@ class UnknownDependency:
     """Whether another distribution, or a repository that is not here, may have a package of that name."""
     is_needless: bool = False
     """Whether the line is to go, as what is meant needs none."""
+    may_be_key: bool = False
+    """Whether a list of rosdep's that is not known may have the name: it is no slip of a package."""
 
 
 @dataclass(frozen=True)
@@ -49,11 +53,15 @@ class DependencyNames:
     targets: Targets
     cmake: CMake | None = None
 
-    def is_found_by_name(self, name: str) -> bool:
-        """Return whether ament_cmake_auto looks for a dependency by its name, and nothing else does."""
+    def is_found_by_name(self, same: Iterable[Dependency]) -> bool:
+        """Return whether ament_cmake_auto looks for a dependency by its name, and nothing else does.
+
+        It does so for what the build needs alone: a key that is for running is a name for rosdep.
+        """
         if self.cmake is None or not self.cmake.named("ament_auto_find_build_dependencies"):
             return False
-        return not any(name in call.texts[:1] for call in self.cmake.named("find_package"))
+        names = {each.name for each in same if each.tag in FOUND}
+        return bool(names) and not any(names & {*call.texts[:1]} for call in self.cmake.named("find_package"))
 
     def active(self) -> Iterator[Dependency]:
         """Yield the dependencies whose condition holds for a target: the first of each name."""
@@ -81,6 +89,19 @@ class DependencyNames:
     def is_skipped(self, name: str) -> bool:
         """Return whether whoever follows a page or a script here has rosdep leave a name out."""
         return name in self.skipped
+
+    def kept_aside(self, found: UnknownDependency) -> str:
+        """Return why nobody here misses a name, as the end of a sentence; "" where nothing says so."""
+        if self.is_skipped(found.dependency.name):
+            return SKIPPED
+        from .own_rosdep_lists import OwnRosdepLists  # a clean package needs none
+
+        return OwnRosdepLists(self.declared).may_have(found.dependency.name) if found.may_be_key else ""
+
+    def is_key(self, name: str | None) -> bool:
+        """Return whether a name that is meant is one of rosdep's, and of no package."""
+        workspace = self.declared.workspace
+        return name is not None and not (workspace.is_available(name) or workspace.index.is_package(name))
 
     @cached_property
     def skipped(self) -> frozenset[str]:
@@ -114,7 +135,7 @@ class DependencyNames:
         same = [dependency, *self.repeated(dependency)]
         if needless := self.needless(same, suggestion):
             suggestion, todo = None, needless
-        elif suggestion and self.is_found_by_name(dependency.name):
+        elif suggestion and self.is_found_by_name(same):
             todo = f"write `{suggestion}`, and find and link `{dependency.name}` in CMakeLists.txt yourself"
             suggestion, reason = None, f"{reason}, and ament_auto finds it by that"
         return UnknownDependency(
@@ -126,6 +147,7 @@ class DependencyNames:
             found.parts,
             is_uncertain=not self.is_certain(same),
             is_needless=bool(needless),
+            may_be_key=self.is_key(found.suggestion),
         )
 
     def needless(self, same: Iterable[Dependency], name: str | None) -> str:
@@ -190,4 +212,5 @@ class DependencyNames:
                 found.rosdep_error,
                 found.advice,
                 is_uncertain=bool(found.other_distros) or found.may_be_elsewhere or not self.is_certain(same),
+                may_be_key=not found.for_project and (found.suggestion is None or self.is_key(found.suggestion)),
             )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.unknown_dependencies import SKIPPED, DependencyNames
+from ...checks.depends.unknown_dependencies import DependencyNames
 from ...edits.manifest import remove_element, rename_dependency, split_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -19,8 +19,8 @@ LINE = "  <exec_depend>{}</exec_depend>\n"
     over=DependencyNames,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where another distribution or a missing repository may have it, a variable asks for it, or a "
-        "page has rosdep skip it"
+        Severity.INFO: "where another distribution or a missing repository may have it, a variable asks for it, a "
+        "page has rosdep skip it, or rosdep has a list of the repository's own"
     },
     examples=(
         Example(
@@ -63,14 +63,16 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
     Packages of the workspace, of an installed prefix (AMENT_PREFIX_PATH, /opt/ros) and of any distribution are known.
     Where a `.repos` file or an empty submodule says that more packages belong to the workspace, a name that resembles
     one of the repositories that are missing is left alone, and another that nothing explains is an info. So is a name
-    that a page, a script or a job here has rosdep skip (`--skip-keys`). Dependencies
+    that a page, a script or a job here has rosdep skip (`--skip-keys`), and one that is no slip of a package where
+    rosdep has further lists: a YAML file called after it has the name, a page or a script writes into
+    /etc/ros/rosdep/sources.list.d, or the packages here need two more keys that nobody knows. Dependencies
     whose condition excludes the targets, and doc_depend, are left alone. No other name is suggested for a plain CMake
     project of the workspace, which colcon builds and rosdep does not know.
 
     ## Fix safety
     The name is replaced by the suggested one; where only a letter differs, another one may be right. The line goes
     where that is the package itself, or declared already. There is none where
-    `ament_auto_find_build_dependencies()` finds what is meant by the name that package.xml has.
+    `ament_auto_find_build_dependencies()` finds what the build needs by the name that package.xml has.
     """
     manifest = names.declared.manifest
     for each in names.unknown():
@@ -90,6 +92,6 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
         related = tuple(Related(manifest.path, other.span, "and here") for other in others)
         message = f'`{name}` {each.reason}: `rosdep install` ends with "{each.rosdep_error.format(name)}"'
         message += f"; {advice}" if advice else ""
-        by_page = SKIPPED if names.is_skipped(name) else ""
-        level, message = Severity.INFO if each.is_uncertain or by_page else None, message + by_page
+        aside = names.kept_aside(each)
+        level, message = Severity.INFO if each.is_uncertain or aside else None, message + aside
         yield Hit(manifest.path, each.dependency.span, message, level, related, fix)
