@@ -32,7 +32,6 @@ def levels(stop: str, above: str = "", **files: str) -> dict[str, tuple[str, str
     "stop, above",
     [
         ("other = Node(package='my_pkg', condition=IfCondition('true'))", ""),
-        ("mode = DeclareLaunchArgument()", ""),
         ("", "from launch.substitution import LaunchConfiguration\n"),
     ],
 )
@@ -48,6 +47,7 @@ def test_nobody_visits_what_python_never_returns(stop: str, above: str) -> None:
     "stop",
     [
         "",
+        "mode = DeclareLaunchArgument()",
         "if talker.name:\n        other = IfCondition('true')",
         "late = OpaqueFunction(function=lambda context: [IfCondition('true')])",
         "try:\n        other = IfCondition('true')\n    except NameError:\n        pass",

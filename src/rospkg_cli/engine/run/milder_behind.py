@@ -9,8 +9,8 @@ from ...finding import Finding, Severity
 from ...package.run_events import RuleCrash
 from .finding_builder import AT_RUN
 
-ENDING_LAUNCHES = frozenset({"LCH013", "LCH014"})
-"""Rules whose errors say that Python raises where it comes to the place."""
+ENDING_LAUNCHES = "LCH013"
+"""The rule whose errors say that Python itself raises where it comes to the place."""
 
 Results = list[Finding | RuleCrash]
 InputsOf = Callable[[type], list[Any]]
@@ -27,7 +27,7 @@ def milder_behind(results: Results, inputs: InputsOf, folder: str) -> Results:
         from .earlier_faults import EarlierFaults
 
         results = next((each.milder(results) for each in inputs(EarlierFaults)), results)
-    stops = [each for each in loud if each.code in ENDING_LAUNCHES and each.severity is Severity.ERROR]
+    stops = [each for each in loud if each.code == ENDING_LAUNCHES and each.severity is Severity.ERROR]
     if stops:
         from .ended_launches import behind_ended_launches
 
