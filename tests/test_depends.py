@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest, scripts, setup_py
 from rospkg_cli.finding import Safety
 from rospkg_cli.testing import lint_files
 
@@ -956,8 +956,9 @@ def test_what_a_package_beside_this_one_declares_is_missing_in_a_release(
     code: str, path: str, text: str, name: str, harm: str
 ) -> None:
     """Who builds both has it, as rosdep reads all of the workspace."""
-    own = {f"own/{each}": body for each, body in PYTHON.items()}
-    before = text + PYTHON["setup.py"] if path == "setup.py" else text
+    setup = setup_py(scripts("a = my_pkg.a:main"))
+    own = {f"own/{each}": body for each, body in {**PYTHON, "setup.py": setup}.items()}
+    before = text + setup if path == "setup.py" else text
     beside = {each: body.format(name) for each, body in BESIDE.items()}
     released = {**beside, "tracks.yaml": "tracks: {}\n"}
     for others, where, level in (

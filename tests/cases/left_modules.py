@@ -92,5 +92,7 @@ CASES = {
     ),
     "DEP102": (in_workspace({"test/test_a.py": "from other_ifs.msg import Status\n"}),),
     "DEP103": (in_workspace({"launch/a.launch.xml": '<launch><node pkg="other_ifs" exec="a"/></launch>\n'}),),
-    "DEP116": (in_workspace({"my_pkg/talker.py": SHARE + "get_package_share_directory('other_ifs')\n"}),),
+    "DEP116": (
+        in_workspace({"my_pkg/talker.py": SHARE + "get_package_share_directory('other_ifs')\n", "setup.py": NAMED}),
+    ),
 }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rospkg_cli.example import Example, manifest
+from rospkg_cli.example import Example, manifest, scripts, setup_py
 
 from .idle_parameters import below
 from .shown_params import INSTALLED
@@ -205,6 +205,7 @@ CASES = {
             bad={
                 "package.xml": manifest("  <exec_depend>ament_index_python</exec_depend>\n"),
                 "my_pkg/talker.py": CHOSEN.format(name),
+                "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
             },
             good={},
         )

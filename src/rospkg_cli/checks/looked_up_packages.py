@@ -81,13 +81,16 @@ class LookedUpPackages:
                     span = file.span(name)
                     why = LEFT if self.lookups.is_left(file.path) else self.lookups.why_seldom(file.path, span)
                     why = why or (UNSTARTED if self.is_unstarted(file.path) else "")
-                    why = why or (self.users.why_mild(file.path, span, str(name.value)) if self.users else "")
-                    why = why or self.why_round(str(name.value))
+                    why = why or self.why_mild(file.path, span, str(name.value))
                     yield str(name.value), LookUp(file.path, span, id(call) in chosen, why)
         for source in self.lookups.sources:
             why = UNCOMPILED if self.lookups.is_uncompiled(source.path) else ""
             for text, span in share_names(source) if role_of(source.path) == "run" else ():
-                yield text, LookUp(source.path, span, why_seldom=why or self.why_round(text))
+                yield text, LookUp(source.path, span, why_seldom=why or self.why_mild(source.path, span, text))
+
+    def why_mild(self, path: str, span: Span, name: str) -> str:
+        """Return what is said of a look-up by who comes to it; "" where somebody lacks what is looked for."""
+        return self.why_round(name) or (self.users.why_mild(path, span, name) if self.users else "")
 
     def why_round(self, name: str) -> str:
         """Return what is said of a package that itself starts this one's programs; "" for others."""

@@ -1,93 +1,44 @@
-"""Packages that the functions of a library look up for those who call them: who calls has what is looked for."""
+"""Packages that the code of a library looks up for those who use it: who comes there has what is looked for."""
 
 from __future__ import annotations
 
-import ast
-from collections.abc import Iterator
-
-from ..languages.python.file import PythonFile
-from ..languages.python.nodes import FunctionNode, nodes_of
 from ..light_dataclasses import dataclass
 from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
 from ..source import Span
-from .installed_modules import InstalledModules
-from .reached_modules import ReachedModules
+from .depends.brought_dependencies import brought_by
+from .library_builds import LibraryBuilds
+from .library_users import LibraryUsers
 from .workspace.wanted_packages import is_used
 
-Definition = FunctionNode | ast.ClassDef
 ROUND = "; that package uses this library, to declare it here would make a circle: let those declare it who call this"
 CIRCLE = "; that package starts programs of this one, to declare it here would make a circle: let a parameter give it"
-THEIRS = "; this library has no program, and each package that calls this declares or uses it"
+THEIRS = "; this library has no program, and each package that comes here has that one itself"
+UNUSED = "; this library has no program, and no package here uses it"
 
 
 @dataclass(frozen=True)
 class LookupsForUsers:
-    installed: InstalledModules
-    reached: ReachedModules
+    library: LibraryUsers
     workspace: Workspace
-    facts: PackageFacts
+    builds: LibraryBuilds
 
     def why_mild(self, path: str, span: Span, name: str) -> str:
-        """Return what is said of a look-up for another package of the workspace, in a library without programs."""
-        file, other = self.installed.modules.at(path), self.workspace.named(name)
-        module = self.installed.names.get(path, "")
-        if file is None or other is None or not module or not self.reached.is_library:
+        """Return what is said of a look-up for a package, in a library without programs; "" where somebody lacks it."""
+        users = self.library.of(path, span)
+        if users is None:
             return ""
-        users = [*self.users(file, module, span)]
+        if not users:
+            return "" if self.builds.has(self.library.facts.name) else UNUSED
         if any(each.name == name for each in users):
             return ROUND
-        is_here = self.is_used_here(file, leading_names(file, span))
-        is_theirs = bool(users) and not is_here and all(declares(each, name) or is_used(name, each) for each in users)
-        return THEIRS if is_theirs else ""
-
-    def users(self, file: PythonFile, module: str, span: Span) -> Iterator[PackageFacts]:
-        """Yield the other packages that import what leads to a place: the module as a whole leads to all of it."""
-        leading, own = leading_names(file, span), {each.name for each in definitions(file)}
-        package, _, last = module.rpartition(".")
-        for facts in self.workspace.packages:
-            taken = facts.taken_names if facts.name != self.facts.name else ()
-            if any(
-                (package, last) == (home, name) or (home == module and (name in leading or name not in own))
-                for home, name in taken
-            ):
-                yield facts
-
-    def is_used_here(self, file: PythonFile, leading: frozenset[str]) -> bool:
-        """Return whether another module of the library imports one as a whole, or what leads to the place.
-
-        Who calls that is not seen.
-        """
-        last, own = file.path.rpartition("/")[2].removesuffix(".py"), {each.name for each in definitions(file)}
-        others = (self.installed.modules.at(path) for path in self.installed.names if path != file.path)
-        for each in (one for other in others if other is not None for one in other.imports):
-            is_of_it = each.module.rpartition(".")[2] == last
-            taken = [name for name in each.names if name in leading or name not in own] if is_of_it else []
-            if taken or last in each.names or (is_of_it and not each.names):
-                return True
-        return False
+        return THEIRS if all(has(each, name, self.workspace) for each in users) else ""
 
 
-def definitions(file: PythonFile) -> list[Definition]:
-    return [each for each in file.tree.body if isinstance(each, Definition)]
-
-
-def leading_names(file: PythonFile, span: Span) -> frozenset[str]:
-    """Return the names at the top level of a module that lead to a place in a function of it."""
-    around = {each.name for each in definitions(file) if file.span(each).holds(span)}
-    if not around:
-        return frozenset(each.name for each in definitions(file))
-    while more := {each.name for each in definitions(file) if mentions(each, around)} - around:
-        around |= more
-    return frozenset(around)
-
-
-def mentions(node: Definition, names: set[str]) -> bool:
-    return any(isinstance(each, ast.Name) and each.id in names for each in nodes_of(node))
-
-
-def declares(facts: PackageFacts, name: str) -> bool:
-    return any(need.name == name and need.certain for need in facts.dependencies)
+def has(facts: PackageFacts, name: str, workspace: Workspace) -> bool:
+    """Return whether a package certainly has another one: it declares it, or something that brings it, or uses it."""
+    declared = [need.name for need in facts.dependencies if need.certain]
+    return name in declared or is_used(name, facts) or name in brought_by(declared, workspace)
 
 
 def starts_programs_of(facts: PackageFacts, name: str) -> bool:

@@ -48,8 +48,11 @@ class WantedPackages:
 
     def is_told(self, commands: str, name: str) -> bool:
         """Return whether a page or a script has a command on a package."""
-        told = re.compile(commands.format(re.escape(name)))
-        return any(map(told.search, self.pages))
+        return self.is_in(commands, name, self.pages)
+
+    def is_in(self, patterns: str, name: str, texts: tuple[str, ...]) -> bool:
+        told = re.compile(patterns.format(re.escape(name)))
+        return any(map(told.search, texts))
 
     @cached_property
     def code(self) -> tuple[str, ...]:

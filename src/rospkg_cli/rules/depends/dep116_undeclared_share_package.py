@@ -8,15 +8,18 @@ from ...checks.depends.name_source import is_unmet
 from ...checks.looked_up_packages import LookedUpPackages
 from ...checks.lookups_for_users import CIRCLE, ROUND
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
-from ...example import Example, manifest
+from ...example import Example, manifest, scripts, setup_py
 from ...finding import Hit, Safety, Severity
 from ...rule import rule
 
 MODULE = """\
 from ament_index_python.packages import get_package_share_directory
 
-print(get_package_share_directory(«'nav2_bringup'»))
+
+def main():
+    print(get_package_share_directory(«'nav2_bringup'»))
 """
+SETUP = setup_py(scripts("talker = my_pkg.talker:main"))
 NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
 
 
@@ -28,11 +31,11 @@ NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
     levels={
         Severity.INFO: "a dependency brings or may bring it, another package of an unreleased repository declares "
         "it, package.xml has it in a comment, an `if` chooses it, nothing leads to the place, nothing "
-        "starts the program, or only packages that have it call the library that looks for it"
+        "starts the program, or only packages that have it, or none, use the library that looks for it"
     },
     examples=(
         Example(
-            bad={"package.xml": manifest(NEEDS), "my_pkg/talker.py": MODULE},
+            bad={"package.xml": manifest(NEEDS), "my_pkg/talker.py": MODULE, "setup.py": SETUP},
             good={"package.xml": manifest(f"{NEEDS}  <exec_depend>nav2_bringup</exec_depend>\n")},
             fix=Safety.SAFE,
         ),
@@ -56,8 +59,9 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     so is what stands in a module that nothing starts or imports, in a program that nothing starts beside others that
     are started, in a function that nothing calls, or in a source that no target compiles, beside others, and what
     another package of the repository declares where nothing shows a release. What a library without programs looks for
-    is an info where that package uses the library itself, or where each package that calls the function declares it or
-    starts something of it. So is a package whose launch files start programs of this one.
+    is an info where that package uses the library itself, where no package here uses it nor a page builds it by name or
+    imports it, or where each that calls the function or links the library declares what is looked for, or something
+    that brings it, or starts something of it. So is a package whose launch files start programs of this one.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. There is none
