@@ -20,10 +20,10 @@ from .depends.undeclared_imports import ImportDependencies
 from .depends.undeclared_launch_packages import LaunchDependencies
 from .lookups_for_users import CIRCLE, LookupsForUsers, starts_programs_of
 from .share_lookups import CATCHES, LOOKUPS, ShareLookups, literal_of
+from .unstarted_programs import UNSTARTED
 
 NAME = regex(r"[a-z][a-z0-9_]+")
 LEFT, UNCOMPILED = "; nothing starts or imports this module", "; no target compiles this file"
-UNSTARTED = "; nothing here starts this program, as it does others of the package"
 
 
 @dataclass(frozen=True, slots=True)

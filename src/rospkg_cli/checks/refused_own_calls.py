@@ -15,7 +15,7 @@ from ..ros.rclpy_names import members_of_nodes
 from ..source import Span
 from .depends.own_classes import Line, OwnClasses
 from .installed_modules import InstalledModules
-from .own_objects import START, OwnObjects
+from .kept_objects import START, KeptObjects
 from .refused_arguments import why_refused
 from .run_imports import RunImports
 
@@ -56,8 +56,8 @@ class RefusedOwnCalls:
         return OwnClasses(self.run, self.installed)
 
     @cached_property
-    def objects(self) -> OwnObjects:
-        return OwnObjects(self.classes)
+    def objects(self) -> KeptObjects:
+        return KeptObjects(self.classes)
 
     @cached_property
     def is_dynamic(self) -> bool:

@@ -11,9 +11,8 @@ def why_harmless(cmake: CMake, each: UnsetVariable) -> str:
     """Return why nothing is lost with a variable that nothing sets; "" where something may be."""
     if is_consistent(cmake, each):
         return "; the target is called so everywhere"
-    call = each.call
-    is_idle = call.name == "set" and bool(call.texts) and not NeededPlaces(cmake).is_read(call.texts[0])
-    return f"; nothing here reads `{call.texts[0]}`" if is_idle else ""
+    why = NeededPlaces(cmake).why_unread(each.call)
+    return f"; {why}" if why else ""
 
 
 def is_consistent(cmake: CMake, each: UnsetVariable) -> bool:

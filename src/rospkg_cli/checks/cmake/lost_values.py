@@ -25,7 +25,7 @@ class LostValues:
         A folder that is not there is passed over: where headers or libraries of it are needed, all that build fail.
         """
         if call.name not in (*FOR_HEADERS, *FOR_LIBRARIES):
-            return self.places.why_not(call, "") if call.name == "set" else ""
+            return self.places.why_unread(call)
         home = "" if name in OF_SOURCE else call.folder if name in HERE else None
         if home is None or "$" in rest or "{" in rest:
             return TOLD

@@ -39,9 +39,12 @@ class NeededPlaces:
             below = self.cmake.package_files.below(folder)
             is_needed = any(path.endswith(LIBRARIES) or ".so." in path for path in below)
             return "" if is_needed else "no library lies there"
-        if call.name == "set" and call.texts and not self.is_read(call.texts[0]):
-            return f"nothing here reads `{call.texts[0]}`"
-        return "it is only shown" if call.name == "message" else ""
+        return self.why_unread(call) or ("it is only shown" if call.name == "message" else "")
+
+    def why_unread(self, call: EvaluatedCommand) -> str:
+        """Return that nothing reads the variable that a call sets; "" of other calls, and where something may."""
+        is_idle = call.name == "set" and bool(call.texts) and not self.is_read(call.texts[0])
+        return f"nothing here reads `{call.texts[0]}`" if is_idle else ""
 
     def lost_headers(self, folder: str) -> Iterator[str]:
         """Yield each header that is included and found in a folder alone."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
 from ...files import PackageFiles
 from ...lazy_regex import regex
@@ -11,9 +10,8 @@ from ...light_dataclasses import dataclass
 from ...package.manifest import Dependency
 from ...source import Span
 from ..container_files import files_called
-from ..pages_and_scripts import pages_and_scripts
 from .declared_dependencies import DeclaredDependencies
-from .pip_installs import installing_texts
+from .skipped_keys import told_texts
 from .unavailable_on_target import NO_PACKAGE
 from .wrong_names import wrong_name
 
@@ -65,8 +63,3 @@ def is_listed(name: str, files: PackageFiles) -> bool:
     """Return whether a YAML file that is called after rosdep has a name among its keys."""
     key = re.compile(rf"(?m)^[\"']?{re.escape(name)}[\"']?[ \t]*:")
     return any(key.search(owner.readable_text(path)) for owner, path in files_called(files, LIST))
-
-
-def told_texts(files: PackageFiles) -> Iterator[str]:
-    yield from pages_and_scripts(files)
-    yield from (text for _, text in installing_texts(files))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ..pages_and_scripts import pages_and_scripts
@@ -16,6 +18,11 @@ SKIPS = regex(
 
 def skipped_keys(files: PackageFiles) -> frozenset[str]:
     """Return the names, as far as they are written out."""
-    texts = (*pages_and_scripts(files), *(text for _, text in installing_texts(files)))
-    found = (match for text in texts if "skip" in text.lower() for match in SKIPS.finditer(text))
+    found = (match for text in told_texts(files) if "skip" in text.lower() for match in SKIPS.finditer(text))
     return frozenset(name for match in found for name in (match[1] or match[2] or match[3] or "").split())
+
+
+def told_texts(files: PackageFiles) -> Iterator[str]:
+    """Yield the texts that tell how the packages of a repository get what they need."""
+    yield from pages_and_scripts(files)
+    yield from (text for _, text in installing_texts(files))

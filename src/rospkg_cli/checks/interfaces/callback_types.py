@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from ...languages.python.attributes import is_of_self
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_below, nodes_of_kind
+from ...package.python.node_calls import called
 from .message_classes import MessageClasses
 
 BY_NAME = 99
@@ -57,10 +58,10 @@ def mentions(tree: ast.Module) -> Iterator[str]:
 
 def registration(call: ast.Call, classes: MessageClasses) -> tuple[ast.Attribute | ast.Name, tuple[str, ...]] | None:
     """Return the function that a call registers, `self.function` or `function`, and the messages it will be given."""
-    called = called_name(call)
-    if called not in REGISTER or (isinstance(call.func, ast.Name) and called != "ActionServer"):
+    name_called = called(call.func)
+    if name_called not in REGISTER or (isinstance(call.func, ast.Name) and name_called != "ActionServer"):
         return None
-    of_kind, position, keyword, suffixes = REGISTER[called]
+    of_kind, position, keyword, suffixes = REGISTER[name_called]
     given = {each.arg: each.value for each in call.keywords}
     if None in given or "raw" in given or any(isinstance(each, ast.Starred) for each in call.args):
         return None
@@ -68,13 +69,8 @@ def registration(call: ast.Call, classes: MessageClasses) -> tuple[ast.Attribute
         return None
     function = call.args[position] if position < len(call.args) else given.get(keyword)
     name = classes.named(call.args[of_kind])
-    if name.split("/")[1:2] != [KINDS[called]]:
+    if name.split("/")[1:2] != [KINDS[name_called]]:
         return None
     if function is not None and is_of_self(function):
         return function, tuple(f"{name}{suffix}" for suffix in suffixes)
     return (function, tuple(f"{name}{suffix}" for suffix in suffixes)) if isinstance(function, ast.Name) else None
-
-
-def called_name(call: ast.Call) -> str:
-    """Return the last name of what is called: `create_service` of `self.create_service(…)`."""
-    return call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_below, nodes_of_kind
-from .callback_types import called_name
+from ...package.python.node_calls import called
 
 HANDLES = ("execute_callback", "handle_accepted_callback", "cancel_callback")
 OBJECTS: dict[str, tuple[int, tuple[str, ...]]] = {
@@ -40,9 +40,9 @@ def handed_objects(file: PythonFile) -> frozenset[str]:
 
 def callbacks(call: ast.Call) -> Iterator[ast.expr]:
     """Yield the arguments of a call that rclpy will call with an object of its own."""
-    called = called_name(call)
-    position, names = OBJECTS.get(called, (len(call.args), ()))
-    if called == SUBSCRIBES and any(each.arg == "raw" and is_set(each.value) for each in call.keywords):
+    name = called(call.func)
+    position, names = OBJECTS.get(name, (len(call.args), ()))
+    if name == SUBSCRIBES and any(each.arg == "raw" and is_set(each.value) for each in call.keywords):
         position, names = RECEIVES
     yield from call.args[position : position + 1]
     yield from (each.value for each in call.keywords if each.arg in names)

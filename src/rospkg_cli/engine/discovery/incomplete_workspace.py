@@ -13,10 +13,7 @@ from ...lazy_regex import regex
 from ...leftovers import is_never_source
 from ...light_dataclasses import dataclass
 from ...unreadable import UnreadableError
-from .lists_by_content import lists_among
-
-MAX_BYTES = 1_000_000
-"""The largest .gitmodules or list that is read."""
+from .lists_by_content import MAX_BYTES, lists_among
 
 URL = regex(r"^[ \t]*url[ \t]*=[ \t]*(\S+?)/?[ \t]*$", re.MULTILINE)
 

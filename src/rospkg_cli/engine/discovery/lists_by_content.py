@@ -17,6 +17,7 @@ TOLD = regex(r"(?i)repo|vcs|rosinstall|import|depend|underlay|upstream|source|pa
 MAX_READ = 20
 """So many files of other names are read in a folder, whatever they are called."""
 MAX_BYTES = 1_000_000
+"""The largest .gitmodules or list that is read."""
 
 HOLDS = regex(rb"^repositories:[ \t]*(?:#.*)?\r?$(?=(?s:.){0,4000}?^[ \t]+url:)", re.MULTILINE)
 """A list for vcs: `repositories:` with something that has a `url:`."""

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import PurePosixPath
-from typing import Any
 
 from ...finding import Finding, Severity
 from ...light_dataclasses import replace
 from ...package.run_events import RuleCrash
 from .earlier_faults import FIRST
-from .met_in_launch import AT_VISITS, WITH_WARNINGS
+from .met_in_launch import shows_at_visit
+from .run_rules import InputsOf
 
-VISITED = (*AT_VISITS, "LCH008", "LCH016")
+OF_CONFIGURATIONS = frozenset({"LCH008", "LCH016"})
+"""Launch asks for the value of a configuration at the visit, unless Python looks it up itself."""
 BEHIND = "; the launch ends before, at another line"
 
 
 def behind_ended_launches(
-    results: list[Finding | RuleCrash], stops: list[Finding], inputs: Callable[[type], list[Any]], folder: str
+    results: list[Finding | RuleCrash], stops: list[Finding], inputs: InputsOf, folder: str
 ) -> list[Finding | RuleCrash]:
     """Return results with an info for each fault that a launch file would have if Python came to its end.
 
@@ -41,13 +42,11 @@ def behind_ended_launches(
 
 def is_visited(finding: Finding) -> bool:
     """Return whether a finding is loud and shows itself when launch visits an action, or reads a value for one."""
-    is_value = finding.code == WITH_WARNINGS and finding.severity is Severity.WARNING
-    return finding.severity is not Severity.INFO and (finding.code.startswith(VISITED) or is_value)
+    is_late = finding.code in OF_CONFIGURATIONS or shows_at_visit(finding.code, finding.severity)
+    return finding.severity is not Severity.INFO and is_late
 
 
-def first_stops(
-    stops: list[Finding], paths: set[str], inputs: Callable[[type], list[Any]], folder: str
-) -> Iterator[tuple[str, Finding]]:
+def first_stops(stops: list[Finding], paths: set[str], inputs: InputsOf, folder: str) -> Iterator[tuple[str, Finding]]:
     """Yield the files, and where each call of the function that launch calls surely ends."""
     from ...checks.launch.ended_descriptions import ends_description
     from ...checks.launch.unmet_places import UnmetPlaces

@@ -17,6 +17,11 @@ Place = tuple[str, Span]
 """The path of a file in the package, and where in it."""
 
 
+def shows_at_visit(code: str, level: Severity) -> bool:
+    """Return whether a fault shows itself when launch visits an action, or reads a value for one."""
+    return code.startswith(AT_VISITS) or (code == WITH_WARNINGS and level is Severity.WARNING)
+
+
 def places_of(hit: Hit) -> list[Place]:
     """Return all places at which a hit is met."""
     also = (each for each in hit.related if each.message in ALSO)
@@ -27,6 +32,5 @@ def why_unmet(launches: UnmetPlaces, code: str, level: Severity, hit: Hit) -> st
     """Return why no plain launch comes to any of the places of a hit; "" where one may come to some."""
     if code in OF_THAT_FACT:
         return ""
-    is_late = code.startswith(AT_VISITS) or (code == WITH_WARNINGS and level is Severity.WARNING)
-    reasons = [launches.why(*each, is_late=is_late) for each in places_of(hit)]
+    reasons = [launches.why(*each, is_late=shows_at_visit(code, level)) for each in places_of(hit)]
     return reasons[0] if all(reasons) else ""

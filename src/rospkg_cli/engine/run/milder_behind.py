@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 from ...finding import Finding, Severity
 from ...package.run_events import RuleCrash
 from .finding_builder import AT_RUN
+from .run_rules import InputsOf
 
 ENDING_LAUNCHES = "LCH013"
 """The rule whose errors say that Python itself raises where it comes to the place."""
 
 Results = list[Finding | RuleCrash]
-InputsOf = Callable[[type], list[Any]]
 
 
 def milder_behind(results: Results, inputs: InputsOf, folder: str) -> Results:

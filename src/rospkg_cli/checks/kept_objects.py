@@ -19,7 +19,7 @@ START = "__init__"
 
 
 @dataclass(frozen=True)
-class OwnObjects:
+class KeptObjects:
     classes: OwnClasses
 
     def calls(self, file: PythonFile) -> Iterator[tuple[ast.Call, str, Line]]:
