@@ -91,12 +91,17 @@ with open('x') as l:
     pass
 for m in [n for n in x]:
     (o := 1)
+match x:
+    case [p, *r] | {'j': [p], **r}:
+        pass
+    case str() as s:
+        pass
 """
 
 
 def test_top_level_names() -> None:
     file = read(NAMES)
-    assert set(file.definitions) == set("aexyzwqghiklmo") | {"made"}
+    assert set(file.definitions) == set("aexyzwqghiklmoprs") | {"made"}
     assert [each.module for each in file.star_imports] == ["f"]
     assert not file.has_dynamic_names
 

@@ -27,7 +27,8 @@ WITHOUT_IMPORTS = frozenset({
 """The statements that hold no others, and parts of the others."""
 NEW_SCOPES = frozenset({ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp})
 BINDERS = NEW_SCOPES | {
-    ast.Name, ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Import, ast.ImportFrom
+    ast.Name, ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Import, ast.ImportFrom,
+    ast.MatchAs, ast.MatchStar, ast.MatchMapping,
 }  # fmt: skip
 """What binds a name in its scope, or none of it."""
 MODULE = regex(r"from[\s\\]*(\.*(?:[\s\\]*(?!import\b)[^\W\d][\w.]*)?)")
@@ -239,7 +240,7 @@ def is_type_checking(test: ast.expr) -> bool:
 
 def bindings(
     body: Iterable[ast.AST], *, has_globals: bool = True
-) -> Iterator[tuple[str, ast.stmt | ast.expr | ast.alias]]:
+) -> Iterator[tuple[str, ast.stmt | ast.expr | ast.alias | ast.pattern]]:
     """Yield the names that statements bind in their scope, with the binding node.
 
     Without `has_globals` no function says `global`: then functions are not looked into.
@@ -261,6 +262,9 @@ def bindings(
                 yield from ((alias.asname or alias.name.partition(".")[0], alias) for alias in node.names)
             case ast.ImportFrom():
                 yield from ((alias.asname or alias.name, alias) for alias in node.names if alias.name != "*")
+            case ast.MatchAs(name=name) | ast.MatchStar(name=name) | ast.MatchMapping(rest=name):
+                waiting += children_of(node)[::-1]
+                yield from [(name, node)] if name else []
 
 
 def global_names(function: ast.AST) -> set[str]:

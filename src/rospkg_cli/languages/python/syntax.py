@@ -27,10 +27,14 @@ LINE_END = regex(r"\r\n|\r|\n")
 class PositionedNode(Protocol):
     """The attributes of a syntax node that give its span."""
 
-    lineno: int
-    col_offset: int
-    end_lineno: int | None
-    end_col_offset: int | None
+    @property
+    def lineno(self) -> int: ...
+    @property
+    def col_offset(self) -> int: ...
+    @property
+    def end_lineno(self) -> int | None: ...
+    @property
+    def end_col_offset(self) -> int | None: ...
 
 
 @dataclass(frozen=True)
