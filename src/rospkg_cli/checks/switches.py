@@ -1,19 +1,21 @@
 """Switches of Python code that are never thrown, and names that are compared with what they never hold.
 
-A switch is bound once, to True or False, and nowhere else in the package; other names are bound to literals alone.
+A switch is bound once, to True or False, and nowhere else in the package; other names are bound to literals alone, and
+parameters have a default that no call replaces.
 """
 
 from __future__ import annotations
 
 import ast
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from ..languages.python.constant_truth import unreached_statements
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import FunctionNode, children_of, functions_of, nodes_of, nodes_of_kind
 from ..languages.python.settled_names import Held, Values, constant_of, settled_in, truths
 from ..lazy_regex import regex
+from .left_defaults import LeftDefaults
 
 DYNAMIC = regex(r"\bsetattr\(|__dict__|__setattr__")
 """How code sets attributes by names that it makes."""
@@ -30,9 +32,14 @@ class Switches:
         is_dynamic = any(DYNAMIC.search(file.source.text) for file in files)
         self.members = {f"self.{name}": value for name, value in truths_of if value is not None and times[name] == 1}
         self.members = {} if is_dynamic else self.members
-        self.values: Values = {} if is_dynamic else dict(settled_members(found))
+        self.defaults = LeftDefaults(files)
+        self.values: Values = {} if is_dynamic else dict(settled_members(found, self.defaults.kept))
         self.set_outside = frozenset(times)
         self.known: dict[str, frozenset[int]] = {}
+
+    def given(self, scope: FunctionNode | ast.Module) -> Values:
+        """Return what the parameters of a function hold that no call gives a value to."""
+        return self.defaults.of(scope) if isinstance(scope, FunctionNode) else {}
 
     def in_file(self, file: PythonFile) -> dict[str, bool]:
         constants = {name: value for name, value in file.constants.items() if name not in self.set_outside}
@@ -53,7 +60,7 @@ class Switches:
         names, whole = self.in_file(file), self.of_module(file)
         for scope in (file.tree, *functions_of(file.tree)):
             inside = conditions_of(scope)
-            own = settled_in(scope, file) if inside and scope is not file.tree else {}
+            own = {**self.given(scope), **settled_in(scope, file)} if inside and scope is not file.tree else {}
             values = {**self.values, **whole, **own}
             yield from unreached_statements(inside, {**names, **truths((each.test for each in inside), values)})
 
@@ -83,11 +90,13 @@ def conditions_of(scope: FunctionNode | ast.Module) -> list[ast.If]:
     return found
 
 
-def settled_members(found: Iterable[tuple[str, ast.expr | None]]) -> Iterator[tuple[str, frozenset[Held]]]:
-    """Yield the members that literal values alone are given to, with all of these."""
+def settled_members(
+    found: Iterable[tuple[str, ast.expr | None]], kept: Mapping[int, Held]
+) -> Iterator[tuple[str, frozenset[Held]]]:
+    """Yield the members that literal values alone are given to, with all of these; of some values it is known."""
     held: dict[str, set[Held | None]] = {}
     for name, value in found:
-        held.setdefault(name, set()).add(constant_of(value))
+        held.setdefault(name, set()).add(kept.get(id(value)) or constant_of(value))
     for name, values in held.items():
         if None not in values:
             yield f"self.{name}", frozenset(each for each in values if each is not None)
