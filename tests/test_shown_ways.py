@@ -213,3 +213,52 @@ def test_a_library_is_used_where_another_package_takes_something_of_it(user: str
     files |= {f"b/{path.replace('my_pkg', 'user')}": text.replace("my_pkg", "user") for path, text in other.items()}
     files["b/user/talker.py"] = other["my_pkg/talker.py"]
     assert [each.severity.value for each in lint_files(files, ["IDL010"]).findings] == [expected]
+
+
+REPLACED = """
+class Base:
+    def go_on(self):
+        self.step()
+
+    def step(self):
+        lost()
+
+
+class Heir(Base):
+    def step(self): ...
+
+
+"""
+
+
+def test_what_each_object_replaces() -> None:
+    assert level(node("Heir().go_on()", "pass", REPLACED)) == "info"
+    assert level(node("Base().go_on()", "pass", REPLACED)) == "warning"
+    assert level(node("Heir().go_on()\n        Base()", "pass", REPLACED)) == "warning"
+    assert level(node("Heir().go_on()", "pass", REPLACED.replace("def step(self): ...", "pass"))) == "warning"
+
+
+NOTHING = (
+    "while False:\n            lost()",
+    "for each in []:\n            lost(each)",
+    "for each in range(0):\n            lost(each)",
+    "given = 1 if True else lost()",
+    "given = True or lost()",
+    "given = False and lost()",
+    "assert given, lost()",
+    "raise ValueError(lost)",
+    "if not rclpy.ok():\n            lost()",
+)
+
+
+@pytest.mark.parametrize("tick", NOTHING)
+def test_what_a_line_never_comes_to_or_after_a_failure_alone(tick: str) -> None:
+    assert level(node("self.create_timer(1.0, self.tick)", tick)) == "info"
+
+
+SOMETHING = ("for each in [1]:\n            lost(each)", "given = given or lost()", "while given:\n            lost()")
+
+
+@pytest.mark.parametrize("tick", SOMETHING)
+def test_what_a_line_may_come_to(tick: str) -> None:
+    assert level(node("self.create_timer(1.0, self.tick)", tick)) == "warning"

@@ -12,8 +12,11 @@ from ...source import Span
 
 
 def is_in_handler(file: PythonFile, span: Span) -> bool:
-    """Return whether a place is in an `except` branch."""
-    return any(file.span(each).holds(span) for each in nodes_of_kind(file.tree, ast.ExceptHandler))
+    """Return whether a place is in an `except` branch, or in what a `raise` or an assertion ends with."""
+    raised = [each.exc for each in nodes_of_kind(file.tree, ast.Raise)]
+    raised += [each.msg for each in nodes_of_kind(file.tree, ast.Assert)]
+    handlers = map(file.span, nodes_of_kind(file.tree, ast.ExceptHandler))
+    return any(each.holds(span) for each in (*handlers, *(file.span(each) for each in raised if each is not None)))
 
 
 def is_called_with_care(file: PythonFile, span: Span, errors: Collection[str]) -> bool:

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator, Sequence
 
 from ...languages.python.nodes import FunctionNode
-from ...light_dataclasses import dataclass
+from ...light_dataclasses import dataclass, replace
 from .meanings import Meanings, Own
 from .own_objects import OwnObjects
 from .units import Place, Units
@@ -23,6 +23,8 @@ class Step:
     """Conditions that this step has of its own."""
     needs: Own | None = None
     """A class of which there must be an object."""
+    is_exact: bool = False
+    """Whether an object of an heir does not do."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +86,7 @@ class Steps:
                 yield from [Step(found)] if found is not None else []
                 return
             case ast.Name(id="self" | "cls") if place.owner is not None:
-                yield from self.members(place.owner, name)
+                yield from self.of_self(place.owner, name)
                 return
         meant = self.meanings.of(unit.file, value)
         owners = [meant] if meant is not None else self.objects.of(unit.file, value)
@@ -93,6 +95,16 @@ class Steps:
         if is_call and not owners and not is_foreign(unit, value):
             for owner in self.objects.alone(name):
                 yield Step(self.objects.members[owner.key, name], needs=owner)
+
+    def of_self(self, owner: Own, name: str) -> Iterator[Step]:
+        """Yield what `self.name` means: that of the class itself, unless each object is of an heir that replaces it."""
+        found, heirs = self.objects.member(owner, name), self.objects.heirs.get(owner.key, ())
+        if found is None or all(self.objects.member(each, name) == found for each in heirs):
+            yield from self.members(owner, name)
+            return
+        for each in (owner, *heirs):
+            meant = self.objects.member(each, name)
+            yield from [Step(meant, needs=each, is_exact=True)] if meant is not None else []
 
     def members(self, owner: Own, name: str) -> Iterator[Step]:
         """Yield the function of a class, and those of its heirs of which there are objects."""
@@ -111,7 +123,7 @@ class Steps:
             if isinstance(each.to.node, FunctionNode) and is_property(each.to.node):
                 yield each
             elif isinstance(node.ctx, ast.Load) and not isinstance(each.to.node, ast.Module):
-                yield Step(each.to, 1, each.needs)
+                yield replace(each, more=1)
 
     def imported(self, unit: Own, node: ast.Import | ast.ImportFrom) -> Iterator[Step]:
         level = node.level if isinstance(node, ast.ImportFrom) else 0

@@ -60,7 +60,9 @@ class Units:
 
 
 def is_in_block(file: PythonFile, node: ast.AST, span: Span) -> bool:
-    """Return whether a place is in a statement of a block of a node: where that runs it is a part of its own."""
+    """Return whether a place is in a part of a node that is one of its own where it runs: a statement, an operand."""
+    if isinstance(node, ast.IfExp | ast.BoolOp):
+        return any(isinstance(each, ast.expr) and file.span(each).holds(span) for each in children_of(node))
     blocks = (getattr(node, name, ()) for name in BLOCKS)
     inner = (each for block in blocks if isinstance(block, list) for each in block if isinstance(each, ast.stmt))
     return any(file.span(each).holds(span) for each in inner)

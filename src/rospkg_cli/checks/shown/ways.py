@@ -76,9 +76,9 @@ class ShownWays:
 
     def reached_from(self, starts: Iterable[Start]) -> Reached:
         """Return the conditions on the way to each function, class and module; as a program, too."""
-        steps, made = Steps(self.meanings, self.objects, self.units), dict[int, int]()
+        steps, made = Steps(self.meanings, self.objects, self.units), set[tuple[int, bool]]()
         found: Reached = {}
-        pending: dict[int, list[tuple[Own, int]]] = {}
+        pending: dict[tuple[int, bool], list[tuple[Own, int]]] = {}
         heap = Heap()
         for start in starts:
             heap.push(start)
@@ -89,16 +89,17 @@ class ShownWays:
                 continue
             found[unit.key, start.is_program] = conditions
             if isinstance(unit.node, ast.ClassDef):
-                for each in self.objects.line(unit):
-                    made.setdefault(each.key, conditions)
-                    for one, count in pending.pop(each.key, ()):
+                for key in ((unit.key, True), *((each.key, False) for each in self.objects.line(unit))):
+                    made.add(key)
+                    for one, count in pending.pop(key, ()):
                         heap.push(Start(one, max(count, conditions)))
                 for one in self.born(unit):
                     heap.push(Start(one, conditions))
                 continue
             for step, count in self.steps_of(steps, start):
-                if step.needs is not None and step.needs.key not in made:
-                    pending.setdefault(step.needs.key, []).append((step.to, conditions + count))
+                needed = (step.needs.key, step.is_exact) if step.needs is not None else None
+                if needed is not None and needed not in made:
+                    pending.setdefault(needed, []).append((step.to, conditions + count))
                 else:
                     heap.push(Start(step.to, conditions + count))
         return found

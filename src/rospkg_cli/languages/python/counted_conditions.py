@@ -48,16 +48,17 @@ def parts_of(node: ast.AST, count: int, names: Mapping[str, bool]) -> list[Count
     match node:
         case ast.If(test=test, body=body, orelse=other):
             always = True if is_going(test) else constant_truth(test, names)
-            more = int(always is None)
+            more = int(always is None) + int(is_over(test))
             branches = (body, always is not False), (other, always is not True)
             inner = [each for part, runs in branches if runs for each in in_block(part, count + more, names)]
             return [(test, count), *inner]
         case ast.While(test=test, body=body, orelse=other):
-            more = int(not lasts(test))
-            return [(test, count), *in_block(body, count + more, names), *in_block(other, count, names)]
+            more, runs = int(not lasts(test)), constant_truth(test, names) is not False
+            loop = in_block(body, count + more, names) if runs else []
+            return [(test, count), *loop, *in_block(other, count, names)]
         case ast.For() | ast.AsyncFor():
-            loop, behind = in_block(node.body, count, names), in_block(node.orelse, count, names)
-            return [(node.iter, count), (node.target, count), *loop, *behind]
+            loop = in_block(node.body, count, names) if not is_empty(node.iter) else []
+            return [(node.iter, count), (node.target, count), *loop, *in_block(node.orelse, count, names)]
         case ast.Try(handlers=handlers):
             tried, last = in_block([*node.body, *node.orelse], count, names), in_block(node.finalbody, count, names)
             return [*tried, *((each, count + 1) for each in handlers), *last]
@@ -67,10 +68,10 @@ def parts_of(node: ast.AST, count: int, names: Mapping[str, bool]) -> list[Count
             return [*((each, count) for each in node.items), *in_block(node.body, count, names)]
         case ast.match_case():
             return in_block(node.body, count, names)
-    return [(each, count + more) for each, more in parts_of_others(node)]
+    return [(each, count + more) for each, more in parts_of_others(node, names)]
 
 
-def parts_of_others(node: ast.AST) -> list[Counted]:
+def parts_of_others(node: ast.AST, names: Mapping[str, bool]) -> list[Counted]:
     """Return the parts of what holds no blocks, with the conditions that each has of its own."""
     match node:
         case ast.FunctionDef(args=arguments) | ast.AsyncFunctionDef(args=arguments):
@@ -79,9 +80,12 @@ def parts_of_others(node: ast.AST) -> list[Counted]:
         case ast.Match(subject=subject, cases=cases):
             return [(subject, 0), *((each, 1) for each in cases)]
         case ast.IfExp():
-            return [(node.test, 0), (node.body, 1), (node.orelse, 1)]
-        case ast.BoolOp(values=[first, *others]):
-            return [(first, 0), *((each, 1) for each in others)]
+            always = constant_truth(node.test, names)
+            inner = (node.body, always is not False), (node.orelse, always is not True)
+            return [(node.test, 0), *((each, int(always is None)) for each, runs in inner if runs)]
+        case ast.BoolOp(op=operator, values=[first, *others]):
+            is_settled = constant_truth(first, names) is isinstance(operator, ast.Or)
+            return [(first, 0), *((each, 1) for each in others if not is_settled)]
         case ast.ListComp() | ast.SetComp() | ast.GeneratorExp() | ast.DictComp():
             more = int(any(each.ifs for each in node.generators))
             first = node.generators[0].iter
@@ -89,8 +93,18 @@ def parts_of_others(node: ast.AST) -> list[Counted]:
         case ast.AnnAssign():
             return [(each, 0) for each in (node.target, node.value) if each is not None]
         case ast.Assert():
-            return [(node.test, 0)]
+            return [(node.test, 0), *([(node.msg, 1)] if node.msg is not None else [])]
     return [(each, 0) for each in children_of(node)]
+
+
+def is_empty(each: ast.expr) -> bool:
+    """Return whether a loop goes over nothing: `for each in []`."""
+    match each:
+        case ast.List(elts=[]) | ast.Tuple(elts=[]) | ast.Dict(keys=[]):
+            return True
+        case ast.Call(func=ast.Name(id="range"), args=[ast.Constant(value=0)]):
+            return True
+    return False
 
 
 def is_going(test: ast.expr) -> bool:
@@ -98,12 +112,17 @@ def is_going(test: ast.expr) -> bool:
     return isinstance(test, ast.Call) and isinstance(test.func, ast.Attribute) and test.func.attr in GOING
 
 
+def is_over(test: ast.expr) -> bool:
+    """Return whether a test asks whether the program was stopped: `if not rclpy.ok():`."""
+    return isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not) and is_going(test.operand)
+
+
 def may_leave(statement: ast.AST, names: Mapping[str, bool], *, in_loop: bool = False) -> bool:
     """Return whether a statement leaves its block under a condition; what a handler does is no ordinary way."""
     match statement:
         case ast.If(test=test) if constant_truth(test, names) is not None or is_guard(statement):
             return False
-        case ast.If(test=ast.UnaryOp(op=ast.Not(), operand=test)) if is_going(test):
+        case ast.If(test=test) if is_over(test):
             return False
         case ast.Break() | ast.Continue():
             return not in_loop
