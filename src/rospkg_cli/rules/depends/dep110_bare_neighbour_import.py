@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...checks.depends.bare_neighbours import BareNeighbours
 from ...checks.depends.own_imports import OwnImports
 from ...checks.path_starts import ALONE, is_started_by_path_alone
+from ...checks.told_python_paths import ON_PATH, is_on_python_path
 from ...example import Example, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -25,8 +26,8 @@ MAIN = "\n\ndef main():\n    print(GREETING)\n"
         "beside others that are started; or an image that the repository builds on, a library that a page has "
         "installed by hand, or the maker of the device that it drives may bring the module",
         Severity.INFO: "nothing leads to the function, or imports a module of the library, it stands behind "
-        "`rclpy.spin`, pages and scripts start the file by its path alone, or the package has no program, and no "
-        "package of the workspace depends on it",
+        "`rclpy.spin`, pages and scripts start the file by its path alone, a text puts its folder on PYTHONPATH, or "
+        "the package has no program, and no package of the workspace depends on it",
     },
     examples=(
         Example(
@@ -56,7 +57,8 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     script has a library of that name installed by hand (a wheel, `setup.py install`, `cp … site-packages`), that may
     bring a module of the name: a warning, for it fails on a clean machine. So is a module that drives a device (it
     imports `smbus`, `RPi` and the like), which the maker of a robot may have put there as a library. Where pages and
-    scripts have Python start the file by its path, and none runs or launches the package by `ros2`, it is an info.
+    scripts have Python start the file by its path, and none runs or launches the package by `ros2`, it is an info, and
+    where a page, a script, a container or a launch file puts the folder on PYTHONPATH.
 
     ## Fix safety
     A file that is also started by its path needs its package installed from then on.
@@ -77,6 +79,8 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
         why, brought = imports.places.why_seldom(file.path, each.span), neighbours.may_be_brought(found)
         if not why and is_started_by_path_alone(imports.files, imports.facts.name, file.path):
             why, fix = ALONE, None
+        if not why and is_on_python_path(imports.files, file.path):
+            why, fix = ON_PATH, None
         is_mild = brought or each.is_local or imports.places.is_conditional(file.path, each.span)
         level = Severity.INFO if why or is_offered else Severity.WARNING if is_mild else None
         yield Hit(file.path, each.span, f"{message}{why or brought}", level, fix=fix)
