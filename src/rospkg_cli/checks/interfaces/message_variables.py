@@ -23,6 +23,8 @@ PATTERNS = (ast.ExceptHandler, ast.MatchAs, ast.MatchStar)
 SHARED = (ast.Global, ast.Nonlocal)
 DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 ASKS = frozenset({"isinstance", "hasattr", "getattr", "setattr", "type"})
+FUTURES = frozenset({"result", "send_goal", "send_goal_async", "get_result", "get_result_async"})
+OF_ACTIONS = ("_Goal", "_Result", "_Feedback")
 PASSES = 3
 """How often assignments are followed, for variables made of others."""
 
@@ -80,7 +82,7 @@ def variables_of(body: Bindings, given: Mapping[str, str], classes: MessageClass
     for _ in range(PASSES):
         bound: dict[str, set[str]] = {name: {kind} for name, kind in given.items()}
         for name, value, annotation in body.values:
-            kind = classes.message(annotation) if annotation is not None else ""
+            kind = annotated(annotation, value, classes)
             bound.setdefault(name, set()).add(kind or held_by(value, found, classes, fields))
         before, found = (
             found,
@@ -90,6 +92,17 @@ def variables_of(body: Bindings, given: Mapping[str, str], classes: MessageClass
             break
     asked = set(asked_names(body.body)) if found else ()
     return {name: kind for name, kind in found.items() if name not in asked}
+
+
+def annotated(annotation: ast.expr | None, value: ast.expr | None, classes: MessageClasses) -> str:
+    """Return the message that an annotation names; "" where rclpy gives an object of its own, which is often called so.
+
+    What the futures of an action hold is the handle of the goal, or a message around the result.
+    """
+    kind = classes.message(annotation) if annotation is not None else ""
+    given = value.value if isinstance(value, ast.Await) else value
+    is_of_future = isinstance(given, ast.Call) and isinstance(given.func, ast.Attribute) and given.func.attr in FUTURES
+    return "" if is_of_future and kind.endswith(OF_ACTIONS) else kind
 
 
 def bound_values(nodes: list[ast.AST]) -> Iterator[tuple[str, ast.expr | None, ast.expr | None]]:
@@ -141,7 +154,7 @@ def attributes_of(
         local = {name: kind for name, kind in variables.items() if "." not in name}
         for name, value, annotation in function.values:
             if name.startswith("self."):
-                kind = classes.message(annotation) if annotation is not None else ""
+                kind = annotated(annotation, value, classes)
                 bound.setdefault(name, set()).add(kind or held_by(value, local, classes, fields))
     for each in owner.body:
         if isinstance(each, ast.Assign | ast.AnnAssign):

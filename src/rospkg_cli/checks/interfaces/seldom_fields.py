@@ -11,16 +11,19 @@ from .unknown_fields import FieldUses, UnknownField
 LEFT = "; nothing starts or imports this module"
 UNCALLED, UNREACHED = "; nothing calls this method", "; nothing here leads to this function"
 OFF, BY_PATH = "; a switch turns it off that nothing throws", "; it runs only where the file is started by its path"
+BY_WORD = "; an annotation alone says so, and who calls the function may hand it something else"
+AFTER = "; it runs after another exception alone"
 REPLACED, UNUSED = "; the class is defined again below", "; its object is made and never used"
 OF_WAYS: tuple[Met, ...] = ("late", "branch", "unshown", "seldom")
-NEVER = (LEFT, UNCALLED, UNREACHED, BY_PATH, OFF, REPLACED, UNUSED, *(WHY[each] for each in OF_WAYS))
+NEVER = (LEFT, UNCALLED, UNREACHED, BY_PATH, OFF, AFTER, BY_WORD, REPLACED, UNUSED, *(WHY[each] for each in OF_WAYS))
 REASONS = (
     (FieldUses.is_uncalled, UNCALLED),
     (FieldUses.is_unreached, UNREACHED),
     (FieldUses.is_late, WHY["late"]),
     (FieldUses.is_by_path, BY_PATH),
     (FieldUses.is_turned_off, OFF),
-    (FieldUses.is_in_handler, "; it runs after another exception alone"),
+    (FieldUses.is_in_handler, AFTER),
+    (FieldUses.is_by_word, BY_WORD),
     (FieldUses.is_called_with_care, "; who calls it catches that"),
     (FieldUses.is_replaced, REPLACED),
     (FieldUses.is_idle, UNUSED),
@@ -29,11 +32,17 @@ REASONS = (
     (FieldUses.is_seldom, WHY["seldom"]),
     (FieldUses.is_at_times, AT_TIMES),
 )
-"""Why a use seldom runs, where that is true of all places."""
+"""Why a use seldom runs."""
 
 
-def unrun(uses: FieldUses, places: Sequence[UnknownField]) -> str:
-    if uses.is_left(places[0].path):
+def worst_first(uses: FieldUses, places: Sequence[UnknownField]) -> Sequence[tuple[UnknownField, str]]:
+    """Return some uses with why each seldom runs, "" for one that does, those first that most runs come to."""
+    found = [(each, why_seldom(uses, each)) for each in places]
+    return sorted(found, key=lambda each: (each[1] in NEVER, bool(each[1])))
+
+
+def why_seldom(uses: FieldUses, use: UnknownField) -> str:
+    if uses.is_left(use.path):
         return LEFT
-    why = (text for is_so, text in REASONS if all(is_so(uses, each) for each in places))
-    return next(why, IN_TEST if role_of(places[0].path) == "test" else "")
+    why = (text for is_so, text in REASONS if is_so(uses, use))
+    return next(why, IN_TEST if role_of(use.path) == "test" else "")

@@ -28,6 +28,7 @@ from .message_scopes import MessageScopes
 from .message_variables import Bindings, Environment, held_by
 from .seldom_run import is_called_with_care, is_in_handler, is_replaced
 from .uncalled_methods import UncalledMethods
+from .worded_types import is_told_by_word
 
 GENERATED = frozenset({"get_fields_and_field_types", "SLOT_TYPES", "check_fields"})
 CATCHES = frozenset({"AttributeError", "Exception", "BaseException"})
@@ -148,6 +149,11 @@ class FieldUses:
         """Return whether a use is in a function whose callers catch what it raises."""
         file = self.run.modules.at(use.path)
         return file is not None and is_called_with_care(file, use.span, CATCHES)
+
+    def is_by_word(self, use: UnknownField) -> bool:
+        """Return whether an annotation alone says what a use is of, in a function that code hands something."""
+        file = self.run.modules.at(use.path)
+        return file is not None and is_told_by_word(file, use.span, use.message, self.run.running)
 
     def is_replaced(self, use: UnknownField) -> bool:
         """Return whether a use is in a class that the module defines again further down."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from ...checks.enumeration import in_ticks
 from ...checks.interfaces.field_faults import together
-from ...checks.interfaces.seldom_fields import NEVER, unrun
+from ...checks.interfaces.seldom_fields import NEVER, worst_first
 from ...checks.interfaces.unknown_fields import FieldUses, UnknownField
 from ...example import Example, manifest, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -45,11 +45,11 @@ TALKER = "from std_msgs.msg import String\n\n\ndef main():\n    msg = String()\n
         Severity.WARNING: "a condition stands on the way to it, who calls it catches that, only a test runs it, it is "
         "in a program that nothing starts, beside others that are started, or a message is made with it and the pages "
         "do not say that the package is for Humble or older alone",
-        Severity.INFO: "it is in a branch of its function, no way from a program to it is shown, or several conditions "
-        "stand on it, nothing starts or imports the module, calls the method, or leads to the function, it stands "
-        "behind `rclpy.spin`, a switch turns it off, its object is never used, its class is defined again, or a "
-        "message is made with it and the pages name Jazzy or newer alone, or the run ends before, at another fault "
-        "or in a wait that nothing ends",
+        Severity.INFO: "it is in a branch of its function, or after another exception, an annotation alone says what "
+        "it is of, no way from a program to it is shown, or several conditions stand on it, nothing starts or imports "
+        "the module, calls the method, or leads to the function, it stands behind `rclpy.spin`, a switch turns it off, "
+        "its object is never used, its class is defined again, or a message is made with it and the pages name Jazzy "
+        "or newer alone, or the run ends before, at another fault or in a wait that nothing ends",
     },
     examples=(
         Example(
@@ -82,32 +82,33 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a variable may hold something else, or its type or attributes are asked for; where an AttributeError or
-    TypeError is caught; for what an action client is handed, a message around the feedback or result (`.feedback`);
-    for what rclpy hands to callbacks, whatever their annotations say (the goal handle of `execute_callback`, the future
-    of `add_done_callback`, the bytes of `raw=True`); for packages outside of the workspace,
-    unless the name is near a field or was one in ROS 1; under a condition that is
-    for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs. A method of an object that is bound to a name which
-    nothing reads is an info, unless its construction comes to it, as is one of a class that is defined again below. A
-    use in an `except` branch, in a function whose callers catch what it raises, and in a test is a warning. A module
-    that no entry point and no other file of the package names or imports, beside others that start, is an info, and so
-    is a function that no program leads to, what stands behind `rclpy.spin`, under the `__main__` of an entry point's
-    module, under a switch that nothing throws, in a branch, under several conditions on the way from a program, and
-    where no such way is shown. What a message is made with (`Twist(liner=…)`) raises up to Iron: where the pages,
-    scripts and workflows of the repository name none after it, it is an error, where they name Jazzy or newer alone, an
-    info, and else a warning.
+    TypeError is caught; for what an action client is handed, a message around the feedback or result (`.feedback`); for
+    what rclpy hands to callbacks, whatever their annotations say (the goal handle of `execute_callback`, the future of
+    `add_done_callback`, the bytes of `raw=True`); for packages outside of the workspace, unless the name is near a
+    field or was one in ROS 1; under a condition that is for ROS 1 (`ROS_VERSION == 1`); in files that nothing installs.
+    A method of an object that is bound to a name which nothing reads is an info, unless its construction comes to it,
+    as is one of a class that is defined again below. A use in a function whose callers catch what it raises, and in a
+    test is a warning; one in an `except` branch, in what a `raise` or an assertion says, or of what an annotation alone
+    calls a message, in a function that a thread or another file calls, is an info. A module that no entry point and no
+    other file of the package names or imports, beside others that start, is an info, and so is a function that no
+    program leads to, what stands behind `rclpy.spin`, under the `__main__` of an entry point's module, under a switch
+    that nothing throws, in a branch, under several conditions on the way from a program, and where no such way is
+    shown. What a message is made with (`Twist(liner=…)`) raises up to Iron: where the pages, scripts and workflows of
+    the repository name none after it, it is an error, where they name Jazzy or newer alone, an info, and else a
+    warning.
 
     ## Fix safety
     The intended field is a guess.
     """
     for fields in together(uses.unknown()):
-        first, *others = every = [use for field in fields for use in field]
+        weighed = worst_first(uses, [use for field in fields for use in field])
+        (first, end), every = weighed[0], [use for use, _ in weighed]
         fix = None
         if first.near:
             edits = tuple(Edit(each.path, each.span, first.near) for each in every)
             fix = Fix(f"write `{first.near}`", edits, Safety.UNSAFE)
-        related = tuple(Related(each.path, each.span, "and here") for each in others)
+        related = tuple(Related(each.path, each.span, "and here") for each in every[1:])
         names = [field[0].name for field in fields]
-        end = unrun(uses, every)
         yield Hit(first.path, first.span, f"{message(first, names)}{end}", level_of(uses, every, end), related, fix)
 
 
