@@ -91,6 +91,13 @@ def test_a_class_may_be_the_packages_own() -> None:
     assert lint_files({**files, "src/a.cpp": own}, ["IDL012"]).findings == ()
 
 
+def test_a_class_that_a_file_puts_into_the_namespace_of_others() -> None:
+    use = "base::msg::Helper help;\nint main() {return 0;}\n"
+    assert findings(use) == [(ERROR, "")]
+    assert findings(f"namespace base {{ namespace msg {{ using Helper = Status; }} }}\n{use}") == []
+    assert findings(f"namespace other {{ using Helper = int; }}\n{use}") == [(ERROR, "")]
+
+
 def test_what_the_package_does_not_compile_is_milder() -> None:
     header = {"include/my_pkg/a.hpp": "#include <base/msg/stats.hpp>\n"}
     assert findings("int main() {return 0;}\n", header) == [(INFO, "base/msg/status.hpp")]

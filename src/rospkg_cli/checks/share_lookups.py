@@ -7,7 +7,9 @@ import posixpath
 from collections.abc import Iterator
 
 from ..files import PackageFiles
+from ..languages.cpp.code_text import code_text
 from ..languages.cpp.file import CppFile
+from ..languages.cpp.unconditional import unconditional
 from ..languages.python.branches import is_default
 from ..languages.python.file import PythonFile
 from ..languages.python.guarded_nodes import guarded_nodes, is_guarded
@@ -30,10 +32,11 @@ from ..suggest import near_names, nearest
 from .closest_path import closest_path
 from .cpp.share_file_paths import share_file_paths
 from .cpp.share_names import share_names
+from .cpp.uncalled_members import is_in_uncalled
 from .depends.compiled_sources import harm_in
 from .install_faults import InstallFaults
 from .reached_modules import ReachedModules
-from .reached_places import ReachedPlaces
+from .reached_places import WHY, ReachedPlaces
 from .run_imports import RunImports
 from .unread_paths import UnreadPaths
 from .unrun_tests import is_never_run
@@ -109,11 +112,17 @@ class ShareLookups:
         return is_test and is_never_run(path, self.files, self.cmake, self.facts.build_type)
 
     def why_seldom(self, path: str, span: Span) -> str:
-        """Return what is said of a place in Python code that seldom or never runs; "" for others."""
+        """Return what is said of a place that seldom or never runs; "" for others."""
+        source = next((each for each in self.sources if each.path == path), None)
+        if source is not None:
+            return WHY["never"] if is_in_uncalled(source, span, self.sources) else ""
         return self.places.why_seldom(path, span) if self.places is not None else ""
 
     def is_conditional(self, path: str, span: Span) -> bool:
-        """Return whether a place in Python code is in a branch of its function."""
+        """Return whether a place is in a branch of its function."""
+        source = next((each for each in self.sources if each.path == path), None)
+        if source is not None:
+            return is_in_block(source, span) and not unconditional(source.source.text, [span.start])
         return self.places is not None and self.places.is_conditional(path, span)
 
     def is_softened(self, path: str, span: Span) -> bool:
@@ -212,6 +221,12 @@ def literal_of(call: ast.Call) -> ast.Constant | None:
     given = call.args[0] if call.args else next((each.value for each in call.keywords), None)
     plain = isinstance(given, ast.Constant) and isinstance(given.value, str) and given.value.isidentifier()
     return given if plain and isinstance(given, ast.Constant) else None
+
+
+def is_in_block(source: CppFile, span: Span) -> bool:
+    """Return whether a place is in braces: what stands outside of them runs at every start."""
+    before = code_text(source.source.text[: span.start])
+    return before.count("{") > before.count("}")
 
 
 def looks_first(file: PythonFile | CppFile) -> bool:

@@ -135,12 +135,17 @@ class InterfacesInCpp:
         return is_own or is_installed_header(header, self.known.workspace)
 
     def is_defined(self, package: str, name: str) -> bool:
-        """Return whether a file of this package seems to define a class of a name in the namespace of its messages."""
+        """Return whether a file of this package seems to define a class of a name in the namespace of messages.
+
+        That of its own messages any file may be in; that of others is opened in the same file.
+        """
         import re
 
         pattern = re.compile(DEFINED + re.escape(name) + r"\b")
+        opened = re.compile(rf"\bnamespace\s+{re.escape(package)}\b")
         own = package == self.known.package.name
-        return own and any(pattern.search(source.source.text) for source in self.sources)
+        texts = (each.source.text for each in self.sources)
+        return any(pattern.search(text) and (own or opened.search(text)) for text in texts)
 
     def hit(self, source: CppFile, span: Span, text: str, package: str, kind: str, meant: str) -> WrongInterface:
         level = harm_in(self.cmake, self.sources, source.path)

@@ -12,13 +12,32 @@ from ...source import Span
 LOOKUP = regex(r"\bget_package_(?:share_directory|share_path|prefix)\s*\(")
 NAME = regex(r'\s*"([A-Za-z]\w*)"\s*\)')
 CAUGHT = "PackageNotFoundError"
+TRY = regex(r"\btry\s*\{")
+BRACE = regex(r"[{}]")
+CATCHES = regex(r"\s*catch\s*\(\s*(?:\.\.\.|[^)]{0,80}\b(?:exception|runtime_error)\b)")
+"""What takes the exception of a package that is not there, which is a `std::runtime_error`."""
 
 
 def share_names(file: CppFile) -> Iterator[tuple[str, Span]]:
-    """Yield each name with its place between the quotes; none where the file catches that a package is not there."""
+    """Yield each name with its place between the quotes; none where code catches that a package is not there."""
     text = file.source.text
     if "get_package_" not in text or CAUGHT in text:
         return  # before the comments are found, which takes longer
-    for call in LOOKUP.finditer(code_text(text)):
-        if found := NAME.match(text, call.end()):
+    code = code_text(text)
+    guarded = [*guarded_blocks(code)]
+    for call in LOOKUP.finditer(code):
+        found = NAME.match(text, call.end())
+        if found and not any(each.holds(Span(*found.span(1))) for each in guarded):
             yield found[1], Span(*found.span(1))
+
+
+def guarded_blocks(code: str) -> Iterator[Span]:
+    """Yield the blocks behind `try` whose first `catch` takes that exception."""
+    for start in TRY.finditer(code):
+        depth = 1
+        for brace in BRACE.finditer(code, start.end()):
+            depth += 1 if brace[0] == "{" else -1
+            if depth == 0:
+                if CATCHES.match(code, brace.end()):
+                    yield Span(start.end(), brace.start())
+                break
