@@ -25,6 +25,24 @@ def test_a_syntax_error_is_told(path: str) -> None:
     assert found[0].severity.value == "error"
 
 
+REFUSED = {
+    "setup.py": SETUP_PY.replace("    version=", "    version='1.0.0',\n    version=", 1),
+    "launch/robot.launch.py": LAUNCH.format("return LaunchDescription([Node(name='a', name='b')])"),
+    "my_pkg/talker.py": "def main(node, node):\n    pass\n",
+    "my_pkg/listener.py": "def main():\n    pass\n\n\nif main:\n    return\n",
+}
+
+
+@pytest.mark.parametrize("path", REFUSED)
+def test_what_the_compiler_refuses_is_told(path: str) -> None:
+    """Nobody comes to another fault of the file, such as an undefined name, before that is mended."""
+    setup = setup_py(scripts("talker = my_pkg.talker:main", "listener = my_pkg.listener:main"))
+    refused = f"{REFUSED[path]}\nundefined_name()\n"
+    files = {**BACKDROPS["ament_python"], "setup.py": setup, path: refused}
+    found = [each for each in lint_files(files, None).findings if each.location.path == path]
+    assert [(each.code, each.severity.value) for each in found] == [("RPK001", "error")]
+
+
 TEST = "def test_it():\n    assert (1\n"
 REGISTERED = "find_package(ament_cmake_pytest REQUIRED)\n{}\nament_package()"
 

@@ -18,6 +18,7 @@ from ...read_problem import ReadProblem
 from ...source import Source, Span
 from ...unreadable import UnreadableError
 from ..char_table import CharTable
+from .compile_errors import compile_error
 from .newer_syntax import needs_newer
 from .size_limits import MAX_DEPTH, MAX_TOKENS, is_too_deep, is_too_large
 
@@ -108,6 +109,9 @@ def parse(source: Source) -> ast.Module:
         raise UnreadableError(source.path, Span(0, 0), ReadProblem.PYTHON_VALUE, str(error)) from None
     if is_too_deep(tree):
         raise skipped_file(source, ReadProblem.PYTHON_DEPTH, str(MAX_DEPTH))
+    refused = compile_error(source, tree)
+    if refused is not None:
+        raise refused_by_compiler(source, refused)
     return tree
 
 
@@ -128,8 +132,27 @@ def skipped_file(source: Source, code: ReadProblem, most: str) -> UnreadableErro
 
 def syntax_error(source: Source, error: SyntaxError) -> UnreadableError:
     """Return the error at the position that Python reports (its columns are characters, from 1)."""
+    start, is_newer = line_start(source, error) + max((error.offset or 1) - 1, 0), needs_newer(source.text)
+    return UnreadableError(
+        source.path, character(source, start), ReadProblem.PYTHON_SYNTAX, str(error.msg), grammar=is_newer
+    )
+
+
+def refused_by_compiler(source: Source, error: SyntaxError) -> UnreadableError:
+    """Return the error of Python's compiler, which counts columns in bytes; no newer Python takes what it refuses."""
+    start = line_start(source, error)
+    before = source.text[start:].encode()[: max((error.offset or 1) - 1, 0)].decode(errors="ignore")
+    return UnreadableError(
+        source.path, character(source, start + len(before)), ReadProblem.PYTHON_SYNTAX, str(error.msg)
+    )
+
+
+def line_start(source: Source, error: SyntaxError) -> int:
     starts = [0, *(match.end() for match in LINE_END.finditer(source.text))]
-    line = min(max(error.lineno or 1, 1), len(starts))
-    start = min(starts[line - 1] + max((error.offset or 1) - 1, 0), len(source.text))
-    span, is_newer = Span(start, min(start + 1, len(source.text))), needs_newer(source.text)
-    return UnreadableError(source.path, span, ReadProblem.PYTHON_SYNTAX, str(error.msg), grammar=is_newer)
+    return starts[min(max(error.lineno or 1, 1), len(starts)) - 1]
+
+
+def character(source: Source, start: int) -> Span:
+    """Return the character at an offset; nothing at the end of the text."""
+    first = min(start, len(source.text))
+    return Span(first, min(first + 1, len(source.text)))

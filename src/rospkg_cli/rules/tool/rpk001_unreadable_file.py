@@ -49,8 +49,9 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     ## What it does
     Reports a file that is needed and can't be read.
     It is XML that is not well-formed, CMake, Python or YAML with a syntax error, or bytes that are no text, in a file
-    that the build, an installed file or `colcon test` reads. There is one finding for a file, at the exact place; rules
-    that need the file are skipped until it is fixed.
+    that the build, an installed file or `colcon test` reads. What Python parses and does not compile is a syntax error,
+    too: a keyword given twice in a call, `return` outside of a function. There is one finding for a file, at the exact
+    place; rules that need the file are skipped until it is fixed.
 
     ## Why is this bad?
     colcon does not stop at a broken package.xml: it takes the folder for a plain Python or CMake package, without a
