@@ -129,6 +129,45 @@ def test_plugins_and_components_may_only_be_loaded(lines: str, levels: list[Seve
     assert [finding.severity for finding in lint_files({**own, **bringup}, ["CMK113"]).findings] == levels
 
 
+def with_a_user(own: dict[str, str], others: dict[str, str], finds: str) -> list[str]:
+    """Return the levels of CMK113 where a package includes a header of another one and finds some packages."""
+    user = package(f"find_package(my_pkg REQUIRED)\n{finds}add_library(a a.cpp)", "", "user_pkg")
+    user["package.xml"] = user["package.xml"].replace("  <export>", "  <depend>my_pkg</depend>\n  <export>", 1)
+    files = {f"src/my_pkg/{path}": text for path, text in own.items()}
+    files |= {f"src/user_pkg/{path}": text for path, text in user.items()}
+    files |= {f"src/other_pkg/{path}": text for path, text in others.items()}
+    files["src/user_pkg/a.cpp"] = "#include <my_pkg/core.hpp>\n"
+    return [each.severity.value for each in lint_files(files, ["CMK113"]).findings]
+
+
+def test_a_package_with_a_config_of_its_own_may_find_what_is_missing() -> None:
+    own = exporting(cmk113.LINES + HEADERS)
+    assert with_a_user(own, {}, "") == ["warning"]
+    finds = "find_package(other_pkg REQUIRED)\n"
+    for text, level in (("std_msgs", "info"), ("sensor_msgs", "warning")):
+        other = package(f"find_package({text} REQUIRED)\nadd_library(b b.cpp)\n", "", "other_pkg")
+        other["CMakeLists.txt"] = other["CMakeLists.txt"].replace("ament_package()", "")
+        assert with_a_user(own, {**other, "b.cpp": "\n"}, finds) == [level]
+
+
+@pytest.mark.parametrize(("included", "level"), [("<std_msgs/msg/string.hpp>", "warning"), ('"far.hpp"', "warning"),
+                                                 ("<string>", "info")])  # fmt: skip
+def test_who_includes_another_header_lacks_nothing(included: str, level: str) -> None:
+    old = cmk113.LINES.replace("core EXPORT export_core", "core")
+    old = old.replace("export_targets(export_core HAS_LIBRARY_TARGET)", "export_libraries(core)")
+    own = exporting(old + HEADERS)
+    far = {"include/my_pkg/far.hpp": "#pragma once\n#include <std_msgs/msg/string.hpp>\n"}
+    own["include/my_pkg/core.hpp"] = f"#pragma once\n#include {included}\n"
+    assert with_a_user({**own, **far}, {}, "") == [level]
+
+
+@pytest.mark.parametrize(("text", "levels"), [("std_msgs", []), ("sensor_msgs", ["warning"])])
+def test_a_file_that_users_run_may_find_what_is_missing(text: str, levels: list[str]) -> None:
+    own = exporting(cmk113.LINES + HEADERS)
+    own["CMakeLists.txt"] = own["CMakeLists.txt"].replace("package()", "package(CONFIG_EXTRAS cmake/extras.cmake)")
+    assert with_a_user({**own, "cmake/extras.cmake": f"find_package({text} REQUIRED)\n"}, {}, "") == levels
+
+
 @pytest.mark.parametrize(
     "link",
     [

@@ -62,14 +62,21 @@ class Consumers:
     def lacks(self, user: PackageFacts, names: Collection[str]) -> bool:
         """Return whether a package certainly finds none of some others by what it declares or looks for beside this.
 
-        A package that nobody here knows may find anything.
+        A package that nobody here knows may find anything. One of the workspace that looks for them itself may do so
+        for others, too, unless it certainly keeps them for itself: it may write its own config.
         """
         declared = {need.name for need in user.dependencies if need.tag in BUILDS}
         needs = {name for name in declared | user.sought_packages if not name.startswith(TOOLS)}
         needs -= {self.facts.name, ANY}
         there, known = found_with(needs, self.workspace)
         is_all = all(is_known_package(name, self.workspace) for name in needs)
-        return known and is_all and there.isdisjoint(names)
+        return known and is_all and there.isdisjoint(names) and not self.may_hand_on(there, names)
+
+    def may_hand_on(self, found: Collection[str], names: Collection[str]) -> bool:
+        """Return whether a package of the workspace, other than this one, may find some for those that find it."""
+        others = (self.workspace.named(name) for name in found if name != self.facts.name)
+        sought = (each.sought_packages - each.kept_links for each in others if each is not None and each.is_ament)
+        return any(not each.isdisjoint((*names, ANY)) for each in sought)
 
     def lack_any(self, names: Collection[str]) -> bool:
         """Return whether one of them lacks a package that this one does not hand on."""

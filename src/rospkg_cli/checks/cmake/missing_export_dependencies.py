@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.values import UNKNOWN, Word
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.installed_headers import INCLUDES, PLUGINS, PublicHeaders
+from ...package.cmake.macro_installs import handed_on
 from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...package.workspace import Workspace
 from ...ros.aliases import NOTHING_NEEDED, keys_for_cmake
@@ -73,7 +74,15 @@ class ExportedDependencies:
     def is_there(self, package: str) -> bool:
         """Return whether a package is exported, maybe in other letters, or most likely with one of its family."""
         in_letters = in_other_case(package, self.there[0]) and not self.workspace.is_cased(package)
-        return package in self.there[0] | self.of_families or bool(in_letters)
+        return package in self.there[0] | self.of_families or bool(in_letters) or self.is_in_extras(package)
+
+    def is_in_extras(self, package: str) -> bool:
+        """Return whether a file of CMake that users of the package run names another package, or may do so."""
+        cmake = self.headers.package.cmake
+        words = [(word, call.folder) for call in cmake.calls for word in handed_on(call, cmake)]
+        paths = [path_in_package(word.text, folder) if word.is_known else None for word, folder in words]
+        files = cmake.package_files
+        return any(path is None or package in files.readable_text(path) for path in paths)
 
     def is_target(self, package: str, link: TargetLink) -> bool:
         """Return whether a link hands a target of a package on, which CMake looks for wherever the library is linked.
@@ -97,6 +106,16 @@ class ExportedDependencies:
         lower = {each.lower() for each in self.there[0]}
         is_listed = not keys.isdisjoint(self.there[0]) or bool(others) or is_own or package.lower() in lower
         return "::" in link.word.text and package in self.found and bool(keys) and not is_listed
+
+    def is_met(self, found: Sequence[MissingExportDependency]) -> bool:
+        """Return whether a package of the workspace stops: a target stops all that link the library, a header those
+        that include it."""
+        for each in found:
+            users = tuple(self.consumers.lacking(each.package))
+            headers = None if each.is_target else self.headers.leading_to(each.package)
+            if any(headers is None or user.included_headers & headers for user in users):
+                return True
+        return False
 
     @property
     def is_built_against(self) -> bool:

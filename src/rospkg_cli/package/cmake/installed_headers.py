@@ -68,6 +68,20 @@ class PublicHeaders:
             return False
         return not self.installed.intersection(self.offered)
 
+    def leading_to(self, package: str) -> frozenset[str]:
+        """Return the headers of include/, as others include them, that include headers of a package, at second hand
+        too."""
+        own = {file.path: file for file in self.sources if file.path in self.offered}
+        reached = {file.path for file, _, name in self.included_packages() if name == package}
+        waiting = [*reached]
+        while waiting:
+            ending = waiting.pop().rpartition("/")[2]
+            named = ((path, each.path.rpartition("/")[2]) for path, file in own.items() for each in file.includes)
+            more = {path for path, name in named if name == ending}
+            waiting += more - reached
+            reached |= more
+        return frozenset(path.removeprefix("include/") for path in reached)
+
     def included_packages(self) -> Iterator[tuple[CppFile, IncludeDirective, str]]:
         """Yield what public headers include by a package's name: `<rclcpp/rclcpp.hpp>`."""
         for file in self.sources:

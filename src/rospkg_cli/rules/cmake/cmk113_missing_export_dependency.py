@@ -73,17 +73,20 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     that is of the system (`yaml-cpp::yaml-cpp`). What comes with a package that is named is left alone. Where Boost is
     exported, it also finds components (`Boost::filesystem`): `ament_export_dependencies(Boost)` asks for none.
     It is a warning where a package of the workspace looks for this one, includes a header and certainly finds what is
-    missing in no other way: neither by itself nor with another package. It is an info elsewhere.
+    missing in no other way: neither by itself nor with another package, which may look for it in a config of its own.
+    For a library that is no exported target it is so where it includes one of the headers that need the other package.
+    It is an info elsewhere.
 
     ## Why is this bad?
     This package builds. Another one that links the library stops with "the target was not found", or at the first
     `#include` where no target is exported, unless it happens to find the package itself.
 
     ## When it is quiet
-    Where CMake or an export can't be evaluated, where it is not known what comes with a package that is exported (for
-    `arm` that may be an unknown `arm_planning`), for `${std_msgs_LIBRARIES}` (paths, not targets), in
-    `ament_auto_package()`, for a plugin that exports only targets, and for packages of the system that are declared
-    under another name. All packages that one library lacks are one finding.
+    Where CMake or an export can't be evaluated, where a file of CONFIG_EXTRAS names the package, where it is not known
+    what comes with a package that is exported (for `arm` that may be an unknown `arm_planning`), for
+    `${std_msgs_LIBRARIES}` (paths, not targets), in `ament_auto_package()`, for a plugin that exports only targets, and
+    for packages of the system that are declared under another name. All packages that one library lacks are one
+    finding.
 
     ## Fix safety
     The packages are added. Where the library needs one only inside, linking it as PRIVATE is better.
@@ -104,7 +107,7 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
     related = tuple(Related(each.word.path, each.word.span, f"`{each.package}` is linked here") for each in others)
     edit = export_dependencies(package.cmake, names)
     fix = Fix(f"export {', '.join(names)}", (edit,), Safety.UNSAFE)
-    is_met = exported.consumers.lack_any(names)
+    is_met = exported.is_met(found)
     level, message = None if is_met else Severity.INFO, by_whom(message, is_met)
     yield Hit(first.word.path, first.word.span, message, level, related, only_plain_names(fix, *names))
 
