@@ -512,7 +512,7 @@ def test_variables_that_are_nearly_one_of_a_package(lines: str, near: str) -> No
         ("install(FILES a.txt DESTINATION share/${PROJCETNAME})", "info", "info"),
         ("install(FILES a.txt DESTINATION share/${RCLCPP_LIBS})", "info", "info"),
         ("add_executable(${NODES} src/a.cpp)", "warning", "info"),
-        ("set(CORE_FILES a)\nlist(APPEND CORE_FILSE b)\nmessage(${CORE_FILES})", "warning", "info"),
+        ("set(CORE_FILES a)\nlist(APPEND CORE_FILSE b)\nmessage(${CORE_FILES})", "info", "info"),
         ("set(CORE_FILES a)\nlist(APPEND CORE_FIELDS b)\nmessage(${CORE_FILES})", "info", "info"),
     ],
 )

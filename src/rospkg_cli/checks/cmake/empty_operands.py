@@ -28,6 +28,8 @@ class EmptyOperand:
     argument: CommandArgument
     is_mostly_set: bool
     """Whether it is set wherever ROS is used."""
+    is_inner: bool
+    """Whether the condition stands in a block, which CMake may never come to."""
 
 
 @dataclass(frozen=True)
@@ -38,14 +40,14 @@ class EmptyOperands:
         """Yield the first place of each operand that no file asks for or sets."""
         seen: set[str] = set()
         for file in self.package.cmake.files if self.package.is_ament else ():
-            for condition in conditions(file):
+            for condition, is_inner in conditions(file):
                 for argument, following in zip(condition.arguments, condition.arguments[1:], strict=False):
                     found = OPERAND.fullmatch(argument.text) if argument.kind == "unquoted" else None
                     if found and following.text in BINARY and argument.text not in seen:
                         seen.add(argument.text)
                         if self.may_be_empty(found[2], bool(found[1])):
                             is_mostly_set = bool(found[1]) and found[2] in OF_ROS
-                            yield EmptyOperand(file.path, argument, is_mostly_set)
+                            yield EmptyOperand(file.path, argument, is_mostly_set, is_inner)
 
     def may_be_empty(self, name: str, is_of_environment: bool) -> bool:
         if is_of_environment:
@@ -61,14 +63,16 @@ class EmptyOperands:
         return frozenset(argument.text for command in commands for argument in command.arguments)
 
 
-def conditions(file: CMakeFile) -> Iterator[CommandInvocation]:
-    """Yield the conditions of a file that are evaluated on Linux with ROS 2, as far as those around them tell."""
-    waiting = [each for each in reversed(file.body) if isinstance(each, Block)]
-    while waiting:
-        block = waiting.pop()
+def conditions(file: CMakeFile) -> Iterator[tuple[CommandInvocation, bool]]:
+    """Yield the conditions of a file that are evaluated on Linux with ROS 2, as far as those around them tell, and
+    whether each stands in another block; those that certainly don't come first."""
+    waiting = [(each, False) for each in reversed(file.body) if isinstance(each, Block)]
+    inner: list[tuple[Block, bool]] = []
+    while waiting or inner:
+        block, is_inner = waiting.pop() if waiting else inner.pop()
         for branch in block.branches:
             if branch.command.name in ("if", "elseif", "while"):
-                yield branch.command
+                yield branch.command, is_inner
         is_elsewhere = any(ELSEWHERE.search(each.text) for each in block.command.arguments)
-        inner = [each for branch in block.branches for each in branch.body if isinstance(each, Block)]
-        waiting += reversed(inner) if not is_elsewhere else ()
+        blocks = [each for branch in block.branches for each in branch.body if isinstance(each, Block)]
+        inner += [(each, True) for each in reversed(blocks)] if not is_elsewhere else []

@@ -9,7 +9,7 @@ from ...checks.cmake.harmless_variables import why_harmless
 from ...checks.cmake.switched_off import SwitchedOff
 from ...checks.cmake.unread_lists import UnreadLists
 from ...checks.cmake.unread_twins import UnreadTwins
-from ...checks.cmake.unset_variables import UnsetVariable, UnsetVariables, is_one_letter_off
+from ...checks.cmake.unset_variables import UnsetVariable, UnsetVariables
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -19,6 +19,7 @@ install(DIRECTORY launch
   DESTINATION share/«${PROJECTNAME}»
 )
 """
+UNMISSED = "; nothing here is shown to miss it"
 LONGEST = 60
 """Characters of an argument that a message shows."""
 
@@ -38,7 +39,7 @@ def cmake(lines: str) -> str:
         "that a package sets; or it would name targets to install, and no other variable is near; or the intended one "
         "stands beside it, or a target is given a folder or a library by it, which the build itself tells where it is "
         "needed; or a branch reads it that is not taken, or it is a part of the name that a target has everywhere, or "
-        "nothing reads what is set by it",
+        "nothing reads what is set by it, or a list is appended to that nothing reads",
     },
     examples=(
         Example(
@@ -95,8 +96,7 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
         yield Hit(each.call.path, each.span, text, level)
     for lost in UnreadLists(variables.cmake).all():
         text = f"nothing reads `{lost.name}` (did you mean `{lost.near}`?): what is appended is lost; correct the name"
-        is_certain = variables.are_known and is_one_letter_off(lost.name, lost.near)
-        yield Hit(lost.path, lost.span, text, None if is_certain else Severity.INFO)
+        yield Hit(lost.path, lost.span, text + UNMISSED, Severity.INFO)
 
 
 def message(each: UnsetVariable, is_certain: bool) -> str:

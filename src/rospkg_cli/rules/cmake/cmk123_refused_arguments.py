@@ -45,8 +45,8 @@ def cmake(lines: str) -> str:
     levels={
         Severity.WARNING: "under a condition that can't be evaluated, or CMake goes on with another value, or a "
         "condition compares what is empty for some",
-        Severity.INFO: "what it compares is set wherever ROS is set up, no linker runs for what is linked, or a folder "
-        "without its slash is not needed",
+        Severity.INFO: "what it compares is set wherever ROS is set up, or the condition stands in a block; or no "
+        "linker runs for what is linked, or a folder without its slash is not needed",
     },
     examples=(
         Example(
@@ -103,10 +103,12 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
     for value in WrittenSlips(package.cmake).all():
         yield Hit(value.call.path, value.span, value.message, Severity.INFO if value.why_harmless else Severity.WARNING)
     for operand in EmptyOperands(package).all():
-        level = Severity.INFO if operand.is_mostly_set else Severity.WARNING
+        level = Severity.INFO if operand.is_mostly_set or operand.is_inner else Severity.WARNING
         yield Hit(operand.path, operand.argument.span, without_quotes(operand), level)
 
 
 def without_quotes(operand: EmptyOperand) -> str:
     text = operand.argument.text
-    return f'where `{text}` is empty, the condition lacks an argument and CMake stops; write it in quotes: `"{text}"`'
+    inner = "; the condition stands in a block that CMake may not come to" if operand.is_inner else ""
+    fails = f"where `{text}` is empty, the condition lacks an argument and CMake stops"
+    return f'{fails}; write it in quotes: `"{text}"`{inner}'
