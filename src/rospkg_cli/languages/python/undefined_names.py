@@ -84,6 +84,12 @@ def is_in_branch(file: PythonFile, span: Span) -> bool:
     return False
 
 
+def is_run(file: PythonFile, span: Span) -> bool:
+    """Return whether Python surely comes to a place: it stands in a plain statement of the top level."""
+    plain = (file.span(node) for node in file.tree.body if isinstance(node, ast.Expr | ast.Assign))
+    return any(each.contains(span) for each in plain)
+
+
 def is_in_function(file: PythonFile, span: Span) -> bool:
     """Return whether a place lies in a function, which may not be called."""
     spans = (file.span(node) for node in nodes_of(file.tree) if isinstance(node, FunctionNode))

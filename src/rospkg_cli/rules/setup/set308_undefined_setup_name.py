@@ -9,7 +9,8 @@ from ...edits.setup_py import import_name, import_standard
 from ...example import SETUP_PY, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...languages.python.called_modules import CalledModule, called_modules
-from ...languages.python.undefined_names import UndefinedName, is_in_function, undefined_names
+from ...languages.python.undefined_names import UndefinedName, is_in_function, is_run, undefined_names
+from ...light_dataclasses import replace
 from ...package.setup.setup_py import SetupPy
 from ...rule import rule
 from ...suggest import nearest
@@ -20,6 +21,7 @@ BAD = SETUP_PY.replace(ENTRY, ENTRY + GLOB)
 GOOD = BAD.replace("«", "").replace("»", "")
 LAUNCH = {"launch/robot.launch.xml": "<launch>\n</launch>\n"}
 NO_FINDER = SETUP_PY.replace("find_packages(", "«find_packages»(").replace("import find_packages, ", "import ")
+BEHIND = "; setup.py stops before, at another place"
 LIBRARY = ("os", "sys", "glob", "pathlib")
 OTHERS = {
     "find_packages": "setuptools",
@@ -35,7 +37,10 @@ OTHERS = {
     "undefined-setup-name",
     over=SetupPy,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "it is used in a function, which may not be called"},
+    levels={
+        Severity.WARNING: "it is used in a function, which may not be called",
+        Severity.INFO: "setup.py stops before, at another place",
+    },
     examples=(
         Example(
             bad={**LAUNCH, "setup.py": BAD},
@@ -71,11 +76,22 @@ def undefined_setup_name(setup: SetupPy) -> Iterator[Hit]:
 
     ## When it is quiet
     Where setup.py imports `*`, runs strings as code or looks names up in `globals()`, and where a NameError is caught.
+    What stands behind the first such place is an info, as nobody comes to it before that one is mended.
     """
+    hits = [*faults(setup)]
+    sure = [each.span.start for each in hits if each.level is None and is_run(setup.file, each.span)]
+    for each in hits:
+        is_behind = bool(sure) and each.span.start > min(sure) and each.level is None
+        yield replace(each, message=each.message + BEHIND, level=Severity.INFO) if is_behind else each
+
+
+def faults(setup: SetupPy) -> Iterator[Hit]:
+    """Yield what stops setup.py, each for itself."""
     reported: set[str] = set()
     for called in called_modules(setup.file):
+        advice = f"write `{called.function}(…)`" if called.function else "name the function of it that is meant"
         start = f"`{called.name}` is a module here, and is called like a function"
-        message = f"{start}: setup.py stops with \"TypeError: 'module' object is not callable\"; {advice_for(called)}"
+        message = f"{start}: setup.py stops with \"TypeError: 'module' object is not callable\"; {advice}"
         level = Severity.WARNING if is_in_function(setup.file, called.span) else None
         yield Hit(setup.path, called.span, message, level, fix=qualified(setup, called))
     for found in undefined_names(setup.file):
@@ -98,12 +114,6 @@ def undefined_setup_name(setup: SetupPy) -> Iterator[Hit]:
         level = Severity.WARNING if is_in_function(setup.file, absent.span) else None
         ends = f"setup.py stops with {absent.raised}{absent.advice}"
         yield Hit(setup.path, absent.span, f"`{absent.module}` has no `{absent.name}`: {ends}", level)
-
-
-def advice_for(called: CalledModule) -> str:
-    if called.function:
-        return f"write `{called.function}(…)`"
-    return "name the function of it that is meant"
 
 
 def qualified(setup: SetupPy, called: CalledModule) -> Fix | None:
