@@ -19,7 +19,6 @@ from ...source import Source, Span
 from ...unreadable import UnreadableError
 from ..char_table import CharTable
 from .compile_errors import compile_error
-from .newer_syntax import needs_newer
 from .size_limits import MAX_DEPTH, MAX_TOKENS, is_too_deep, is_too_large
 
 LINE_END = regex(r"\r\n|\r|\n")
@@ -132,6 +131,8 @@ def skipped_file(source: Source, code: ReadProblem, most: str) -> UnreadableErro
 
 def syntax_error(source: Source, error: SyntaxError) -> UnreadableError:
     """Return the error at the position that Python reports (its columns are characters, from 1)."""
+    from .newer_syntax import needs_newer  # few files have an error: most runs do without it
+
     start, is_newer = line_start(source, error) + max((error.offset or 1) - 1, 0), needs_newer(source.text)
     return UnreadableError(
         source.path, character(source, start), ReadProblem.PYTHON_SYNTAX, str(error.msg), grammar=is_newer
