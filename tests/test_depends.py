@@ -958,6 +958,7 @@ def test_what_a_package_beside_this_one_declares_is_missing_in_a_release(
     """Who builds both has it, as rosdep reads all of the workspace."""
     setup = setup_py(scripts("a = my_pkg.a:main"))
     own = {f"own/{each}": body for each, body in {**PYTHON, "setup.py": setup}.items()}
+    own |= {"own/start.sh": f"ros2 launch {path}\n"} if code == "DEP103" else {}
     before = text + setup if path == "setup.py" else text
     beside = {each: body.format(name) for each, body in BESIDE.items()}
     released = {**beside, "tracks.yaml": "tracks: {}\n"}

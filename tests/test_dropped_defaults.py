@@ -68,6 +68,7 @@ def test_a_default_in_a_launch_file(value: str, level: str) -> None:
         "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
         "my_pkg/__init__.py": "",
         "my_pkg/talker.py": CODE.format(rate=1.0),
+        "start.sh": "ros2 launch launch/a.launch.xml\n",
         "launch/a.launch.xml": f'<launch><node pkg="my_pkg" exec="talker">{given}</node></launch>\n',
     }
     (found,) = lint_files(files, ["PRM007"]).findings

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import CMAKE, SETUP_PY, manifest
+from rospkg_cli.example import CMAKE, SETUP_PY_FOR_ALL, manifest
 from rospkg_cli.testing import lint_files
 
 LAUNCH = "<launch>\n  <node pkg='rviz2' exec='rviz2'/>\n</launch>\n"
@@ -13,7 +13,7 @@ LAUNCH = "<launch>\n  <node pkg='rviz2' exec='rviz2'/>\n</launch>\n"
 @pytest.mark.parametrize(
     "code, files, build_type, expected",
     [
-        ("DEP103", {"launch/a.launch.xml": LAUNCH, "setup.py": SETUP_PY}, "ament_python",
+        ("DEP103", {"launch/a.launch.xml": LAUNCH, "setup.py": SETUP_PY_FOR_ALL}, "ament_python",
          "<run_depend>rviz2</run_depend>"),
         ("DEP104", {"CMakeLists.txt": CMAKE.replace("ament_package", "find_package(tf2 REQUIRED)\nament_package")},
          "ament_cmake", "<build_depend>tf2</build_depend> and <run_depend>tf2</run_depend>"),

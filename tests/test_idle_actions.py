@@ -41,9 +41,11 @@ HINT = "; it installs no executable at all; `rospkg add node missing` writes one
 
 def levels(text: str, path: str = "launch/a.launch.py", code: str = "LCH002") -> list[tuple[str, str]]:
     files = {"package.xml": manifest(), "setup.py": SETUP, "my_pkg/__init__.py": "", path: text}
+    files["start.sh"] = f"ros2 launch {path}\n"
     return [(each.severity.value, each.message) for each in lint_files(files, [code]).findings]
 
 
+START = "ros2 launch launch/a.launch.py\n"
 SETUP = "from setuptools import setup\n\nsetup(name='my_pkg', version='0.1.0', packages=['my_pkg'])\n"
 
 
@@ -202,7 +204,7 @@ def test_a_sister_package_that_has_the_program_is_named() -> None:
             f"[develop]\nscript_dir=$base/lib/{name}\n[install]\ninstall_scripts=$base/lib/{name}\n"
         )
         files[f"{name}/{name}/__init__.py"] = ""
-    (finding,) = lint_files({**files, "my_pkg/launch/a.launch.py": text}, ["LCH002"]).findings
+    (finding,) = lint_files({**files, "my_pkg/launch/a.launch.py": text, "my_pkg/start.sh": START}, ["LCH002"]).findings
     assert finding.message.endswith("; `sister` has one")
 
 

@@ -286,7 +286,7 @@ def test_a_package_in_a_folder_laid_aside_is_milder(folder: str, expected: list[
         **{f"{folder}/my_pkg/{path}": text for path, text in PYTHON.items()},
         f"{folder}/my_pkg/setup.py": setup_py(
             scripts("a = my_pkg.gone:main", "ears = my_pkg.ears:main", "talker = my_pkg.talker:main")
-        ),
+        ).replace("['package.xml'])", "['package.xml']), ('share/my_pkg/launch', ['launch/a.launch.xml'])"),
         f"{folder}/my_pkg/my_pkg/talker.py": "import cv2\n\n\ndef main():\n    json.loads('{}')\n",
         f"{folder}/my_pkg/my_pkg/ears.py": "import my_pkg.lost\n\n\ndef main():\n    pass\n",
     }

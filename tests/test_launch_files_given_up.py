@@ -102,7 +102,7 @@ def test_launch_files_that_are_not_installed_where_pages_start_the_programs() ->
         "package.xml": manifest(),
         "launch/a.launch.xml": NODE,
     }
-    assert level("LCH002", files, PYTHON) == ["error"]
+    assert level("LCH002", files, PYTHON) == ["info"]
     assert level("LCH002", {**files, "README.md": "ros2 run my_pkg talker\n"}, PYTHON) == ["info"]
     both = "ros2 run my_pkg talker\nros2 launch launch/a.launch.xml\n"
     assert level("LCH002", {**files, "README.md": both}, PYTHON) == ["error"]
@@ -114,6 +114,7 @@ def test_a_program_behind_an_argument_that_launch_refuses() -> None:
     files = {
         "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
         "my_pkg/talker.py": "def main():\n    pass\n",
+        "README.md": "ros2 launch launch/a.launch.py\n",
     }
     assert level("LCH002", {**files, "launch/a.launch.py": text.format("")}, PYTHON) == ["error"]
     old = text.format(", node_name='a'")
@@ -123,7 +124,9 @@ def test_a_program_behind_an_argument_that_launch_refuses() -> None:
 def test_another_package_includes_a_file_that_was_not_ported() -> None:
     old = UNPORTED.replace("</launch>", '  <let name="b" value="$(find-pkg-share my_pkg)"/>\n</launch>')
     files = {f"my_pkg/{path}": text for path, text in {**NATIVE, "launch/a.xml": old}.items()}
+    install = "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n"
     files |= {
+        "my_pkg/CMakeLists.txt": CMAKE.replace("ament_package", f"{install}ament_package"),
         "my_pkg/launch/b.launch.py": EMPTY,
         "other/package.xml": manifest("", "cmake", name="other"),
         "other/launch/o.launch.xml": "<launch>\n</launch>\n",

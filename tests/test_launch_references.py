@@ -295,7 +295,8 @@ def test_what_a_rename_left_is_told(started: str, built: str, meant: str | None)
 def test_a_launch_file_that_is_not_installed_is_no_idle_test() -> None:
     launch = python("return LaunchDescription([Node(package='my_pkg', executable='no')])")
     files = {**BASE, "CMakeLists.txt": CMAKE, "launch/a.launch.py": launch}
-    assert said(files) == ["LCH002 error"]
+    assert said(files) == ["LCH002 info"]
+    assert said({**files, "README.md": "ros2 launch launch/a.launch.py\n"}) == ["LCH002 error"]
 
 
 def test_old_arguments_are_left_where_the_distro_is_asked_for() -> None:

@@ -85,6 +85,7 @@ def test_folders_that_go_to_share_alone_are_told_once(folders: str, launch: str,
 
 def test_a_project_of_another_name() -> None:
     rules = "add_executable(${PROJECT_NAME} a.cpp)\ninstall(TARGETS ${PROJECT_NAME} DESTINATION lib/${PROJECT_NAME})\n"
+    rules += "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n"
     text = CMAKE.replace("ament_package", f"{rules}ament_package")
     launch = '<launch>\n  <node pkg="my_pkg" exec="{}"/>\n</launch>\n'
     files = {

@@ -26,10 +26,13 @@ OLD = {
 WORST = {"LCH002": "warning", "LCH005": "error", "LCH011": "warning"}
 
 
+INSTALL = "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n"
+
+
 def level(code: str, more: dict[str, str], targets: tuple[str, ...] = ()) -> str:
     files = {
         "package.xml": manifest("", "ament_cmake"),
-        "CMakeLists.txt": CMAKE,
+        "CMakeLists.txt": CMAKE.replace("ament_package", f"{INSTALL}ament_package"),
         "launch/a.launch.py": LAUNCH.format(OLD[code]),
     }
     (found,) = lint_files({**files, **more}, [code], targets).findings

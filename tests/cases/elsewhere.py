@@ -100,6 +100,7 @@ CASES = {
     ),
     "DEP103": tuple(
         Example(bad={**OWN, "my_pkg/msg/Battery.msg": None, "my_pkg/launch/a.launch.xml": FINDS.format(name),
+                     "start.sh": "ros2 launch my_pkg/launch/a.launch.xml\n",
                      f"{known}/package.xml": manifest(name=known)}, good={}, on="")
         for known, name in (
             ("acme_robot_test", "acme_robot_dope"), ("acme_robot_agent", "acme_robot_rest_api"),

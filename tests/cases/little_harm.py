@@ -114,6 +114,7 @@ FOR_MOVEIT = (
     controllers("ros2_controllers", "somewhere"),
 )
 LEFT_OUT = {**set302.FILES, "setup.py": setup_py().replace(set302.FOUND, "[package_name]")}
+START = "ros2 launch launch/a.launch.py\n"
 STARTS = {
     "package.xml": manifest("  <exec_depend>launch_ros</exec_depend>\n"),
     "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
@@ -197,7 +198,7 @@ CASES = {
         python({**LEFT, "my_pkg/talker.py": MAIN}),
     ),
     "LCH002": tuple(
-        python({**STARTS, "launch/a.launch.py": LAUNCH.format(name)})
+        python({**STARTS, "start.sh": START, "launch/a.launch.py": LAUNCH.format(name)})
         for name in ("generate_launch_description", "make")
     ),
     "DEP104": tuple(
@@ -206,8 +207,8 @@ CASES = {
         for parts in (" COMPONENTS thread", " COMPONENTS thread program_options", " COMPONENTS none", "")
     ),
     "LCH014": (
-        python({**STARTS, "launch/a.launch.py": JOINED.format("str(LaunchConfiguration('a'))")}),
-        python({**STARTS, "launch/a.launch.py": JOINED.format("LaunchConfiguration('a')")}),
+        python({**STARTS, "start.sh": START, "launch/a.launch.py": JOINED.format("str(LaunchConfiguration('a'))")}),
+        python({**STARTS, "start.sh": START, "launch/a.launch.py": JOINED.format("LaunchConfiguration('a')")}),
     ),
     "CMK201": tuple(
         Example(bad={**{f"a/{path}": each for path, each in INCLUDING.items()},

@@ -316,6 +316,7 @@ MODULES = Example(
         ),
         "my_pkg/arm_node.py": "def main():\n    pass\n",
         "my_pkg/arm.py": "def wave():\n    pass\n\n\ndef rest():\n    pass\n",
+        "start.sh": "ros2 launch launch/a.launch.xml\n",
         "launch/a.launch.xml": "<launch>\n"
         + "".join(f'  <node pkg="my_pkg" exec="{name}"/>\n' for name in ("arm_node", "arm_node.py", "arm", "leg"))
         + "</launch>\n",

@@ -48,6 +48,7 @@ UNUSED_TEST = Example(
         "CMakeLists.txt": CMAKE.replace("ament_package", "install(PROGRAMS run DESTINATION lib/my_pkg)\nament_package"),
         "run": "#!/bin/sh\n",
         "test/a.launch.xml": '<launch>\n  <node exec="run"/>\n</launch>\n',
+        "start.sh": "ros2 launch launch/b.launch.xml\n",
         "launch/b.launch.xml": '<launch>\n  <node exec="run"/>\n</launch>\n',
     },
     good={},

@@ -178,7 +178,7 @@ CASES = {
               "launch/a_test.launch.xml": JOY.replace("joy", "twist_mux"), "launch/b.launch.xml": TURTLES,
               "launch/demos/c.launch.xml": JOY.replace("joy", "teleop_twist_keyboard")}),
         built(INSTALLED, files={"launch/a.launch.xml": LOADS}),
-        built(files={"launch/a.launch.xml": JOY.replace("joy", "jooy")}),
+        built(INSTALLED, files={"launch/a.launch.xml": JOY.replace("joy", "jooy")}),
         built(INSTALLED, files={"launch/a.launch.xml": LOOKS}),
     ),
     "DEP104": (

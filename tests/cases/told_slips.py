@@ -162,6 +162,7 @@ STARTED = python(
 PROGRAMS = Example(
     bad={
         **STARTED.bad,
+        "start.sh": "ros2 launch launch/a.launch.py\n",
         "CMakeLists.txt": CMAKE.replace(
             "ament_package",
             "install(PROGRAMS scripts/talker DESTINATION lib/${PROJECT_NAME})\n"

@@ -13,6 +13,7 @@ from ..fault import Fault
 from .idle_actions import NEVER_CALLED, is_uncalled
 from .lost_faults import why_lost
 from .missing_references import LaunchContext
+from .unstarted_launch_files import UNSTARTED, UnstartedLaunchFiles
 from .who_meets import why_python_stops
 
 
@@ -22,6 +23,12 @@ class UnmetPlaces:
 
     files: PackageFiles
     scopes: Annotated[tuple[LaunchContext, ...], READABLE]
+    unstarted: UnstartedLaunchFiles | None = None
+
+    def why_unstarted(self, path: str) -> str:
+        """Return why nobody starts a launch file, whatever is wrong with it; "" where somebody may."""
+        is_left = self.unstarted is not None and self.unstarted.has(path) and not self.is_imported(path)
+        return UNSTARTED if is_left else ""
 
     def why(self, path: str, span: Span, *, is_late: bool) -> str:
         """Return why a plain launch does not come to a place; "" where it may, and in other files.

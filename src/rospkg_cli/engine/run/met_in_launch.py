@@ -30,7 +30,11 @@ def places_of(hit: Hit) -> list[Place]:
 
 def why_unmet(launches: UnmetPlaces, code: str, level: Severity, hit: Hit) -> str:
     """Return why no plain launch comes to any of the places of a hit; "" where one may come to some."""
+    places, is_late = places_of(hit), shows_at_visit(code, level)
+    reasons = [launches.why_unstarted(path) for path, _ in places]
+    if all(reasons):
+        return reasons[0]
     if code in OF_THAT_FACT:
         return ""
-    reasons = [launches.why(*each, is_late=shows_at_visit(code, level)) for each in places_of(hit)]
+    reasons = [why or launches.why(*each, is_late=is_late) for why, each in zip(reasons, places, strict=True)]
     return reasons[0] if all(reasons) else ""
