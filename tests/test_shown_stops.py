@@ -117,7 +117,7 @@ TWICE = """\
   <arg name="camera1" default="/left"/>
   <arg name="camera1" default="/right"/>
   {}
-  <log message="$(var camera1) and $(var camera2 /right)"/>
+  <log message="$(var camera1) and $(var camera2 /middle)"/>
 </launch>
 """
 

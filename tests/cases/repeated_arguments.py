@@ -18,6 +18,7 @@ def launch(*lines: str) -> Example:
 
 FIRST, SECOND = '<arg name="camera1" default="/left"/>', '<{} name="camera1" default="/right"/>'
 USE = '<log message="$(var camera1)"/>'
+SAME = '<log message="$(var camera2 /right)"/>'
 OTHER = '<log message="$(var camera2)"/>'
 
 CASES = {
@@ -28,5 +29,7 @@ CASES = {
         launch("<group>", FIRST, "</group>", "<group>", SECOND.format("arg"), USE, "</group>"),
         launch(FIRST, '<arg name="camera1" default="/right" if="false"/>', USE),
         launch(FIRST, SECOND.format("«arg»"), '<include file="$(find-pkg-share no_one)/a.launch.xml"/>', USE, OTHER),
+        launch(FIRST, SECOND.format("«arg»"), USE, SAME),
+        launch(FIRST, SECOND.format("«arg»"), USE, SAME, '<log message="$(var camera2 /middle)"/>'),
     )
 }

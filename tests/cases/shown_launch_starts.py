@@ -216,6 +216,7 @@ UNKNOWN_INSIDE = Example(
 )
 
 
+AS_BY_DEFAULT = Example(bad={**lch015.FILES, "launch/robot.launch.xml": lch015.GIVEN.replace("2.0", "1.0")}, good={})
 LEFT_OVER = Example(bad={**lch015.FILES, "launch/robot.launch.xml": lch015.GIVEN.replace("«ratee»", "world")}, good={})
 
 
@@ -276,7 +277,7 @@ CASES = {
         looked_up("    context.launch_configurations.update(unknown)\n"),
     ),
     "LCH014": (SINGLE,),
-    "LCH015": (PATHS, UNKNOWN_INSIDE, LEFT_OVER, *map(beside_others, OTHERS)),
+    "LCH015": (PATHS, UNKNOWN_INSIDE, LEFT_OVER, *map(beside_others, OTHERS), AS_BY_DEFAULT),
     "LCH018": (
         ACTIONS,
         unused("node = Node(package='my_pkg', executable='e')", "more = Node(package='my_pkg', executable=first)"),

@@ -20,6 +20,8 @@ from .one_cause import CausedPlace, told_at
 from .who_meets import why_unmet
 
 SHORTEST = 5
+MOST = 3
+"""Of so many names that are as near, nobody can say which one is meant."""
 DIGITS = regex(r"\d")
 
 
@@ -38,13 +40,20 @@ class ArgumentMismatch:
     """Whether nothing that the file includes may take it."""
     rivals: tuple[str, ...] = ()
     """Other arguments that are about as near as the suggestion."""
+    is_default: bool = False
+    """Whether it is passed as what the meant argument is by default: nothing differs."""
     why: str = ""
     """Why no launch comes to the include; "" where it may."""
 
     @property
     def is_fault(self) -> bool:
         """Whether it is more than an argument that is left over, or that a file further on may take."""
-        return self.is_missing or bool(self.is_sure and self.suggestion)
+        return self.is_missing or (self.is_sure and self.is_clear and not self.is_default)
+
+    @property
+    def is_clear(self) -> bool:
+        """Whether it can be told which argument is meant, or which few."""
+        return bool(self.suggestion) and len(self.rivals) < MOST
 
 
 @dataclass(frozen=True)
@@ -123,6 +132,7 @@ class IncludeContext:
         is_open = not include.is_complete or None in given
         lacking = frozenset() if is_open else signature.required - given.keys()
         instead: dict[str, str] = {}
+        values = {name.literal: value.literal for name, value in include.arguments}
         for argument, text in given.items():
             if argument and argument not in takes:
                 free = signature.declared - given.keys()
@@ -131,7 +141,8 @@ class IncludeContext:
                     instead[near] = argument
                 elif is_all or near:
                     rivals = rivals_of(argument, near, free)
-                    yield ArgumentMismatch(text.span, name, package, argument, False, near, is_all, rivals)
+                    is_same = (near, values[argument]) in signature.defaults
+                    yield ArgumentMismatch(text.span, name, package, argument, False, near, is_all, rivals, is_same)
         for argument in sorted(lacking):
             wrong = instead.get(argument)
             yield ArgumentMismatch(given[wrong].span if wrong else include.span, name, package, argument, True, wrong)

@@ -28,6 +28,8 @@ class LaunchEvent:
     """Of a use: the argument of an include that is all that it becomes."""
     is_lookup: bool = False
     """Of a use: whether Python looks it up in a dict, and raises KeyError."""
+    default: str | None = None
+    """Of a use: what it is where nothing sets it; None where that is unknown, or it has none."""
 
 
 def uses_of(*texts: LaunchText | None) -> Iterator[LaunchEvent]:
@@ -37,7 +39,9 @@ def uses_of(*texts: LaunchText | None) -> Iterator[LaunchEvent]:
             if found.arguments:
                 name = found.arguments[0]
                 span = name.span if name.literal else found.span
-                yield LaunchEvent("use", name.literal or "", span, is_optional=len(found.arguments) > 1)
+                default = found.arguments[1].literal if len(found.arguments) > 1 else None
+                is_optional = len(found.arguments) > 1
+                yield LaunchEvent("use", name.literal or "", span, is_optional=is_optional, default=default)
 
 
 def passed_uses(uses: Iterable[LaunchEvent], name: str) -> Iterator[LaunchEvent]:

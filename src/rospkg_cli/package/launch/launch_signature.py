@@ -20,3 +20,5 @@ class LaunchSignature:
     """The files that it includes, which see all its arguments: package and path, as in FileReference."""
     may_take_others: bool = False
     """Whether it may take others."""
+    defaults: frozenset[tuple[str, str]] = frozenset()
+    """The declared ones whose default is known, and that."""

@@ -49,7 +49,16 @@ def signature_of(file: LaunchFile, places: frozenset[str]) -> LaunchSignature:
         frozenset(filter(None, [*used, *named])),
         tuple((each.package, each.path) for each in included if each is not None),
         not is_known or None in declared or None in used or None in included,
+        frozenset(defaults_of(file)),
     )
+
+
+def defaults_of(file: LaunchFile) -> Iterator[tuple[str, str]]:
+    """Yield the arguments that have one known default, and that."""
+    found: dict[str, set[str | None]] = {}
+    for each in file.arguments:
+        found.setdefault(each.name.literal or "", set()).add(each.default.literal if each.default else None)
+    yield from ((name, value) for name, (value, *more) in found.items() if name and value is not None and not more)
 
 
 def required_by(file: LaunchFile) -> Iterator[str]:

@@ -30,7 +30,6 @@ LACKS = """\
   <«include» file="$(find-pkg-share my_pkg)/launch/arm.launch.xml"/>
 </launch>
 """
-MOST = 3
 """How many names a hint offers; where more are as near, none."""
 FILES = {
     "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n"),
@@ -44,7 +43,10 @@ GOOD = {"launch/robot.launch.xml": GIVEN.replace("«ratee»", "rate")}
     "include-argument-mismatch",
     over=IncludeContext,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "an argument without effect that is no slip of one, or that a file further on may take"},
+    levels={
+        Severity.INFO: "an argument without effect that is no slip of one, that a file further on may take, or that is "
+        "given as what the meant one is by default"
+    },
     examples=(
         Example(bad={**FILES, "launch/robot.launch.xml": GIVEN}, good=GOOD),
         Example(bad={**FILES, "launch/robot.launch.xml": LACKS}, good=GOOD),
@@ -64,7 +66,8 @@ def include_argument_mismatch(context: IncludeContext) -> Iterator[Hit]:
     the launch: "Included launch description missing required argument 'speed'".
 
     ## When it is quiet
-    An unknown argument that is like none of the included file's is left over: an info, since nothing fails. Included
+    An unknown argument that is like none of the included file's is left over: an info, since nothing fails; so
+    is one that is like many of them, and one whose value is the default of the one that is meant. Included
     files that can't be evaluated to the end, or include something unknown, may take any argument: of them a name is an
     info that is one letter from a declared one which is not given. An include whose arguments are not all known lacks
     none. Where every launch ends before, as it looks for a package that nothing here brings, or nothing adds the
@@ -93,6 +96,8 @@ def message(mismatch: ArgumentMismatch) -> str:
             f"it includes takes that, it has no effect; did you mean `{mismatch.suggestion}`?"
         )
     meant = " or ".join(f"`{each}`" for each in (mismatch.suggestion, *mismatch.rivals))
-    is_clear = mismatch.suggestion and len(mismatch.rivals) < MOST
-    hint = f"did you mean {meant}?" if is_clear else "remove it, or declare it there"
-    return f"`{mismatch.file}`{of} takes no argument `{mismatch.argument}`: it has no effect{mismatch.why}; {hint}"
+    hint = f"did you mean {meant}?" if mismatch.is_clear else "remove it, or declare it there"
+    same = f", and nothing differs: it is the default of `{mismatch.suggestion}`" if mismatch.is_default else ""
+    return (
+        f"`{mismatch.file}`{of} takes no argument `{mismatch.argument}`: it has no effect{same}{mismatch.why}; {hint}"
+    )

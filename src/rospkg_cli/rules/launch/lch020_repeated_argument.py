@@ -15,7 +15,7 @@ BAD = """\
 <launch>
   <arg name="camera1" default="/left"/>
   <«arg» name="camera1" default="/right"/>
-  <log message="$(var camera1) and $(var camera2 /right)"/>
+  <log message="$(var camera1) and $(var camera2 /middle)"/>
 </launch>
 """
 
@@ -26,8 +26,8 @@ BAD = """\
     over=LaunchFile,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "no launch argument that is used and not declared can be meant, or an included file may declare "
-        "it"
+        Severity.INFO: "no launch argument that is used and not declared can be meant, an included file may declare "
+        "it, or each use of it has that default"
     },
     examples=(
         Example(
@@ -51,7 +51,8 @@ def repeated_argument(file: LaunchFile) -> Iterator[Hit]:
     ## When it is quiet
     Declarations under a condition, in groups or functions that may not run, and with the same default or with one that
     is not known are left alone. Where the other name stops the launch, LCH008 tells of it. It is an info where no other
-    name can be meant, and where a file that is included may declare that one.
+    name can be meant, where a file that is included may declare that one, and where each use of it has the second
+    default anyway.
     """
     first: dict[str, DeclaredArgument] = {}
     together = () if file.is_ros1 else declared_together(file)
@@ -68,9 +69,13 @@ def repeated_argument(file: LaunchFile) -> Iterator[Hit]:
         is_open = any(event.kind in ("open", "include") for event in file.events or ())
         unless = " here, unless a file that it includes does so" if is_open else ""
         hint = f"; did you mean `{meant}`, which is used and not declared{unless}?" if meant else "; remove one of them"
-        text = f"the launch argument `{name}` is declared twice: this second default is never used{hint}"
+        is_same = meant is not None and is_default_of(file, meant, argument.default)
+        same = f", and nothing differs: each use of `{meant}` has it" if is_same else ""
+        text = f"the launch argument `{name}` is declared twice: this second default is never used{same}{hint}"
         again = (Related(file.path, before.span, "declared first"),)
-        yield Hit(file.path, argument.span, text, None if meant and not is_open else Severity.INFO, again)
+        yield Hit(
+            file.path, argument.span, text, None if meant and not is_open and not is_same else Severity.INFO, again
+        )
 
 
 def declared_together(file: LaunchFile) -> set[str]:
@@ -92,6 +97,12 @@ def differ(first: LaunchText | None, second: LaunchText | None) -> bool:
     if first is None or second is None or first.literal is None or second.literal is None:
         return False
     return first.literal != second.literal
+
+
+def is_default_of(file: LaunchFile, name: str, default: LaunchText | None) -> bool:
+    """Return whether each use of a name has a default of its own, which is what the declaration says as well."""
+    uses = [event for event in file.events or () if event.kind == "use" and event.name == name]
+    return default is not None and all(event.default is not None and event.default == default.literal for event in uses)
 
 
 def meant_by(file: LaunchFile, name: str) -> str | None:
