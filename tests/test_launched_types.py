@@ -213,3 +213,25 @@ def test_a_former_name_in_a_parameter_file() -> None:
 def test_a_list_may_be_written_as_one_text_with_its_separator_or_type(attributes: str, count: int) -> None:
     launch = XML.format(f'<param name="gains" {attributes}/>')
     assert len(said({"launch/a.launch.xml": launch}, "PRM006")) == count
+
+
+LAUNCHED = "<launch>\n  <node pkg='my_pkg' exec='talker'>\n    <param {}/>\n  </node>\n</launch>\n"
+
+
+@pytest.mark.parametrize("given", ["name='rate' value='1'", "from='$(find-pkg-share my_pkg)/config/a.yaml'"])
+@pytest.mark.parametrize(
+    ("page", "level"),
+    [("", "warning"), ("For ROS 2 Foxy.\n", "info"), ("For ROS 2 Foxy and ROS 2 Humble.\n", "warning")],
+)
+def test_foxy_takes_any_type(given: str, page: str, level: str) -> None:
+    """Where another page than those that are read first names it alone."""
+    files = {
+        "package.xml": manifest("  <depend>rclcpp</depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE,
+        "src/talker.cpp": NODE,
+        "config/a.yaml": "talker:\n  ros__parameters:\n    rate: 10\n" if "a.yaml" in given else "{}\n",
+        "launch/a.launch.xml": LAUNCHED.format(given),
+        "docs/SETUP.md": page,
+    }
+    (found,) = lint_files(files, ["PRM006"]).findings
+    assert (found.severity.value, ", but not in Foxy" in found.message) == (level, level == "info")

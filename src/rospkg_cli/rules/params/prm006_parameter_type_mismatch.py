@@ -33,7 +33,7 @@ talker:
     frames: [odom]
 """
 
-
+FOXY = ", but not in Foxy"
 NEWER = ", but not in Humble, which has no such parameter"
 INSTALL = "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})"
 LAUNCH = """\
@@ -91,13 +91,13 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     ## When it is quiet
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
     three names. Where declarations differ, a type is not known, or a launch file or script fills the value in, nothing
-    is said. So it is where the releases of a well-known package differ; what Humble does not declare yet is an info,
-    unless pages name newer distributions alone. Where pages and scripts name Foxy alone, which takes any type, only
-    what well-known packages declare is told, as an info. Where nothing names the file, nothing adds the action that
-    starts the node, no node that is started with the file reads the block, code declares what only ends so
-    (`prefix + '.x'`), no list of the block has the plugin, or only the name of one tells which well-known package is
-    meant, it is an info; nav2's nodes are known by several blocks together. Launch files that ROS 2 refuses for what
-    they have of ROS 1 (LCH006) are left alone.
+    is said, nor where the releases of a well-known package differ; what Humble does not declare yet is an info, unless
+    pages name newer distributions alone. Where pages and scripts name Foxy alone, which takes any type, only what
+    well-known packages declare is told, as an info; where other pages or names of files do, all is an info. Where
+    nothing names the file, nothing adds the action that starts the node, no node that is started with the file reads
+    the block, code declares what only ends so (`prefix + '.x'`), no list of the block has the plugin, or only the name
+    of one tells which well-known package is meant, it is an info; nav2's nodes are known by several blocks together.
+    Launch files that ROS 2 refuses for what they have of ROS 1 (LCH006) are left alone.
     """
     told, is_old = set(), scope.distribution.is_named_alone
     for group in () if is_old else scope.given.groups():
@@ -106,29 +106,29 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
             if wanted is not None and given and given != wanted[0]:
                 message = f"`{parameter.name}` is declared as {wanted[0]} in `{wanted[1].path}`"
                 fix = as_double(group.file.path, parameter) if (given, wanted[0]) in INTEGERS else None
-                what = f"{message}: {article(given)} stops the node when it starts; write {article(wanted[0])}"
-                told.add((group.file.path, parameter.value.span))
-                is_idle = scope.readers.is_idle(group.file.path, parameter.value.span)
-                level = Severity.INFO if is_idle or wanted[1].tail else None
-                yield Hit(group.file.path, parameter.value.span, what, level, fix=fix)
+                told.add(place := (group.file.path, parameter.value.span))
+                foxy = FOXY if scope.distribution.is_for_older(group.file.path) else ""
+                what = f"{message}: {article(given)} stops the node when it starts{foxy}; write {article(wanted[0])}"
+                is_mild = foxy or wanted[1].tail or scope.readers.is_idle(*place)
+                yield Hit(*place, what, Severity.INFO if is_mild else None, fix=fix)
     for each in mistyped_known(scope.known):
         if (each.path, each.value.value) not in told:
             message = f"`{each.value.name}` is declared as {each.wanted} by `{each.package}`"
             fix = known_as_double(each) if (each.value.type, each.wanted) in INTEGERS else None
             given = f"{article(each.value.type)} stops the {each.kind} when it starts"
-            is_idle = scope.readers.is_idle(each.path, each.value.value)
+            is_foxy = is_old or scope.distribution.is_for_older(each.path)
             is_newer = each.is_newer and not scope.distribution.is_from_jazzy_on
-            given += ", but not in Foxy" if is_old else NEWER if is_newer else level_of(each.start)[1]
-            is_mild = is_idle or is_old or is_newer or not each.is_certain or not may_start(each.start)
-            level = Severity.INFO if is_mild else None
+            given += FOXY if is_foxy else NEWER if is_newer else level_of(each.start)[1]
+            is_mild = is_foxy or is_newer or not each.is_certain or not may_start(each.start)
+            level = Severity.INFO if is_mild or scope.readers.is_idle(each.path, each.value.value) else None
             yield Hit(each.path, each.value.value, f"{message}: {given}; write {article(each.wanted)}", level, fix=fix)
     for each in () if is_old else mistyped_launched(scope.known.launched):
         fix = known_as_double(each) if (each.value.type, each.wanted) in INTEGERS and not each.how else None
-        level = None if may_start(each.start) else Severity.INFO
-        yield Hit(each.path, each.value.value, what_stops(each), level, fix=fix)
-    if not is_old:
-        for file, several in differing_numbers(scope.given.files, set(scope.with_types())):
-            yield unequal(file, several)
+        is_foxy = scope.distribution.is_for_older(each.path)
+        level = None if may_start(each.start) and not is_foxy else Severity.INFO
+        yield Hit(each.path, each.value.value, what_stops(each) + (FOXY if is_foxy else ""), level, fix=fix)
+    for file, several in () if is_old else differing_numbers(scope.given.files, set(scope.with_types())):
+        yield unequal(file, several)
 
 
 def unequal(file: ParameterFile, several: list[tuple[Parameter, str]]) -> Hit:
