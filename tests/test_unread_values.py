@@ -123,3 +123,34 @@ def test_what_may_read_any_argument() -> None:
         "Node(package='a', executable='b', parameters=[ParameterFile('a.yaml', allow_substs=True)]),",
     ):
         assert levels(more) == ["warning"]
+
+
+COMMENTED = """\
+        IncludeLaunchDescription(PythonLaunchDescriptionSource([FindPackageShare('my_pkg'), '/launch/mid.launch.py'])),
+        # IncludeLaunchDescription('nav.launch.py', launch_arguments={'map': LaunchConfiguration('map')}.items()),
+"""
+MIDDLE = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch.substitutions import LaunchConfiguration
+from launch_ros.substitutions import FindPackageShare
+from lifecycle_msgs.msg import Transition
+
+
+def generate_launch_description():
+    last = PythonLaunchDescriptionSource([FindPackageShare('my_pkg'), '/launch/last.launch.py'])
+    return LaunchDescription([
+        DeclareLaunchArgument('map', default_value='a'),
+        IncludeLaunchDescription(last, launch_arguments={'GIVEN': LaunchConfiguration('map')}.items()),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "read", "level"),
+    [("map", "other", "info"), ("map", "map", "warning"), ("area", "map", "warning"), ("area", "area", "warning")],
+)
+def test_what_is_only_handed_on_to_what_ignores_it_is_read_by_nobody(given: str, read: str, level: str) -> None:
+    others = {"mid": MIDDLE.replace("GIVEN", given), "last": OTHER.replace("NAME", read)}
+    assert levels(COMMENTED, **others) == [level]

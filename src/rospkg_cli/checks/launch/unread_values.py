@@ -4,18 +4,23 @@ from __future__ import annotations
 
 from functools import cached_property
 
+from ...files import PackageFiles
 from ...languages.python.unread_values import only_read_in
 from ...light_dataclasses import dataclass
 from ...package.launch.file_references import FileReference, first_in
 from ...package.launch.launch_file import DeclaredArgument, Include
+from ...package.launch.live_text import without, without_unread
+from ...package.launch.text import uncommented
 from ...ros.known_launch_files import known_arguments
 from ...source import Span
 from .missing_references import LaunchContext, MissingReference, defaults_of, is_within
 from .unset_configurations import OWN, LaunchConfigurations
 
 Names = frozenset[str]
-ANY = ("launch_configurations", "allow_substs")
-"""What asks for arguments of any name: Python for all at once, and files of parameters with substitutions."""
+ANY = "launch_configurations"
+"""What asks for arguments of any name: Python for all at once."""
+SUBSTITUTED, YAML = "allow_substs", (".yaml", ".yml")
+"""Files of parameters with substitutions ask for arguments: `$(var map)`."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +46,15 @@ class UnreadValues:
             return (*own, *(each.default.span for each in self.arguments if each.default is not None))
         return (*own, *(only_read_in(python, own) if own else ()))
 
+    @property
+    def read_text(self) -> str:
+        """The text of the file without comments, and without what nothing reads; one for ROS 1 says nothing."""
+        file = self.scope.file
+        if file.is_ros1:
+            return ""
+        python, text = file.python, file.source.text
+        return uncommented(file.path, without_unread(python, self.places) if python else without(text, self.places))
+
     @cached_property
     def arguments(self) -> tuple[DeclaredArgument, ...]:
         """The arguments that neither the file nor what it includes reads."""
@@ -64,7 +78,7 @@ class UnreadValues:
         file = self.scope.file
         if file.is_ros1 or name in OWN or not file.has_entry_point or self.may_read_any or name in self.read:
             return False
-        if self.configurations.has_other_mention(name, declared):
+        if self.configurations.has_other_mention(name, declared, in_comments=False) or self.may_be_substituted(name):
             return False
         return not any(self.is_taken(each, name) for each in file.includes) and not self.is_read_around(name)
 
@@ -72,7 +86,14 @@ class UnreadValues:
     def may_read_any(self) -> bool:
         """Whether something in the file may read configurations of any name, or set them for others."""
         is_open = any(event.kind == "open" for event in self.scope.file.events or ())
-        return is_open or "" in self.read or any(each in self.scope.file.source.text for each in ANY)
+        return is_open or "" in self.read or ANY in self.scope.file.source.text
+
+    def may_be_substituted(self, name: str) -> bool:
+        """Return whether the file has substitutions done in YAML, and some YAML of the repository asks for a name."""
+        files = self.scope.files if self.scope.files.whole is None else PackageFiles(self.scope.files.whole)
+        if SUBSTITUTED not in self.scope.file.source.text:
+            return False
+        return any(files.holds(each, f"$(var {name}".encode()) for each in files.every if each.endswith(YAML))
 
     @cached_property
     def read(self) -> Names:
@@ -91,10 +112,9 @@ class UnreadValues:
         target = known.find(self.scope.package.name, named.package, named.path)
         if target is None:
             return name in known_arguments(named.package, named.path)
-        names, _ = known.names_in(target[0], target[1].source)
-        foreign, is_open = known.foreign_in(target[0], target[1].source)
-        is_foreign = any(name in known_arguments(*each) for each in foreign)
-        return name in names or is_foreign or (is_open and self.is_declared_elsewhere(name))
+        place = target[0], target[1].source
+        _, is_open = known.foreign_in(*place)
+        return known.reads(*place, name, known_arguments) or (is_open and self.is_declared_elsewhere(name))
 
     def is_declared_elsewhere(self, name: str) -> bool:
         """Return whether another launch file of the workspace has an argument of a name."""

@@ -289,13 +289,23 @@ class LaunchConfigurations:
     def is_read(self, span: Span) -> bool:
         return not any(each.contains(span) for each in self.unread)
 
-    def has_other_mention(self, name: str, declared: Span) -> bool:
-        """Return whether a Python file has the name in quotes at another place, which something reads."""
+    def has_other_mention(self, name: str, declared: Span, *, in_comments: bool = True) -> bool:
+        """Return whether a Python file has the name in quotes at another place, which something reads.
+
+        What is taken out for now may come back, and is no reader.
+        """
         if self.file.frontend != "python":
             return False
-        found = re.finditer(rf"(['\"]){re.escape(name)}\1", self.file.source.text)
+        text = self.file.source.text
+        found = re.finditer(rf"(['\"]){re.escape(name)}\1", text)
+        found = (each for each in found if in_comments or not is_in_comment(text, each.start()))
         places = (Span(each.start(), each.end()) for each in found)
         return any(not declared.holds(at) and self.is_read(at) for at in places)
+
+
+def is_in_comment(text: str, at: int) -> bool:
+    """Return whether a place of a Python file is on a line that is a comment."""
+    return text[text.rfind("\n", 0, at) + 1 : at].lstrip().startswith("#")
 
 
 def is_short_for(short: str, name: str) -> bool:

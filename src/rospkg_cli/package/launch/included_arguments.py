@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from .launch_signature import LaunchSignature
 
@@ -42,6 +42,26 @@ class IncludedArguments:
         if key not in self.known:
             self.known[key] = self.all_taken(key)
         return self.known[key]
+
+    def reads(self, package: str, source: str, name: str, foreign: Callable[[str, str], frozenset[str]]) -> bool:
+        """Return whether a file or one that it includes, which sees all its arguments, does more than pass one on.
+
+        `foreign` says what a launch file takes that is not here.
+        """
+        waiting, seen = [((package, source), name)], set[tuple[Key, str]]()
+        while waiting:
+            each = key, asked = waiting.pop()
+            own, signature = self.by_source[key]
+            if signature.reads(asked):
+                return True
+            names = {asked, *(argument for passed, argument in signature.passed if passed == asked)}
+            others = [include for include in signature.includes if include[0] and self.find(own, *include) is None]
+            if any(not names.isdisjoint(foreign(*include)) for include in others):
+                return True
+            seen.add(each)
+            more = {(target, one) for target in self.included_by(key)[0] for one in names}
+            waiting += more - seen
+        return False
 
     def foreign_in(self, package: str, source: str) -> tuple[frozenset[Key], bool]:
         """Return what a file and its includes that are here include of other packages, and whether one may take more.

@@ -22,3 +22,9 @@ class LaunchSignature:
     """Whether it may take others."""
     defaults: frozenset[tuple[str, str]] = frozenset()
     """The declared ones whose default is known, and that."""
+    passed: frozenset[tuple[str, str]] = frozenset()
+    """The configurations that it uses for nothing but arguments of what it includes, each with that argument."""
+
+    def reads(self, name: str) -> bool:
+        """Return whether it uses a configuration for more than to pass it on."""
+        return name in self.used and not any(name == passed for passed, _ in self.passed)

@@ -6,11 +6,13 @@ One for ROS 1 does nothing.
 from __future__ import annotations
 
 import contextlib
+from collections.abc import Iterable
 
 from ...files import PackageFiles
 from ...languages.python.file import PythonFile, parse_python
 from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
+from ...source import Span
 from ...unreadable import UnreadableError
 from .text import uncommented
 from .uncalled_functions import ENTRY, uncalled_functions
@@ -34,10 +36,15 @@ def live_text(files: PackageFiles, path: str) -> str:
     return uncommented(path, text)
 
 
-def without_unread(file: PythonFile) -> str:
-    """Return the text of a file without the values that are bound to local names which nothing reads."""
-    text, kept, at = file.source.text, "", 0
-    for span in sorted((*never_added(file), *uncalled_functions(file)), key=lambda each: each.start):
+def without_unread(file: PythonFile, more: Iterable[Span] = ()) -> str:
+    """Return the text of a file without the values that are bound to local names which nothing reads, and some more."""
+    return without(file.source.text, (*never_added(file), *uncalled_functions(file), *more))
+
+
+def without(text: str, spans: Iterable[Span]) -> str:
+    """Return a text without some places, which may lie in each other."""
+    kept, at = "", 0
+    for span in sorted(spans, key=lambda each: each.start):
         kept, at = kept + text[at : span.start], max(at, span.end)
     return kept + text[at:]
 

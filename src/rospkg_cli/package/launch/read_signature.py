@@ -37,7 +37,8 @@ def signature_of(file: LaunchFile, places: frozenset[str]) -> LaunchSignature:
     used = [use.arguments[0].literal if use.arguments else None for use in file.configurations()]
     included = [first_in(include.file, folder) for include in file.includes]
     named = NAMED_USE.findall(text)
-    unknown_imports = {each.module.partition(".")[0] for each in file.imports} - KNOWN - STANDARD
+    imported = {each.module.partition(".")[0] for each in file.imports} - KNOWN - STANDARD
+    unknown_imports = {each for each in imported if not each.endswith("_msgs")}  # which hold only interfaces
     has_substitutions = "allow_substs" in text  # then a file of parameters may ask for anything
     has_other_uses = len(named) < len(ANY_USE.findall(text))
     is_known = file.is_complete and not (unknown_imports or has_substitutions or has_other_uses)
@@ -50,6 +51,7 @@ def signature_of(file: LaunchFile, places: frozenset[str]) -> LaunchSignature:
         tuple((each.package, each.path) for each in included if each is not None),
         not is_known or None in declared or None in used or None in included,
         frozenset(defaults_of(file)),
+        frozenset(passed_on(file)),
     )
 
 
@@ -59,6 +61,13 @@ def defaults_of(file: LaunchFile) -> Iterator[tuple[str, str]]:
     for each in file.arguments:
         found.setdefault(each.name.literal or "", set()).add(each.default.literal if each.default else None)
     yield from ((name, value) for name, (value, *more) in found.items() if name and value is not None and not more)
+
+
+def passed_on(file: LaunchFile) -> Iterator[tuple[str, str]]:
+    """Yield the configurations that all uses pass on, as far as launch comes to these, each with its argument."""
+    uses = [each for each in file.events or () if each.kind == "use"]
+    read = {each.name for each in uses if not each.passed_as} | {*NAMED_USE.findall(file.source.text)}
+    yield from ((each.name, each.passed_as) for each in uses if each.name and each.name not in read)
 
 
 def required_by(file: LaunchFile) -> Iterator[str]:
