@@ -336,6 +336,8 @@ def test_a_robot_of_a_name_that_others_have_too(path: str, text: str, level: str
     files |= {"b/package.xml": manifest("", "ament_cmake", "b"), "b/CMakeLists.txt": CMAKE.replace("my_pkg", "b")}
     files |= {"b/urdf/top.xacro": top, "b/urdf/arm.urdf": "<robot name='r'/>"}
     files["my_pkg/src/a.cpp"] = '#include "arms/arm.hpp"\n'
+    assert levels("RPK001", {}, files) == ["info"]
+    files["b/launch/show.launch.py"] = "MODEL = get_package_share_directory('b') + '/urdf/top.xacro'\n"
     assert levels("RPK001", {}, files) == [level]
 
 
@@ -343,6 +345,8 @@ def test_a_robot_of_a_name_that_others_have_too(path: str, text: str, level: str
 def test_a_robot_of_a_name_that_another_folder_has_too(included: str, level: str) -> None:
     top = XACRO.format(f'<xacro:include filename="$(find my_pkg)/{included}"/>')
     files = {**NATIVE, "urdf/top.xacro": top, "urdf/leg.urdf": "<robot name='r'>"}
+    assert levels("RPK001", {}, {**files, "urdf/parts/leg.urdf": "<robot name='r'/>"}) == ["info"]
+    files["launch/show.launch.py"] = "MODEL = share + '/urdf/top.xacro'\n"
     assert levels("RPK001", {}, {**files, "urdf/parts/leg.urdf": "<robot name='r'/>"}) == [level]
 
 

@@ -32,7 +32,9 @@ def found(path: str, **files: str) -> str:
 def test_who_leads_to_a_broken_file(path: str) -> None:
     name = path.rpartition("/")[2]
     assert found(path) == "info"
-    assert found(path, README_DOT_md=f"Run it with `{name}`.\n") == "error"
+    typed = f"    ros2 run my_pkg arm --params-file config/{name}\n"
+    assert found(path, README_DOT_md=typed) == "error"
+    assert found(path, README_DOT_md=f"See `{name}`.\n") == ("info" if name.endswith(".yaml") else "error")
     assert found(path, my_pkg__src__a_DOT_cpp=f'auto a = "{name}";\n') == "error"
     assert found(path, my_pkg__src__a_DOT_cpp=f'auto a = "big_{name}";\n') == "info"
     assert found(path, **OTHER, other__launch__all_DOT_launch_DOT_xml=f"<launch>{name}</launch>\n") == "error"
@@ -44,5 +46,6 @@ def test_the_only_launch_file_is_there_to_be_started() -> None:
 
 
 def test_a_name_that_is_put_together() -> None:
-    text = 'def path(name):\n    return name + ".yaml"\n'
-    assert found("config/arm.yaml", my_pkg__my_pkg__paths_DOT_py=text) == "error"
+    text = "def generate_launch_description():\n    return LaunchDescription([LogInfo(msg={} + '.yaml')])\n"
+    assert found("config/arm.yaml", my_pkg__launch__a_DOT_launch_DOT_py=text.format("name")) == "info"
+    assert found("config/arm.yaml", my_pkg__launch__a_DOT_launch_DOT_py=text.format("'arm'")) == "error"

@@ -12,9 +12,10 @@ from ..package.file_role import role_of
 from ..package.launch.live_text import live_text
 from ..package.package_facts import PackageFacts
 from ..package.params.named_yaml import ANY
-from ..package.workspace import Workspace
 from .opened_elsewhere import CODE
+from .opening_places import OpeningPlaces
 from .pages_and_scripts import pages_and_scripts
+from .urdf.opened_robots import COMMAND
 
 YAML = (".yaml", ".yml")
 LAUNCHED = (".py", ".xml", ".launch", *YAML)
@@ -22,40 +23,54 @@ LAUNCHED = (".py", ".xml", ".launch", *YAML)
 
 @dataclass(frozen=True)
 class LedTo:
-    files: PackageFiles
-    package: PackageFacts
-    workspace: Workspace
+    opening: OpeningPlaces
 
     def has(self, path: str) -> bool:
         """Return whether something leads to a launch file or a YAML file; what installs it does not.
 
-        A package has one launch file to start it, so its only one is led to; a name of YAML may be put together.
+        A package has one launch file to start it, so its only one is led to. YAML is opened by what is typed, not by
+        what a page tells of it; where a name is put together, the part before the suffix stands in quotes.
         """
-        if role_of(path) == "launch" and not path.endswith(YAML) and self.is_only_launch_file(path):
+        is_launch = role_of(path) == "launch"
+        if is_launch and not path.endswith(YAML) and self.is_only_launch_file(path):
             return True
         name = path.rpartition("/")[2]
         word = re.compile(rf"(?<![\w-]){re.escape(name)}(?!\w)")
-        if any(word.search(text) for text in self.texts_but(path)):
+        if any(word.search(each) for each in (self.pages if is_launch else self.commands)):
             return True
-        wanted = {ANY, name.rpartition(".")[0]} if path.endswith(YAML) else set[str]()
-        others = (self.package, *self.workspace.needing(self.package.name))
-        return any(not wanted.isdisjoint(each.named_yaml) for each in others)
+        stem = re.compile(rf"[\"'/]{re.escape(name.rpartition('.')[0])}[\"']")
+        others = (self.package, *self.opening.workspace.needing(self.package.name))
+        is_made = path.endswith(YAML) and any(ANY in each.named_yaml for each in others)
+        texts = tuple(self.texts_but(path))
+        return any(word.search(each) or (is_made and stem.search(each)) for each in texts)
+
+    @property
+    def package(self) -> PackageFacts:
+        return self.opening.package
+
+    @property
+    def files(self) -> PackageFiles:
+        return self.opening.files
 
     def is_only_launch_file(self, path: str) -> bool:
         others = (each for each in self.files.paths if each != path and role_of(each) == "launch")
         return not any(each.endswith(LAUNCHED) and not each.rpartition("/")[2].startswith(".") for each in others)
 
     def texts_but(self, path: str) -> Iterator[str]:
-        """Yield all that may name a file: pages, scripts, the code of the package and of those that need it."""
-        yield from self.pages
-        code = (each for each in self.files.paths if each.endswith(CODE) and each not in (path, "setup.py"))
-        yield from (live_text(self.files, each) for each in code)
+        """Yield the code that may name a file, of the package and of those that need it, without what nothing reads."""
+        yield from (text for own, text in self.opening.texts if own != path)
         whole = self.files.whole
-        for other in self.workspace.needing(self.package.name):
+        for other in self.opening.workspace.needing(self.package.name):
             if whole is None:
                 return
             theirs = PackageFiles(whole.sub(other.folder), other.folder, whole)
             yield from (live_text(theirs, each) for each in theirs.paths if each.endswith(CODE))
+
+    @property
+    def commands(self) -> Iterator[str]:
+        """The lines of pages and scripts with a command."""
+        typed = re.compile(COMMAND)
+        return (line for text in self.pages for line in text.splitlines() if typed.search(line))
 
     @cached_property
     def pages(self) -> tuple[str, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from functools import cached_property
 
@@ -15,8 +16,10 @@ from ..read_problem import ReadProblem
 from ..unreadable import Unreadable
 from .fault import Level
 from .led_to import YAML, LedTo
+from .opening_places import OpeningPlaces
 from .started_texts import StartedTexts
-from .urdf.opened_robots import OpenedRobots
+from .urdf.met_robots import MetRobots
+from .urdf.opened_robots import XACRO, OpenedRobots
 
 TAKEN_BY_URDFDOM = frozenset({ReadProblem.XML_PREFIX, ReadProblem.XML_AFTER_ROOT})
 """What tinyxml2, which knows no prefixes and takes several root elements, reads all the same."""
@@ -34,6 +37,8 @@ LOST = regex("[\udc80-\udcff]")
 class UnreadableFile:
     file: Unreadable
     opened: OpenedRobots
+    met: MetRobots
+    opening: OpeningPlaces
     files: PackageFiles
 
     @property
@@ -49,7 +54,7 @@ class UnreadableFile:
         """Whether it is a launch file or YAML that nothing leads to."""
         path = self.file.path
         is_asked = role_of(path) == "launch" or path.endswith(YAML)
-        return is_asked and not LedTo(self.files, self.opened.package, self.opened.workspace).has(path)
+        return is_asked and not LedTo(self.opening).has(path)
 
     @cached_property
     def started(self) -> StartedTexts:
@@ -66,10 +71,14 @@ class UnreadableFile:
         return self.file.code is ReadProblem.PYTHON_SYNTAX and is_module and not self.started.is_reached(path)
 
     def level_of_module(self) -> tuple[Level | None, str]:
-        """Return the level of a module that nothing here starts, and why: packages that need this one may import it."""
-        if any(each.modules for each in self.opened.workspace.needing(self.opened.package.name)):
-            return "warning", "; nothing that is started here imports this module, packages that need this one may"
-        is_named = self.started.is_named(self.file.path)
+        """Return the level of a module that nothing here starts, and why: another package may import it."""
+        path = self.file.path
+        module = posixpath.splitext(path)[0].replace("/", ".")
+        wanted, others = {(module, ""), tuple(module.rpartition(".")[::2])}, self.opened.workspace.packages
+        taken = (each.taken_names for each in others if each.name != self.opened.package.name)
+        if any(name == module or (name, what) in wanted for names in taken for name, what in names):
+            return "warning", "; nothing that is started here imports this module, another package does"
+        is_named = self.started.is_named(path)
         return "info", f"; {'nothing that is started imports' if is_named else 'no other file names'} this module"
 
     def level_of_robot(self) -> tuple[Level | None, str]:
@@ -77,17 +86,19 @@ class UnreadableFile:
         path = self.file.path
         if not self.files.readable_text(path).strip() and not self.opened.is_named_in_full(path):
             return "info", "; no file of the package names it"
-        if self.opened.is_surely_named(path):
+        is_met = path.endswith(XACRO) and self.met.has(path)
+        if is_met or any(map(self.opening.has, (path, *self.opened.including(path)))):
             return None, ""
         if self.opened.has(path):
-            return "warning", "; no file of the package names it in full, but one may open it"
+            return "info", "; no text that is read here names it with its place"
         return "info", "; no file of the package opens it"
 
     def level(self) -> tuple[Level | None, str]:
         """Return the level, None for the rule's own, and why it is another: a robot may be read, or by nothing."""
         path = self.file.path
         if path.endswith(".urdf") and self.file.code in TAKEN_BY_URDFDOM:
-            return "warning", "; xacro and Python stop there, urdfdom reads past it"
+            level, why = self.level_of_robot()
+            return (level, why) if level else ("warning", "; xacro and Python stop there, urdfdom reads past it")
         if self.file.code is ReadProblem.XML_AFTER_ROOT and LIBRARY.match(self.files.readable_text(path)):
             return "info", "; pluginlib reads past it, other readers stop there: put `<class_libraries>` around all"
         if path.endswith((".urdf", ".xacro", ".sdf", ".world")) or is_tree(self.files, path):
@@ -97,5 +108,6 @@ class UnreadableFile:
         if self.is_left_alone:
             return "info", "; no other file names it"
         if path.endswith(".launch") and ROS1_LAUNCH.search(self.files.readable_text(path)):
-            return "warning", "; it is written for ROS 1"
+            is_for_both = self.files.holds("package.xml", b"catkin")
+            return "warning" if is_for_both else "info", "; it is written for ROS 1"
         return self.level_of_module() if self.is_loose_module else (None, "")

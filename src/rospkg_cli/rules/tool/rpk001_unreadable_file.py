@@ -34,10 +34,11 @@ ament_package()
     over=UnreadableFile,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a robot that no file surely opens, or that urdfdom reads all the same; a launch file for "
-        "ROS 1; a module of Python that another package may import",
-        Severity.INFO: "a robot, a launch file or YAML that no file opens or names, a module of Python that nothing "
-        "imports that is started, bytes that are no text in comments of CMake, or plugins without a root around them",
+        Severity.WARNING: "a robot that urdfdom reads all the same; a launch file for ROS 1 in a package for both; a "
+        "module of Python that another package imports",
+        Severity.INFO: "a robot, a world, a behavior tree, a launch file or YAML that nothing is shown to open, a "
+        "launch file for ROS 1, a module of Python that nothing imports that is started, bytes that are no text in "
+        "comments of CMake, or plugins without a root around them",
     },
     examples=(
         Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}),
@@ -62,12 +63,14 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     interfaces is reported by its own rules, a file that is too large by RPK007. Of worlds and SDF only tags that don't
     match are told, as Gazebo reads past the rest; of behavior trees those that are not closed, too.
 
-    A robot, a world or a behavior tree is an info where no file of the workspace opens it, a warning where one may do
-    so, as another file has its name. It is a warning, too, where urdfdom reads past the fault: an undeclared prefix, or
-    something behind the root element, in a plain `.urdf`. A Python module is an info where no entry point, launch file
-    or CMake file names it, nor a module that one of these names, a warning where another package needs this one. A
-    launch file for ROS 1 is a warning. A launch file beside others, or YAML, is an info where no other file of the
-    package, no page or script, and no package that needs this one names it. Several `<library>` of a plugin description
+    A robot, a world or a behavior tree is an info where nothing is shown to open it: a launch file, code or a typed
+    command that names it with its place (Gazebo has an `empty.sdf` of its own), or YAML by a key that is read; the
+    default of an argument that nothing reads opens nothing. It is a warning where urdfdom reads past the fault: an
+    undeclared prefix, or something behind the root element, in a plain `.urdf`. A Python module is an info where no
+    entry point, launch file or CMake file names it, nor a module that one of these names, a warning where another
+    package imports it. A launch file for ROS 1 is an info, in a package for catkin as well a warning. A launch file
+    beside others is an info where no other file of the package, no page or script, and no package that needs this one
+    names it, and so is YAML that no command of a page and no code names. Several `<library>` of a plugin description
     without a root are an info, and so are bytes that are not UTF-8 in comments of a CMake file. A `<` in the value of
     an attribute of a plugin description is no fault, since pluginlib takes it.
     """
