@@ -9,7 +9,7 @@ from rospkg_cli.testing import lint_files
 
 MAP = "image: {}\nresolution: 0.05\norigin: [0.0, 0.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n"
 OPENS = "<launch><log message='$(find-pkg-share my_pkg)/{}'/></launch>\n"
-TREE = "bt_navigator:\n  ros__parameters:\n    tree_xml: {}\n"
+TREE = "bt_navigator:\n  ros__parameters:\n    default_nav_to_pose_bt_xml: {}\n"
 FILES: dict[str, str | None] = {
     "package.xml": manifest("", "ament_cmake"),
     "CMakeLists.txt": "project(my_pkg)\nfind_package(ament_cmake REQUIRED)\n"
@@ -31,6 +31,39 @@ def test_the_image_of_a_map_has_another_name() -> None:
     assert level == "warning"
     assert message.endswith("did you mean `hall.pgm`?")
     assert told(**{"maps/office.yaml": MAP.format("nothing_alike.png")})[0][0] == "info"
+
+
+NAV2 = "<launch><include file='$(find-pkg-share nav2_bringup)/launch/bringup_launch.py'/><log message='{}'/></launch>\n"
+
+
+@pytest.mark.parametrize(
+    ("launch", "level"),
+    [
+        (NAV2.format("$(find-pkg-share my_pkg)/maps/hall.yaml"), "warning"),
+        (NAV2.format("maps_of_others/hall.yaml"), "info"),
+        (OPENS.format("maps/office.png"), "info"),
+        (OPENS.format("config/office.yaml"), "warning"),
+        ("<launch><arg name='map' default='$(find-pkg-share my_pkg)/maps/office.yaml'/></launch>\n", "info"),
+    ],
+)
+def test_a_map_is_met_where_it_is_named_or_as_one_of_those_that_nav2_is_given(launch: str, level: str) -> None:
+    files = {"maps/office.yaml": MAP.format("gone.png"), "src/a.py": "NAME = f'{1}.yaml'\n"}
+    assert told(**files, **{"launch/a.launch.xml": launch})[0][0] == level
+
+
+def test_a_name_of_several_maps_needs_its_folder() -> None:
+    files = {"maps/big/office.yaml": MAP.format("gone.png"), "maps/office.yaml": MAP.format("hall.pgm")}
+    assert told(**files, **{"launch/a.launch.xml": OPENS.format("maps/office.yaml")})[0][0] == "info"
+    assert told(**files, **{"launch/a.launch.xml": OPENS.format("maps/big/office.yaml")})[0][0] == "warning"
+
+
+def test_a_parameter_that_nobody_is_shown_to_read() -> None:
+    value = "$(find-pkg-share my_pkg)/config/b.xml"
+    files = {"config/nav.yaml": TREE.format(value), "launch/a.launch.xml": OPENS.format("config/nav.yaml")}
+    own = {**files, "config/nav.yaml": files["config/nav.yaml"].replace("default_nav_to_pose_bt_xml", "my_tree")}
+    ((level, message),) = told(**own)
+    assert (level, "read it by this key; add it" in message) == ("info", True)
+    assert told(**own, **{"src/a.py": "node.declare_parameter('my_tree', '')\n"})[0][0] == "warning"
 
 
 @pytest.mark.parametrize(
@@ -61,7 +94,7 @@ def test_a_parameter_names_a_file_that_is_missing(value: str) -> None:
     ((level, message),) = told(**files)
     assert level == "warning"
     assert message.startswith("`my_pkg` has no file `config/b.xml`")
-    given = "<launch><let name='tree_xml' value='a'/><log message='nav.yaml'/></launch>\n"
+    given = "<launch><let name='default_nav_to_pose_bt_xml' value='a'/><log message='nav.yaml'/></launch>\n"
     assert told(**{**files, "launch/a.launch.xml": given})[0][0] == "info"
 
 

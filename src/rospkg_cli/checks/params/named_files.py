@@ -21,11 +21,16 @@ from ...unreadable import READABLE
 from ..closest_path import closest_path
 from ..fault import Fault, softer_advice
 from ..left_to_people import files_of, why_left
+from ..opening_places import OpeningPlaces
 from ..yaml_elsewhere import is_named_yaml
 from .launch_overrides import is_overridden
+from .opened_maps import OpenedMaps
+from .path_readers import PathReaders
 
 MAP = regex(r"^resolution[ \t]*:[\s\S]*^origin[ \t]*:|^origin[ \t]*:[\s\S]*^resolution[ \t]*:", re.MULTILINE)
 IMAGE = regex(r"^image[ \t]*:[ \t]*[\"']?([\w][\w ./-]*\.\w+)[\"']?[ \t]*(?:#.*)?\r?$", re.MULTILINE)
+UNOPENED = "as soon as something here opens this file"
+UNREAD = "and neither code here nor a well-known node is shown to read it by this key"
 PARAMETERS = "ros__parameters"
 SHARED = regex(
     r"^[ \t]*([\w.]+)[ \t]*:[ \t]*[\"']?(?:\$\(find-pkg-share[ \t]+(\w+)\)|package://(\w+))(/[\w./-]+\.\w+)[\"']?"
@@ -39,6 +44,7 @@ class NamedFiles:
     files: PackageFiles
     package: PackageFacts
     workspace: Workspace
+    opening: OpeningPlaces
     launches: Annotated[tuple[LaunchFile, ...], READABLE] = ()
     parameters: Annotated[tuple[ParameterFile, ...], READABLE] = ()
 
@@ -49,10 +55,11 @@ class NamedFiles:
                 text = self.files.readable_text(path)
                 found = self.of_map(path, text) if MAP.search(text) else self.of_parameters(path, text)
                 for fault in found:
-                    if fault.level == "info" or self.is_used(path):
+                    why = "" if fault.level == "info" else self.why_unmet(path, text, fault)
+                    if not why:
                         yield path, fault
                     elif not self.package.name.endswith(("_test", "_tests")):
-                        yield path, unused(fault)
+                        yield path, softer_advice(fault, "info", why)
 
     def of_map(self, path: str, text: str) -> Iterator[Fault]:
         """Yield the image of a map, which map_server looks for beside the map."""
@@ -111,6 +118,18 @@ class NamedFiles:
             return not (self.files.is_there(path) or self.files.absent.is_expected(path))
         return not self.files.absent_in(facts.folder).is_ignored(path)
 
+    def why_unmet(self, path: str, text: str, fault: Fault) -> str:
+        """Return why nothing is shown to open a map, or to read the parameter that names a file; "" where one is."""
+        is_map = MAP.search(text) is not None
+        if not self.is_used(path) or (is_map and not self.maps.has(path)):
+            return UNOPENED
+        is_read = is_map or PathReaders(self.files, self.workspace, self.parameters).has(path, fault.span, text)
+        return "" if is_read else UNREAD
+
+    @cached_property
+    def maps(self) -> OpenedMaps:
+        return OpenedMaps(self.opening)
+
     def is_used(self, path: str) -> bool:
         """Return whether a YAML file is not left out of what is installed, and something may name it."""
         is_left = self.package.knows("share_files") and path in self.package.uninstalled
@@ -118,8 +137,3 @@ class NamedFiles:
 
 
 IMAGES = frozenset({".pgm", ".png", ".bmp", ".jpg"})
-
-
-def unused(fault: Fault) -> Fault:
-    message, _, hint = fault.message.rpartition("; ")
-    return Fault(fault.span, f"{message}, as soon as something here opens this file; {hint}", "info")

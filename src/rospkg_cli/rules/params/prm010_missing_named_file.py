@@ -35,8 +35,8 @@ INSTALLS = CMAKE.replace(
     over=NamedFiles,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "nothing here installs or names the file, a launch file may give another value, or people bring "
-        "what is missing"
+        Severity.INFO: "nothing here installs or names the file, opens the map, or is shown to read the parameter, a "
+        "launch file may give another value, or people bring what is missing"
     },
     examples=(
         Example(
@@ -65,7 +65,9 @@ def missing_named_file(scope: NamedFiles) -> Iterator[Hit]:
     ## When it is quiet
     Files that git ignores, that the build or the package's own code writes, or that lie in a submodule, are left alone,
     and so are packages of which not all is known that they install. What is there and not installed is told by others.
-    In a package of tests, a file that nothing names is left alone, too. It is an info where people bring what is
+    In a package of tests, a file that nothing names is left alone, too. It is an info where nothing names the map, nor
+    starts nav2 or a map server and names its folder, and where neither code of the workspace nor a well-known node is
+    shown to read the parameter by its key. It is one where people bring what is
     missing: a page or a script has it fetched, saved or copied there by its name, or its folder, for what people make
     (`maps`, `calibration`, `data`), holds nothing but a `.gitkeep` or a README.
     """
