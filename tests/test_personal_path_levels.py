@@ -144,3 +144,23 @@ def test_one_more_place_for_packages(lines: str, expected: str) -> None:
     files |= {"CMakeLists.txt": CMAKE.replace("ament_package", f"{lines}ament_package")}
     (found,) = lint_files(files, ["DEP118"]).findings
     assert found.severity.value == expected
+
+
+NODE = f"""\
+#include <rclcpp/rclcpp.hpp>
+class Talker : public rclcpp::Node {{
+public:
+  Talker() : Node("talker") {{ START }}
+  void read() {{ load("{PLACE}"); }}
+}};
+int main() {{ return 0; }}
+"""
+
+
+@pytest.mark.parametrize(("start", "expected"), [("", "info"), ("read();", "warning")])
+def test_a_function_of_a_cpp_node_that_nothing_calls(start: str, expected: str) -> None:
+    build = CMAKE.replace("ament_package", "add_executable(node src/node.cpp)\nament_package")
+    files = {"package.xml": manifest("", "ament_cmake"), "CMakeLists.txt": build, "data/a.txt": "Ada\n"}
+    (found,) = lint_files({**files, "src/node.cpp": NODE.replace("START", start)}, ["DEP118"]).findings
+    assert found.severity.value == expected
+    assert ("nothing here leads to this function" in found.message) == (expected == "info")

@@ -22,6 +22,7 @@ from ..package.workspace import Workspace
 from ..source import Span
 from ..unreadable import READABLE
 from .bare_paths import names_nothing
+from .cpp.uncalled_members import is_in_uncalled
 from .file_dialogs import begins_dialog
 from .home_accounts import is_of_container, is_of_many
 from .home_path_texts import (
@@ -79,7 +80,7 @@ class HomePath:
     tells to write another, a dialog for files begins there, or it has no suffix and is the path of no file or
     folder."""
     is_unreached: bool = False
-    """Whether it is in a function of Python that nothing leads to."""
+    """Whether it is in a function that nothing leads to."""
     is_unread: bool = False
     """Whether it is put into a variable, or is the default of an argument, that nothing reads."""
     is_written: bool = False
@@ -158,7 +159,10 @@ class HomePaths:
         return names_nothing(path, below, self.files, self.facts, facts)
 
     def is_unreached(self, path: str, place: Span) -> bool:
-        """Return whether no program of the package leads to the function around a place."""
+        """Return whether no program of the package leads to the function around a place, or no C++ node names it."""
+        sources = self.left.sources if self.left is not None and path.endswith(CPP) else ()
+        if any(is_in_uncalled(each, place, sources) for each in sources if each.path == path):
+            return True
         file = self.python(path)
         return file is not None and self.definitions is not None and not self.definitions.leads_to(file, place)
 
