@@ -24,7 +24,7 @@ def missing_fault(scope: RobotInWorkspace, missing: MissingResource) -> Fault:
     if best.level != "info" and (left := left_to_people(scope, missing)):
         return softer(best, "info", left)
     if best.level is None and not scope.is_installed:
-        return softer(best, "warning", "where the robot is read from the source: it is not installed")
+        return softer(best, "info", "where the robot is read from the source: it is not installed")
     if best.level is None and missing.is_include and scope.may_be_read_as_it_is:
         return softer(best, "warning", "where xacro reads it")
     return best
