@@ -316,6 +316,15 @@ def test_a_dependency_in_a_comment_was_thought_about() -> None:
     assert [f.severity.value for f in lint_files(files, ["DEP103"]).findings] == ["info"]
 
 
+@pytest.mark.parametrize("condition, level", [("$ROS_DISTRO == galactic", "info"), ("$ROS_VERSION == 1", "warning")])
+def test_a_dependency_for_an_older_distribution_was_thought_about(condition: str, level: str) -> None:
+    body = LAUNCH + f'  <exec_depend condition="{condition}">joy</exec_depend>\n'
+    files = {**PYTHON, "launch/a.launch.xml": xml('<node pkg="joy" exec="x"/>'), "package.xml": manifest(body)}
+    (finding,) = lint_files(files, ["DEP103"]).findings
+    assert finding.severity.value == level
+    assert finding.message.endswith("widen the condition") is (level == "info")
+
+
 def test_a_dependency_that_would_close_a_circle_is_not_asked_for() -> None:
     files = {f"a/{path}": text for path, text in PYTHON.items()}
     files["a/launch/x.launch.xml"] = xml('<node pkg="b" exec="x"/>')

@@ -67,6 +67,8 @@ def where_absent(declared: DeclaredDependencies, *names: str, built: bool = Fals
 
 def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
     """Return what to do about a missing dependency."""
+    if name in declared.for_other_distributions:
+        return "package.xml declares it for distributions alone that are supported no more: widen the condition"
     match source_of(declared, name):
         case "released":
             newer = newer_distros(declared, name)
@@ -98,8 +100,9 @@ def written(declared: DeclaredDependencies, tag: str, name: str) -> str:
 
 
 def safety_of(declared: DeclaredDependencies, name: str) -> Safety:
-    """Return whether a name may be declared unasked: all distributions have it, and no comment leaves it out."""
-    sure = source_of(declared, name) == "released" and name not in declared.commented_out
+    """Return whether a name may be declared unasked: all distributions have it, and it was not left out on purpose."""
+    is_left = name in declared.commented_out or name in declared.for_other_distributions
+    sure = source_of(declared, name) == "released" and not is_left
     return Safety.SAFE if sure and not newer_distros(declared, name) else Safety.UNSAFE
 
 

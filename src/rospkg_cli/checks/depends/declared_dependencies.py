@@ -220,6 +220,14 @@ class DeclaredDependencies:
         comments = "\n".join(comment.text for comment in self.manifest.document.comments)
         return frozenset(COMMENTED_DEPENDENCY.findall(comments))
 
+    @cached_property
+    def for_other_distributions(self) -> frozenset[str]:
+        """What is declared for distributions of ROS 2 alone that are supported no more: people of these have it."""
+        gone = (
+            d for d in self.manifest.dependencies if "$ROS_DISTRO" in (d.condition or "") and not d.active(Targets())
+        )
+        return frozenset(d.name for d in gone)
+
     def is_needed_by(self, name: str) -> bool:
         """Return whether a package of the workspace depends on this one: a dependency on it would be a cycle."""
         seen: set[str] = set()

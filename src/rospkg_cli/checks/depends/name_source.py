@@ -41,14 +41,15 @@ def newer_distros(declared: DeclaredDependencies, name: str) -> list[str]:
 
 
 def is_left_out(declared: DeclaredDependencies, name: str) -> bool:
-    """Return whether a dependency is missing on purpose: package.xml has it in a comment, or it may come otherwise.
+    """Return whether a dependency is missing on purpose: package.xml has it in a comment or for older distributions
+    alone, or it may come otherwise.
 
     A package that no distribution has may lie in a repository that a `.repos` file lists, or in an empty submodule.
     What only PyPI has is left to pip, since a key of pip keeps a package from being released.
     """
     source = source_of(declared, name)
     is_elsewhere = source == "pip" or (source == "unknown" and not declared.workspace.is_complete)
-    return is_elsewhere or name in declared.commented_out
+    return is_elsewhere or name in declared.commented_out or name in declared.for_other_distributions
 
 
 def is_unmet(declared: DeclaredDependencies, name: str, serving: Iterable[str] = ()) -> bool:

@@ -30,7 +30,8 @@ OPTIONAL = "; this module is imported only where that may fail"
     over=ImportDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment, "
+        Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment or "
+        "for older distributions alone, "
         "where another package of an unreleased repository declares it, where only PyPI has it or the repository has "
         "it installed by pip or by hand, where nothing but launch files, only `try`, or nothing at all imports the "
         "module or starts the script, where nothing leads to the function, and where another Python runs the file"

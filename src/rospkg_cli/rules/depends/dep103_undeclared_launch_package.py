@@ -49,7 +49,8 @@ BAD_XML = """\
         Severity.INFO: "for launch itself, which users of launch files have, where a declared dependency brings it, "
         "where an argument must turn it on, for examples, for launch files that nothing installs or "
         "names, for what no launch comes to, for nodes that other code describes, where another "
-        "package of an unreleased repository declares it, and where package.xml has it in a comment"
+        "package of an unreleased repository declares it, and where package.xml has it in a comment or for "
+        "older distributions alone"
     },
     examples=(
         Example(

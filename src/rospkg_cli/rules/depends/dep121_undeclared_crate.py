@@ -36,7 +36,8 @@ def example(table: str, tag: str) -> Example:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency brings or may bring it, another package of an unreleased "
-        "repository declares it, or package.xml has it in a comment"
+        "repository declares it, or package.xml has it in a comment or for "
+        "older distributions alone"
     },
     examples=(example("", "depend"), example("dev-", "test_depend")),
 )
