@@ -152,3 +152,15 @@ def test_the_program_that_surely_ends_is_told_of() -> None:
 def test_a_module_beside_a_script_for_ros1() -> None:
     assert levels(SCRIPT, {"scripts/a.py": "import rospy\nimport b\n", "scripts/b.py": ""}) == [Severity.INFO]
     assert levels(SCRIPT, {"scripts/a.py": "import b\nimport rospy\n", "scripts/b.py": ""}) == [Severity.WARNING]
+
+
+def test_a_python_package_beside_the_script_finds_its_own_modules() -> None:
+    lines = "install(PROGRAMS src/a.py DESTINATION lib/${PROJECT_NAME})\n"
+    below = "install(DIRECTORY src/my_pkg DESTINATION lib/${PROJECT_NAME})\n"
+    own = {"src/my_pkg/__init__.py": "", "src/my_pkg/words.py": "", "src/my_pkg/a.py": "import my_pkg.words\n"}
+    script = "#!/usr/bin/env python3\nfrom my_pkg import a\n"
+    assert levels(lines + below, {"src/a.py": script, **own}) == []
+    assert levels(lines + below.replace("lib/", "share/"), {"src/a.py": script, **own}) == [
+        Severity.WARNING,
+        Severity.ERROR,
+    ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
@@ -13,7 +14,7 @@ from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.cmake.referenced_paths import ReferencedPaths
 from ...package.file_role import role_of
-from ...package.install_table import PYTHON, InstallTable
+from ...package.install_table import PYTHON, InstalledFile, InstallTable
 from ...package.python_modules import PythonModules
 from ...source import Span
 from ..reached_definitions import ReachedDefinitions
@@ -82,22 +83,28 @@ class PythonPackages:
             file = self.modules.at(row.source)
             if file is not None and "sys.path" in cmake.package_files.source(row.source).text:
                 continue
-            folder_there = row.destination.rpartition("/")[0]
             for each in file.imports if file is not None else ():
                 name = each.module.partition(".")[0]
-                is_neighbour = any(other.destination.startswith(f"{folder_there}/{name}/") for other in self.table.rows)
                 if (
                     name in missing
                     and not (row.what == "share" and row.source.startswith(f"{self.folders[name]}/"))
                     and not each.level
                     and not (each.is_optional or each.is_for_typing)
                     and self.is_own(each)
-                    and not is_neighbour
+                    and not self.is_beside(row, name)
                     and file is not None
                 ):
                     is_started = row.what == "executable" or role_of(row.source) == "launch"
                     why = self.unmet.why(file, each, row)
                     yield UninstalledPythonPackage(name, row.source, each.span, each.module, is_started, why)
+
+    def is_beside(self, row: InstalledFile, name: str) -> bool:
+        """Return whether a Python package is installed next to a file; or with it, next to a script that imports it."""
+        here, inside = posixpath.dirname(row.destination), row.source.removeprefix(f"{self.folders[name]}/")
+        above = row.destination.removesuffix(f"/{name}/{inside}")
+        if inside != row.source and above != row.destination:
+            return any(posixpath.dirname(other.destination) == above for other in self.table.rows)
+        return any(other.destination.startswith(f"{here}/{name}/") for other in self.table.rows)
 
     @property
     def found_by_scripts(self) -> set[str]:
