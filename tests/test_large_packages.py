@@ -107,5 +107,6 @@ def test_the_collector_rests_while_a_tree_is_built(monkeypatch: pytest.MonkeyPat
     states = []
     monkeypatch.setattr(syntax.ast, "parse", lambda *_: states.append(gc.isenabled()))
     monkeypatch.setattr(syntax, "is_too_deep", lambda _: False)
+    monkeypatch.setattr(syntax, "compile_error", lambda *_: None)
     parse(Source("a.py", "a = 1\n"))
     assert (states, gc.isenabled()) == ([False], True)
