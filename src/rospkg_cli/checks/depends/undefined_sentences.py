@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from .unset_members import UnsetMember
+from .unwritten_parts import UNWRITTEN
 
 ENDS = {
     "certainly": "the start ends here with NameError",
@@ -23,5 +24,7 @@ def of_member(member: UnsetMember) -> str:
     ends = ENDS[member.when].replace("NameError", "AttributeError")
     if better == "Node":
         return f"`{owner}` is no node and has no `{member.name}`: {ends}; write `class {owner}(Node)`"
+    if member.is_unwritten:
+        return f"`{owner}` has no `{member.name}`, and nothing gives it one: {ends}{UNWRITTEN}"
     near = f"; did you mean `self.{better}`?" if better else ""
     return f"`{owner}` has no `{member.name}`, and nothing gives it one: {ends}{near}"

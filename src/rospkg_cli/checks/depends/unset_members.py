@@ -23,6 +23,7 @@ from .handed_out import is_handed_out
 from .own_classes import Line, OwnClass, OwnClasses
 from .undefined_uses import UndefinedUses, When
 from .unknown_rclpy_names import UnknownRclpyNames
+from .unwritten_parts import LOUD, is_member_unwritten
 
 DYNAMIC = regex(r"__[gs]etattr(?:ibute)?__|__dict__|__slots__|\b(?:vars|setattr|exec|locals)\(")
 """How code sets attributes by names that it makes."""
@@ -42,6 +43,8 @@ class UnsetMember:
     better: str
     """What may be meant; "" where that is unknown, "Node" where the class has no base and uses what nodes have."""
     when: When
+    is_unwritten: bool = False
+    """Whether a comment says that it is still to be written."""
 
 
 @dataclass(frozen=True)
@@ -78,7 +81,8 @@ class UnsetMembers:
             use = UndefinedName(first.attr, file.span(first.value), frozenset())
             better = (nearest(name, frozenset(own | stored_in(line))) if name else "Node") or ""
             when = self.uses.of_attribute(role, file, use, certain)
-            yield UnsetMember(file, span, others, first.attr, owner.node.name, better, when)
+            is_left = when in LOUD and is_member_unwritten(file, owner.node, name, (span, *others))
+            yield UnsetMember(file, span, others, first.attr, owner.node.name, better, when, is_left)
 
     def told(self, file: PythonFile) -> set[str]:
         """Return the names that are nearly one of a node's, which another rule tells."""

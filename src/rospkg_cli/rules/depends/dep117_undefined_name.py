@@ -8,6 +8,7 @@ from ...checks.depends.own_members import is_own_member
 from ...checks.depends.undefined_sentences import CAUGHT, ENDS, OF_TYPE, of_member
 from ...checks.depends.undefined_uses import UndefinedUse, UndefinedUses
 from ...checks.depends.unset_members import UnsetMembers
+from ...checks.depends.unwritten_parts import why_unwritten
 from ...edits.python_imports import import_module
 from ...example import Example, manifest, scripts, setup_py
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -57,9 +58,9 @@ WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
         Severity.WARNING: "it is in a function that a program is shown to come to, under one condition at most, in a "
         "test, in an annotation, or in a program that nothing starts, beside others that are started",
         Severity.INFO: "no program is shown to come to it, or under several conditions alone, nothing in the package "
-        "calls the function, imports the module, or installs the file, a switch "
-        "turns it off that nothing throws, it stands behind `rclpy.spin`, an attribute is read under a "
-        "condition, or the run ends before, at another fault or in a wait that nothing ends",
+        "calls the function, imports the module, or installs the file, a switch turns it off that nothing throws, it "
+        "stands behind `rclpy.spin`, an attribute is read under a condition, a comment says "
+        "that it is still to be written, or the run ends before, at another fault or in a wait",
     },
     examples=(
         Example(
@@ -107,16 +108,17 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
         edits = import_module(file, line) if line else ()
         fix = Fix(f"add `{line}`", edits, Safety.UNSAFE) if edits else None
         ends = OF_TYPE if use.found.is_annotation else CAUGHT if use.found.is_caught else ENDS[use.when]
-        message = f"`{name}` is neither defined nor imported: {ends}{advice(use, line)}"
+        left = why_unwritten(use)
+        message = f"`{name}` is neither defined nor imported: {ends}{left or advice(use, line)}"
         places = tuple(Related(file.path, each.span, "here too") for each in use.others)
-        yield Hit(file.path, use.found.span, message, LEVELS[use.when], places, fix)
+        yield Hit(file.path, use.found.span, message, Severity.INFO if left else LEVELS[use.when], places, fix)
     for file, each, when in uses.absent():
         ends = ENDS[when].replace("NameError", each.raised)
-        message = f"`{each.module}` has no `{each.name}`: {ends}{each.advice}"
-        yield Hit(file.path, each.span, message, LEVELS[when])
+        yield Hit(file.path, each.span, f"`{each.module}` has no `{each.name}`: {ends}{each.advice}", LEVELS[when])
     for member in UnsetMembers(uses).all():
         places = tuple(Related(member.file.path, span, "here too") for span in member.others)
-        yield Hit(member.file.path, member.span, of_member(member), LEVELS[member.when], places)
+        level = Severity.INFO if member.is_unwritten else LEVELS[member.when]
+        yield Hit(member.file.path, member.span, of_member(member), level, places)
 
 
 LEVELS = {
