@@ -28,19 +28,22 @@ from .shown.units import is_in_function
 from .shown.ways import ShownWays
 from .unimported_modules import UnimportedModules
 
-Met = Literal["maybe", "branch", "late", "seldom", "unshown", "never"]
+Met = Literal["maybe", "branch", "late", "ended", "unspun", "seldom", "unshown", "never"]
 """In some runs; after another failure, by a switch or by the file's path alone; behind a `spin` that Ctrl-C leaves;
-under several conditions at once; where nothing is shown to come; where nothing leads."""
+behind the loop of a constructor; in a callback of a node that nothing spins; under several conditions at once; where
+nothing is shown to come; where nothing leads."""
 
 WHY: dict[Met, str] = {
     "branch": "; it runs only where its condition holds",
     "late": "; it stands behind `spin`, which Ctrl-C leaves by an exception of its own",
+    "ended": "; it runs only once the loop has ended in which the program stays",
+    "unspun": "; it is in a callback, and nothing spins the node",
     "seldom": "; it runs only where several conditions hold at once",
     "unshown": "; nothing here shows that a program comes to this line",
     "never": "; nothing here leads to this function",
 }
 """What is said of a place that seldom or never runs."""
-MILDER: tuple[Met, ...] = ("branch", "seldom", "late", "unshown", "never")
+MILDER: tuple[Met, ...] = ("branch", "seldom", "late", "ended", "unspun", "unshown", "never")
 UNWANTED = "; nothing here leads to what imports this module"
 IN_TEST = "; only a test runs it"
 AT_TIMES = "; a condition stands on the way to it"
@@ -68,7 +71,9 @@ class ReachedPlaces:
         if met != "maybe":
             return met
         conditions = self.conditions(file, span)
-        return "unshown" if conditions is None else "seldom" if conditions > 1 else "maybe"
+        if conditions is None or conditions > 1:
+            return "unshown" if conditions is None else "seldom"
+        return "unspun" if self.shown.is_unspun(file, span) else "maybe"
 
     def conditions(self, file: PythonFile, span: Span) -> int | None:
         """Return how many conditions stand on the shortest way that is shown to a place; None where none is shown.
@@ -88,6 +93,8 @@ class ReachedPlaces:
             return "never"
         if self.is_late(file, span):
             return "late"
+        if self.is_ended(file, span):
+            return "ended"
         is_seldom = is_in_handler(file, span) or self.definitions.is_turned_off(file, span)
         return "branch" if is_seldom or self.is_by_path(file, span) else "maybe"
 
@@ -99,6 +106,12 @@ class ReachedPlaces:
             self.behind_spins[file.path] = called_behind_spin(file, lambda name: self.is_taken(file, name))
         places = self.behind_spins[file.path]
         return places is not None and places.has(span.start)
+
+    def is_ended(self, file: PythonFile, span: Span) -> bool:
+        """Return whether a place is led to once a constructor has left the loop that is its program's work."""
+        from .behind_loops import is_behind_loop  # what few packages need, and each start would pay for
+
+        return is_behind_loop(self.shown.meanings, file, span)
 
     @cached_property
     def behind_spins(self) -> dict[str, StoppedPlaces | None]:

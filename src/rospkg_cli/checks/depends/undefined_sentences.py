@@ -10,6 +10,8 @@ ENDS = {
     "maybe": "the line raises NameError when it runs",
     "branch": "the line raises NameError where its condition holds",
     "late": "the line raises NameError where `spin` returns, which Ctrl-C leaves by an exception of its own",
+    "ended": "the line raises NameError once the loop has ended in which the program stays",
+    "unspun": "the line raises NameError when its callback runs, and nothing spins the node",
     "seldom": "the line raises NameError where several conditions hold at once",
     "unshown": "the line raises NameError once a program comes to it, which nothing here shows",
     "aside": "the line raises NameError when somebody runs this file, which nothing installs",

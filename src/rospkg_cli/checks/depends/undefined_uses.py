@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from functools import cached_property
-from typing import Literal
+from typing import Literal, get_args
 
 from ...languages.python.branches import is_under_condition
 from ...languages.python.file import PythonFile
@@ -18,12 +18,12 @@ from ..module_attributes import AbsentAttribute, absent_attributes
 from ..reached_places import ReachedPlaces
 from ..run_imports import RunImports
 
-When = Literal["certainly", "maybe", "branch", "late", "seldom", "unshown", "never", "aside"]
+When = Literal["certainly", "maybe", "branch", "late", "ended", "unspun", "seldom", "unshown", "never", "aside"]
 """When a name is used: at every start or import, in some runs, under a condition or after another failure, behind a
-`spin` that Ctrl-C leaves, under several conditions, where nothing is shown to come, where nothing leads, in what
-nothing installs."""
+`spin` that Ctrl-C leaves or the loop of a constructor, in a callback of a node that nothing spins, under several
+conditions, where nothing is shown to come, where nothing leads, in what nothing installs."""
 
-ORDER: tuple[When, ...] = ("certainly", "maybe", "branch", "late", "seldom", "unshown", "never", "aside")
+ORDER: tuple[When, ...] = get_args(When)
 OF_LAUNCH = frozenset({"generate_launch_description", "generate_test_description"})
 PYTHON_2 = frozenset(
     "unicode xrange raw_input basestring long unichr reduce file cmp execfile buffer reload apply intern".split()

@@ -14,12 +14,13 @@ OFF, BY_PATH = "; a switch turns it off that nothing throws", "; it runs only wh
 BY_WORD = "; an annotation alone says so, and who calls the function may hand it something else"
 AFTER = "; it runs after another exception alone"
 REPLACED, UNUSED = "; the class is defined again below", "; its object is made and never used"
-OF_WAYS: tuple[Met, ...] = ("late", "branch", "unshown", "seldom")
+OF_WAYS: tuple[Met, ...] = ("late", "ended", "unspun", "branch", "unshown", "seldom")
 NEVER = (LEFT, UNCALLED, UNREACHED, BY_PATH, OFF, AFTER, BY_WORD, REPLACED, UNUSED, *(WHY[each] for each in OF_WAYS))
 REASONS = (
     (FieldUses.is_uncalled, UNCALLED),
     (FieldUses.is_unreached, UNREACHED),
     (FieldUses.is_late, WHY["late"]),
+    (FieldUses.is_ended, WHY["ended"]),
     (FieldUses.is_by_path, BY_PATH),
     (FieldUses.is_turned_off, OFF),
     (FieldUses.is_in_handler, AFTER),
@@ -30,6 +31,7 @@ REASONS = (
     (FieldUses.is_conditional, WHY["branch"]),
     (FieldUses.is_unshown, WHY["unshown"]),
     (FieldUses.is_seldom, WHY["seldom"]),
+    (FieldUses.is_unspun, WHY["unspun"]),
     (FieldUses.is_at_times, AT_TIMES),
 )
 """Why a use seldom runs."""

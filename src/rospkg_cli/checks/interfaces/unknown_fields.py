@@ -98,6 +98,16 @@ class FieldUses:
         file = self.run.modules.at(use.path)
         return file is not None and self.places is not None and self.places.is_late(file, use.span)
 
+    def is_ended(self, use: UnknownField) -> bool:
+        """Return whether a use stands behind the loop of a constructor."""
+        file = self.run.modules.at(use.path)
+        return file is not None and self.places is not None and self.places.is_ended(file, use.span)
+
+    def is_unspun(self, use: UnknownField) -> bool:
+        """Return whether a use is in a callback of a node that nothing spins."""
+        file = self.run.modules.at(use.path)
+        return file is not None and self.places is not None and self.places.shown.is_unspun(file, use.span)
+
     def is_by_path(self, use: UnknownField) -> bool:
         """Return whether only who starts a module by its path comes to a use, which an entry point starts as well."""
         file = self.run.modules.at(use.path)

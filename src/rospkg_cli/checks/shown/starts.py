@@ -37,6 +37,8 @@ class Start:
     conditions: int = 0
     is_program: bool = False
     """Whether a module is started by its path."""
+    is_whole: bool = False
+    """Whether it begins a program, of which all is to be seen, and no part that others take."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +62,7 @@ class Starts:
             elif self.is_test(file):
                 yield from tests_in(file, meanings) if with_tests else ()
             elif self.is_by_path(file):
-                yield Start(Own(file, file.tree), int(self.table.knows("executable")), is_program=True)
+                yield Start(Own(file, file.tree), int(self.table.knows("executable")), is_program=True, is_whole=True)
 
     def programs(self, meanings: Meanings) -> Iterator[Start]:
         """Yield the installed programs, and the functions of entry points."""
@@ -69,9 +71,9 @@ class Starts:
             file = self.run.modules.at(self.installed.sources.get(module, "") if row.entry else row.source)
             if file is None:
                 continue
-            yield Start(Own(file, file.tree), int(row.maybe), is_program=not row.entry)
+            yield Start(Own(file, file.tree), int(row.maybe), is_program=not row.entry, is_whole=True)
             meant = meanings.in_file(file).get(name.partition(".")[0]) if name else None
-            yield from [Start(meant, int(row.maybe))] if meant is not None else []
+            yield from [Start(meant, int(row.maybe), is_whole=True)] if meant is not None else []
 
     def taken(self, meanings: Meanings) -> Iterator[Start]:
         """Yield what other packages of the workspace import."""

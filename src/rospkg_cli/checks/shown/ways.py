@@ -12,6 +12,7 @@ from ...light_dataclasses import dataclass
 from ...source import Span
 from .meanings import Meanings, Own
 from .own_objects import OwnObjects, functions_in
+from .spun_callbacks import without_callbacks
 from .starts import Start, Starts
 from .steps import Step, Steps
 from .units import Units, unit_around
@@ -40,6 +41,11 @@ class ShownWays:
         """Return whether ways from tests alone are shown to a place."""
         is_shown = self.conditions(file, span) is not None
         return is_shown and self.conditions_from(self.reached_without_tests, file, span) is None
+
+    def is_unspun(self, file: PythonFile, span: Span) -> bool:
+        """Return whether a place is come to in callbacks alone, of programs in which nothing spins a node."""
+        reached = self.reached_where_spun
+        return reached is not self.reached and self.conditions_from(reached, file, span) is None
 
     def conditions_from(self, reached: Reached, file: PythonFile, span: Span) -> int | None:
         unit = unit_around(file, span)
@@ -74,7 +80,19 @@ class ShownWays:
     def reached_without_tests(self) -> Reached:
         return self.reached_from(self.starts.all(self.meanings, with_tests=False))
 
-    def reached_from(self, starts: Iterable[Start]) -> Reached:
+    @cached_property
+    def reached_where_spun(self) -> Reached:
+        """What is reached without the callbacks of programs in which nothing spins a node."""
+        from .spins import Spins  # what few packages need, and each start would pay for
+
+        spins, starts = Spins(Steps(self.meanings, self.objects, self.units)), [*self.starts.all(self.meanings)]
+        still = [each for each in starts if each.is_whole and not spins.may_be_in(each.unit.file)]
+        if not still:
+            return self.reached
+        others = self.reached_from(each for each in starts if each not in still)
+        return others | self.reached_from(still, is_spun=False)
+
+    def reached_from(self, starts: Iterable[Start], *, is_spun: bool = True) -> Reached:
         """Return the conditions on the way to each function, class and module; as a program, too."""
         steps, made = Steps(self.meanings, self.objects, self.units), set[tuple[int, bool]]()
         found: Reached = {}
@@ -96,7 +114,7 @@ class ShownWays:
                 for one in self.born(unit):
                     heap.push(Start(one, conditions))
                 continue
-            for step, count in self.steps_of(steps, start):
+            for step, count in self.steps_of(steps, start, is_spun=is_spun):
                 needed = (step.needs.key, step.is_exact) if step.needs is not None else None
                 if needed is not None and needed not in made:
                     pending.setdefault(needed, []).append((step.to, conditions + count))
@@ -104,9 +122,10 @@ class ShownWays:
                     heap.push(Start(step.to, conditions + count))
         return found
 
-    def steps_of(self, steps: Steps, start: Start) -> Iterator[tuple[Step, int]]:
+    def steps_of(self, steps: Steps, start: Start, *, is_spun: bool) -> Iterator[tuple[Step, int]]:
         handed: set[int] = set()
-        for node, conditions in self.units.parts(start.unit, is_program=start.is_program):
+        parts = self.units.parts(start.unit, is_program=start.is_program)
+        for node, conditions in parts if is_spun else without_callbacks(parts, start.unit.file):
             for step in steps.of(start.unit, node, handed):
                 yield step, conditions + step.more
 

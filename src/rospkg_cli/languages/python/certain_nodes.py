@@ -5,7 +5,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
+from .attributes import is_of_self
 from .constant_truth import constant_truth
+from .evaluation_order import in_order
 from .file import STARTERS, PythonFile
 from .nodes import children_of, nodes_of, nodes_of_kind
 
@@ -57,13 +59,18 @@ def is_guard(node: ast.If) -> bool:
 
 def endless(tree: ast.Module) -> Iterator[ast.FunctionDef | ast.ClassDef]:
     """Yield the functions and methods with a loop that lasts, and the classes whose objects begin with one."""
-    for each in nodes_of_kind(tree, ast.FunctionDef):
-        if any(is_endless(loop) for loop in nodes_of_kind(each, ast.While)):
-            yield each
+    lasting = [each for each in nodes_of_kind(tree, ast.FunctionDef) if any(map(is_endless, loops_in(each)))]
+    yield from lasting
     for owner in nodes_of_kind(tree, ast.ClassDef):
-        starts = (each for each in owner.body if isinstance(each, ast.FunctionDef) and each.name == "__init__")
-        if any(is_endless(loop) for each in starts for loop in nodes_of_kind(each, ast.While)):
+        own = {each.name for each in owner.body if each in lasting}
+        starts = [each for each in owner.body if isinstance(each, ast.FunctionDef) and each.name == "__init__"]
+        calls = (call.func for each in starts for call in nodes_of_kind(each, ast.Call))
+        if "__init__" in own or any(is_of_self(each) and each.attr in own for each in calls):
             yield owner
+
+
+def loops_in(function: ast.FunctionDef) -> list[ast.While]:
+    return nodes_of_kind(function, ast.While)
 
 
 def is_endless(loop: ast.While) -> bool:
@@ -96,11 +103,24 @@ def straight(body: Iterable[ast.stmt], leaving: Collection[str]) -> Iterator[ast
             waiting += evaluated(node, leaving)
 
 
-def until_left(body: Iterable[ast.stmt], leaving: Collection[str]) -> Iterator[ast.stmt]:
+def until_left(body: Iterable[ast.stmt], leaving: Collection[str]) -> Iterator[ast.AST]:
     for statement in body:
-        yield statement
         if may_leave(statement, leaving):
+            yield from before_leaving(statement, leaving)
             return
+        yield statement
+
+
+def before_leaving(node: ast.AST, leaving: Collection[str]) -> Iterator[ast.AST]:
+    """Yield the parts of a statement that run up to the call that may not return, with this: values before targets."""
+    while (parts := in_order(node)) and (at := first_leaving(parts, leaving)) is not None:
+        yield from parts[:at]
+        node = parts[at]
+    yield node
+
+
+def first_leaving(parts: Sequence[ast.AST], leaving: Collection[str]) -> int | None:
+    return next((number for number, each in enumerate(parts) if may_leave(each, leaving)), None)
 
 
 def evaluated(node: ast.AST, leaving: Collection[str]) -> Sequence[ast.AST | None]:
@@ -127,7 +147,7 @@ def evaluated(node: ast.AST, leaving: Collection[str]) -> Sequence[ast.AST | Non
     return children_of(node)
 
 
-def may_leave(statement: ast.stmt, leaving: Collection[str]) -> bool:
+def may_leave(statement: ast.AST, leaving: Collection[str]) -> bool:
     """Return whether the next statement may not be reached."""
     waiting: list[ast.AST] = [statement]
     while waiting:

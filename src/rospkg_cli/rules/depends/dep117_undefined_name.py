@@ -59,8 +59,8 @@ WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
         "test, in an annotation, or in a program that nothing starts, beside others that are started",
         Severity.INFO: "no program is shown to come to it, or under several conditions alone, nothing in the package "
         "calls the function, imports the module, or installs the file, a switch turns it off that nothing throws, it "
-        "stands behind `rclpy.spin`, an attribute is read under a condition, a comment says "
-        "that it is still to be written, or the run ends before, at another fault or in a wait",
+        "stands behind `rclpy.spin`, an attribute is read under a condition, nothing spins the node, a comment says "
+        "that it is still to be written, or the run ends before, at another fault or in a loop",
     },
     examples=(
         Example(
@@ -124,7 +124,7 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
 LEVELS = {
     "certainly": None,
     "maybe": Severity.WARNING,
-    **dict.fromkeys(("branch", "late", "seldom", "unshown", "never", "aside"), Severity.INFO),
+    **dict.fromkeys(("branch", "late", "ended", "unspun", "seldom", "unshown", "never", "aside"), Severity.INFO),
 }
 
 

@@ -44,8 +44,8 @@ def main():
         "test, or in a program that nothing starts, beside others that are started",
         Severity.INFO: "no program is shown to come to it, or under several conditions alone, it is under a condition "
         "(`__main__` of an entry point's module), behind `rclpy.spin`, nothing in the package calls the function, or "
-        "imports the module, the run ends before, at another fault or in a wait, or the repository is for Dashing or "
-        "older alone, which need no depth",
+        "imports the module, nothing spins the node, the run ends before, at another fault or in a loop, or the "
+        "repository is for Dashing or older alone, which need no depth",
     },
     examples=(
         Example(
@@ -99,13 +99,15 @@ WHAT = {"rclpy": "`rclpy` has no", "self": "a node has no"}
 LEVELS = {
     "certainly": None,
     "maybe": Severity.WARNING,
-    **dict.fromkeys(("branch", "late", "seldom", "unshown", "never"), Severity.INFO),
+    **dict.fromkeys(("branch", "late", "ended", "unspun", "seldom", "unshown", "never"), Severity.INFO),
 }
 ENDS = {
     "certainly": "the start ends here",
     "maybe": "the line ends",
     "branch": "the line ends, under its condition,",
     "late": "the line ends, where `spin` returns,",
+    "ended": "the line ends, once the loop has ended in which the program stays,",
+    "unspun": "the line ends, in a callback of a node that nothing spins,",
     "seldom": "the line ends, where several conditions hold at once,",
     "unshown": "the line ends, once a program comes to it,",
     "never": "the line ends, once something calls it,",

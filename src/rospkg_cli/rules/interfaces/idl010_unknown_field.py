@@ -49,7 +49,7 @@ TALKER = "from std_msgs.msg import String\n\n\ndef main():\n    msg = String()\n
         "it is of, no way from a program to it is shown, or several conditions stand on it, nothing starts or imports "
         "the module, calls the method, or leads to the function, it stands behind `rclpy.spin`, a switch turns it off, "
         "its object is never used, its class is defined again, or a message is made with it and the pages name Jazzy "
-        "or newer alone, or the run ends before, at another fault or in a wait that nothing ends",
+        "or newer alone, or nothing spins the node, or the run ends before, at another fault or in a loop",
     },
     examples=(
         Example(
