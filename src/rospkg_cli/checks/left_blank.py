@@ -19,7 +19,10 @@ OPEN = regex(
     r"|\bfill (?:me )?in\b|\bcomplete (?:this|the (?:code|function|method|class))\b"
 )
 DOTS = regex(r"\W*(?:\.{3,}|…|_{3,})\W*")
-BLANK = regex(r"(?i)_*(?:to_?do|fill_?(?:me_?)?in|fix_?me|your_\w+|replace_?me|change_?me|insert_\w+_here)_*|_{3,}")
+BLANK = regex(
+    r"(?i)_*(?:to[ _]?do|tbd|fill[ _]?(?:me(?:[ _]?in)?|in|out|this)(?:[ _]here)?|fix[ _]?me|your_\w+|(?-i:X{3,})"
+    r"|(?:replace|change)[ _]?(?:me|this)|insert_\w+_here)_*|_{3,}|\?{2,}"
+)
 BETWEEN = regex(r"[^\W\d_]+")
 SHORT = 3
 """How many letters of two words must be the same: `pub` means the publisher."""

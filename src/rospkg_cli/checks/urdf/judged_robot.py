@@ -94,6 +94,8 @@ class JudgedRobot:
         is_launched = self.launched.has(robot)
         if fault.level == "info":
             return fault
+        if blank := self.unless_filled_in():
+            return replace(fault, level="info", message=fault.message + blank)
         if unread := self.readers.unless_read(self.robot.document.root, fault):
             return replace(fault, level="info", message=fault.message + unread)
         if fault.level is None and is_launched:
@@ -108,6 +110,12 @@ class JudgedRobot:
         if idle := self.unless_called(fault):
             return softer(fault, "info", idle)
         return self.without_prefix(fault) if UNLESS in fault.message else replace(fault, level="info")
+
+    def unless_filled_in(self) -> str:
+        """Return what is said of a robot with blanks in the place of names or values; "" of one without."""
+        from .left_blanks import STILL, has_blanks  # few robots have a fault
+
+        return STILL if has_blanks(self.robot.document.root) else ""
 
     def unless_called(self, fault: Fault) -> str:
         """Return why nobody meets a fault: Gazebo leaves it out, or no opened robot calls its macro; else ""."""

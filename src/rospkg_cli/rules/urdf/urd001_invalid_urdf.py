@@ -68,7 +68,7 @@ def example(bad: str, good: str, text: str = GOOD, name: str = "robot.urdf") -> 
     levels={
         Severity.INFO: "no launch file is shown to open a robot that meets it, a part of a link is lost, a condition "
         "is around it, nothing calls its macro or reads its property or its `<ros2_control>`, Gazebo leaves out what "
-        "is unknown, or a prefix or an argument may be given",
+        "is unknown, a prefix or an argument may be given, or the robot has blanks that are still to be filled in",
     },
     examples=(
         example('<parent link="«bse»"/>', '<parent link="base"/>'),
@@ -109,7 +109,8 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     folder such as `old/`, in a macro that nothing calls, where urdfdom or xacro pass over it, or meet it for some, and
     in a `<ros2_control>` where no package here names, needs or starts a controller manager or a simulator. Joints of a
     `<ros2_control>` that the robot lacks are one where pages and scripts name Humble or older ones alone and no plugin
-    for Gazebo moves them, and an argument that is its own default where no launch file is known to leave it out.
+    for Gazebo moves them, and an argument that is its own default where no launch file is known to leave it out. In a
+    robot with blanks for names or values (`TODO`, `___`, `FILL_ME`), which an exercise or a template leaves, all are.
 
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py
