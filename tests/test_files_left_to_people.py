@@ -150,3 +150,40 @@ def test_what_a_node_of_the_package_writes_is_missing_until_it_ran() -> None:
     reader = SAVES.replace("saver.py", "docker.py")
     assert told("LCH003", **{**files, "launch__a_DOT_launch_DOT_xml": reader}) == LOUD
     assert told("LCH003", **{**files, "launch__b_DOT_launch_DOT_xml": reader}) == [*WRITTEN, *WRITTEN]
+
+
+WALKS = """\
+from setuptools import setup
+
+found = [(root, files) for root, _, files in os.walk('{}')]
+setup(name='my_pkg', data_files=[('share/my_pkg', ['package.xml']), ('share/my_pkg/launch', ['launch/a.launch.xml'])])
+"""
+BROUGHT = (
+    "info: , until people add it to `resource/`, which is installed, and which git ignores; add it, or correct the path"
+)
+
+
+@pytest.mark.parametrize(
+    ("ignored", "walked", "expected"),
+    [
+        ("resource/\n!resource/my_pkg\n", "resource", [BROUGHT]),
+        ("resource/urdf\n", "./resource/", [BROUGHT]),
+        ("resource/meshes\n", "resource", LOUD),
+        ("resource/\n", "config", LOUD),
+        ("", "resource", LOUD),
+    ],
+)
+def test_a_folder_that_git_ignores_and_setup_py_installs(ignored: str, walked: str, expected: list[str]) -> None:
+    files = {"_DOT_gitignore": ignored, "setup_DOT_py": WALKS.format(walked), "CMakeLists_DOT_txt": None}
+    files["package_DOT_xml"] = manifest("  <exec_depend>ros2launch</exec_depend>\n")
+    assert told("LCH003", "urdf/a.urdf", **files) == expected
+
+
+def test_a_folder_that_git_ignores_and_cmake_installs() -> None:
+    installs = (
+        "install(DIRECTORY launch DESTINATION share/my_pkg)\ninstall(DIRECTORY resource/ DESTINATION share/my_pkg)\n"
+    )
+    cmake = CMAKE.replace("ament_package", f"{installs}ament_package")
+    files: dict[str, str | None] = {"resource__a_DOT_txt": "", "CMakeLists_DOT_txt": cmake}
+    assert told("LCH003", "urdf/a.urdf", **files) == LOUD
+    assert told("LCH003", "urdf/a.urdf", _DOT_gitignore="/resource\n", **files) == [BROUGHT]

@@ -21,8 +21,15 @@ OF_PEOPLE = regex(
     r"|waypoints|routes|poses|logs|results|media|secrets|keys|certs?|certificates)(?:_.*)?"
 )
 """Names of folders whose files are made where the robot runs, or are too large or too secret for git."""
+WHOLE = {
+    "setup.py": regex(r"""['"](?:\./)?([\w-][\w./-]*?)/?['"]"""),
+    "CMakeLists.txt": regex(r"""(?i)\bDIRECTORY\s+"?(?:\$\{\w+\}/)?([\w-][\w./-]*?)/"?\s"""),
+}
+"""How builds name folders that may go to the share directory without their own name."""
+OF_BUILDS = frozenset({"build", "install", "log", "dist"})
 UNTIL_PUT = "until people put one into `{}/`, which is kept empty for theirs"
 UNTIL_ADDED = "until people add one of theirs to `{}/`"
+UNTIL_BROUGHT = "until people add it to `{}/`, which is installed, and which git ignores"
 UNTIL_MADE = "until it is fetched or made, as a page or a script here tells to"
 
 
@@ -36,18 +43,30 @@ def files_of(files: PackageFiles, facts: PackageFacts, *, own: bool) -> PackageF
 def why_left(files: PackageFiles | None, path: str, *, is_code: bool = False) -> str:
     """Return why nobody who does as is meant misses a file of a package that is not there; "" where somebody may.
 
-    What launch or xacro reads as code, people don't make: of that, pages alone are asked.
+    What launch or xacro reads as code, people don't make: of that, pages are asked, and what git ignores.
     """
     if files is None:
         return ""
     if OPEN not in path and FetchedFiles(files).has_itself(path):
         return UNTIL_MADE
+    if OPEN not in path and (theirs := ignored_folder(files, path)):
+        return UNTIL_BROUGHT.format(theirs)
     folder = posixpath.dirname(path.partition(OPEN)[0])
     if is_code or not folder:
         return ""
     if is_kept(files, folder, path):
         return UNTIL_PUT.format(folder)
     return UNTIL_ADDED.format(folder) if OPEN in path and has_none_yet(files, folder, path) else ""
+
+
+def ignored_folder(files: PackageFiles, path: str) -> str:
+    """Return the folder that a build installs, and for whose files git does not care, where one of a path may lie.
+
+    It is named as a whole (`os.walk('resource')`), so that `resource/urdf/a.urdf` may become `share/x/urdf/a.urdf`.
+    """
+    words = (each for build, word in WHOLE.items() for each in word.findall(files.readable_text(build)))
+    folders = (each for each in dict.fromkeys(words) if each not in OF_BUILDS)
+    return next((each for each in folders if files.absent.is_ignored(f"{each}/{path}")), "")
 
 
 def is_kept(files: PackageFiles, folder: str, path: str) -> bool:

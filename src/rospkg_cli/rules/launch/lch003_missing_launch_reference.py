@@ -102,7 +102,7 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     that nothing here brings. It is an info, too, where people bring the file and launch does not include it: a page or
     a script has it fetched, saved or copied there by its name, a node of the package writes it, or its folder holds
     nothing but a `.gitkeep` or the like and is one for what people make (`maps`, `calibration`, `data`), has a README
-    alone, or the launch is to say the name.
+    alone, or the launch is to say the name, or git ignores a folder that the build installs as a whole (`resource/`).
     """
     for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):
