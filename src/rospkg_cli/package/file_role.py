@@ -20,7 +20,9 @@ OF_OTHERS = regex(r"(?:third|3rd)[ _-]?part(?:y|ies)", re.IGNORECASE)
 NOT_INSTALLED = frozenset({"setup.py", "conf.py"})
 UNUSED = r"un-?used|disused|not[ _-]?(?:in[ _-]?)?used?|(?:do[ _-]?not|don'?t)[ _-]?use"
 """How people say that nothing uses what a folder or file holds; whatever stands beside the words."""
-GONE = rf"legacy|depr[ei]cated|obsolete|archived?|attic|discarded|outdated|abandoned|retired|{UNUSED}"
+LEFT_BEHIND = rf"depr[ei]cated|obsolete|archived|discarded|outdated|abandoned|wip|{UNUSED}"
+"""What people write before or behind the name of a file, too, and what no robot or node is called."""
+GONE = rf"legacy|archive|attic|retired|{LEFT_BEHIND}"
 PAST = r"old|backups?|bak|(?:tmp|temp)[_-]old|junk|broken|not[ _-]?working"
 ENDS = r"old|backups?|bak"
 """What a folder called after what it holds may end with (`urdf_backup`)."""
@@ -32,7 +34,8 @@ LEFT = regex(
 )
 """Folders for what nobody uses any more; none for words that a robot's task may have (`trash`, `garbage`)."""
 LEFT_FILE = regex(
-    rf".*[_.-](?:legacy|depr[ei]cated|old|backup|bak|obsolete|orig|copy|{UNUSED})", re.IGNORECASE | re.DOTALL
+    rf".*[_.-](?:legacy|old|backup|bak|orig|copy|{LEFT_BEHIND})|(?:legacy|{LEFT_BEHIND})(?:[_.-].*)?",
+    re.IGNORECASE | re.DOTALL,
 )
 COPY = regex(r" copy(?: \d+)?\.", re.IGNORECASE)
 """How editors and desktops call a copy of a file: `a.launch copy 2.py`."""
