@@ -154,3 +154,15 @@ def generate_launch_description():
 def test_what_is_only_handed_on_to_what_ignores_it_is_read_by_nobody(given: str, read: str, level: str) -> None:
     others = {"mid": MIDDLE.replace("GIVEN", given), "last": OTHER.replace("NAME", read)}
     assert levels(COMMENTED, **others) == [level]
+
+
+@pytest.mark.parametrize(("added", "level"), [("", "info"), ("LogInfo(msg=value)", "warning")])
+def test_an_included_file_that_only_puts_the_argument_into_a_variable(added: str, level: str) -> None:
+    binds = "    value = LaunchConfiguration('map')\n    return LaunchDescription([\n"
+    text = (
+        OTHER.replace("    return LaunchDescription([\n", binds)
+        .replace("NAME", "other")
+        .replace("LogInfo(", f"{added}, LogInfo(" if added else "LogInfo(")
+    )
+    third = OTHER.replace("NAME", "map")  # that another file has one of the name says nothing
+    assert levels(INCLUDE.format("my_pkg", "other.launch.py"), other=text, third=third) == [level]

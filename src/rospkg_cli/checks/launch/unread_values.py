@@ -1,4 +1,6 @@
-"""What a launch file sets and nothing reads: the defaults of arguments, `<let>`, and the variables that lead there."""
+"""What a launch file sets and nothing reads: the defaults of arguments, `<let>`, what included files do not take, and
+the variables that lead there.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +15,7 @@ from ...package.launch.live_text import without, without_unread
 from ...package.launch.text import uncommented
 from ...ros.known_launch_files import known_arguments
 from ...source import Span
+from .include_arguments import IncludeContext
 from .missing_references import LaunchContext, MissingReference, defaults_of, is_within
 from .unset_configurations import OWN, LaunchConfigurations
 
@@ -40,7 +43,8 @@ class UnreadValues:
     @cached_property
     def places(self) -> tuple[Span, ...]:
         """Where the values stand themselves, and what is put into variables that only they read."""
-        own = [*(each.span for each in self.arguments), *self.set_in_vain]
+        untaken = IncludeContext(self.scope).untaken()
+        own = [*(each.span for each in self.arguments), *self.set_in_vain, *untaken]
         python = self.scope.file.python
         if python is None:  # what Python has as a default may be written elsewhere, and be read there, too
             return (*own, *(each.default.span for each in self.arguments if each.default is not None))

@@ -24,7 +24,10 @@ class LaunchSignature:
     """The declared ones whose default is known, and that."""
     passed: frozenset[tuple[str, str]] = frozenset()
     """The configurations that it uses for nothing but arguments of what it includes, each with that argument."""
+    idle: frozenset[str] = frozenset()
+    """The configurations that it only puts where nothing reads them."""
 
     def reads(self, name: str) -> bool:
         """Return whether it uses a configuration for more than to pass it on."""
-        return name in self.used and not any(name == passed for passed, _ in self.passed)
+        is_used = name in self.used and name not in self.idle
+        return is_used and not any(name == passed for passed, _ in self.passed)

@@ -6,6 +6,7 @@ import posixpath
 from collections.abc import Iterator
 
 from ...files import ReaderInput
+from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...ros.imports import STANDARD
 from ..install_table import InstallTable
@@ -52,6 +53,7 @@ def signature_of(file: LaunchFile, places: frozenset[str]) -> LaunchSignature:
         not is_known or None in declared or None in used or None in included,
         frozenset(defaults_of(file)),
         frozenset(passed_on(file)),
+        frozenset(left_idle(file)),
     )
 
 
@@ -68,6 +70,16 @@ def passed_on(file: LaunchFile) -> Iterator[tuple[str, str]]:
     uses = [each for each in file.events or () if each.kind == "use"]
     read = {each.name for each in uses if not each.passed_as} | {*NAMED_USE.findall(file.source.text)}
     yield from ((each.name, each.passed_as) for each in uses if each.name and each.name not in read)
+
+
+def left_idle(file: LaunchFile) -> Iterator[str]:
+    """Yield the configurations that Python only binds to local names which nothing reads."""
+    met = {each.name for each in file.events or () if each.kind == "use"} | {*NAMED_USE.findall(file.source.text)}
+    uses = [(each.arguments[0].literal or "" if each.arguments else "", each.span) for each in file.configurations()]
+    uses = [(name, span) for name, span in uses if name and name not in met]
+    unread = never_added(file.python) if uses and file.python is not None else ()
+    read = {name for name, span in uses if not any(each.contains(span) for each in unread)}
+    yield from dict.fromkeys(name for name, _ in uses if name not in read)
 
 
 def required_by(file: LaunchFile) -> Iterator[str]:
