@@ -225,7 +225,9 @@ class HomePaths:
     def is_seldom_read(self, path: str) -> bool:
         folder = path.partition("/")[0]
         is_aside = path.endswith(".py") and folder not in (self.facts.name, *FOR_CODE)
-        is_left = self.left is not None and (self.left.has(path) or self.is_no_launch_file(path))
+        is_left = self.left is not None and (
+            self.left.has(path) or self.is_no_launch_file(path) or self.left.is_for_tests_alone(path)
+        )
         is_left = is_left or (path.endswith(".py") and self.programs is not None and self.programs.has(path))
         return path.endswith(".rviz") or is_aside or is_left or (path.endswith(YAML) and self.is_left_out(path))
 

@@ -23,6 +23,7 @@ from .depends.compiled_sources import sources_by_use
 from .home_path_texts import CPP, MARKUP, without_comments
 from .launch.left_launch_files import is_given_up
 from .pages_and_scripts import pages_and_scripts
+from .plain_scripts import is_plain_script
 from .reached_definitions import is_collected
 from .reached_modules import NAMING, PAGES, SCRIPTS, ReachedModules
 from .setup.linked_build import build_texts
@@ -55,10 +56,20 @@ class LeftFiles:
         if is_collected(path) and not self.is_swept(path):
             return False
         if path.endswith(".py") and self.reached is not None and self.reached.is_left(path):
-            return not self.is_for_others
+            return not self.is_for_others(path)
         is_left = self.is_uninstalled(path) and not (is_launch and self.are_launch_files_forgotten)
         is_left = is_left or self.is_no_program(path) or self.is_swept(path) or self.is_given_up(path)
         return (is_left or self.is_no_more_than_data(path)) and not self.is_named(path)
+
+    def is_for_tests_alone(self, path: str) -> bool:
+        """Return whether a script is called like a test and has none: pytest imports it, and nothing else here does."""
+        if self.reached is None or not is_collected(path) or not self.reached.is_left(path):
+            return False
+        return self.is_script(path) and not self.is_for_others(path)
+
+    def is_script(self, path: str) -> bool:
+        file = self.reached.run.modules.at(path) if self.reached is not None else None
+        return file is not None and is_plain_script(file)
 
     @cached_property
     def entries(self) -> frozenset[str]:
@@ -75,10 +86,16 @@ class LeftFiles:
         started = re.compile(rf"ros2 +run +{re.escape(self.package.name)} ")
         return not any(map(started.search, pages_and_scripts(self.files)))
 
-    @cached_property
-    def is_for_others(self) -> bool:
-        """Whether a package that needs this one has modules, which may import those of this one."""
-        return any(each.modules for each in self.workspace.needing(self.package.name))
+    def is_for_others(self, path: str) -> bool:
+        """Return whether a package that needs this one has modules, which may import a module: no script is for them,
+        unless they do.
+        """
+        users = [each for each in self.workspace.needing(self.package.name) if each.modules]
+        if not users or self.reached is None or not self.is_script(path):
+            return bool(users)
+        name = self.reached.installed.names.get(path, "")
+        taken = {taken for each in self.workspace.packages for taken in each.taken_names}
+        return any(name in (module, f"{module}.{inner}") for module, inner in taken)
 
     def is_uncompiled(self, path: str) -> bool:
         """Return whether no target compiles a source, nor a file that includes it, beside others that are compiled."""
@@ -178,7 +195,7 @@ class LeftFiles:
         if not path.endswith(".py") or role_of(path) != "run" or is_collected(path):
             return False
         is_left = self.is_no_more_than_data(path) or (self.reached is not None and self.reached.is_left(path))
-        return is_left and not self.is_for_others
+        return is_left and not self.is_for_others(path)
 
 
 def naming(path: str) -> re.Pattern[str]:

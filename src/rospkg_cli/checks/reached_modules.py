@@ -14,6 +14,7 @@ from ..package.install_table import InstallTable
 from ..package.launch.live_text import live_text
 from .home_path_texts import without_comments
 from .installed_modules import InstalledModules
+from .plain_scripts import is_run_by_path
 from .run_imports import RunImports
 
 PAGES = (".md", ".rst", ".sh")
@@ -42,12 +43,13 @@ class ReachedModules:
     def started(self) -> frozenset[str]:
         """The installed modules that entry points start, and those that these import.
 
-        Of a library it is every module that does nothing when it is started by its path, nor serves one that does.
+        Of a library it is every module that does nothing when it is started by its path, nor serves one that does. One
+        that works when it is imported, and has nothing to import, is for no other code either.
         """
         waiting = self.entries
         if self.is_library:
             files = {module: self.run.modules.at(source) for module, source in self.installed.sources.items()}
-            programs = [module for module, file in files.items() if file and "__main__" in file.source.text]
+            programs = [module for module, file in files.items() if file and is_run_by_path(file)]
             beside = self.found_beside(programs)
             waiting += [module for module, file in files.items() if file and module not in beside]
         return self.imported_from(waiting)
