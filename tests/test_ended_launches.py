@@ -55,3 +55,19 @@ def test_nobody_visits_what_python_never_returns(stop: str, above: str) -> None:
 )
 def test_what_may_be_visited_keeps_its_level(stop: str) -> None:
     assert levels(stop)["LCH002"][0] == "error"
+
+
+def paths(stop: str, **files: str) -> list[tuple[str, bool]]:
+    """Return the level of a path in a home that a launch file has before a place, and whether it tells of the end."""
+    text = FILE.format(stop=stop, above="").replace("'talkr'", "'talker', arguments=['/home/ada/ws/src/my_pkg/a.txt']")
+    written = {**FILES, "a.txt": "", "my_pkg/__init__.py": "", "launch/a.launch.py": text, **files}
+    found = lint_files(written, ["DEP118", "LCH013"]).findings
+    told = [each for each in found if each.code == "DEP118"]
+    return [(each.severity.value, each.message.endswith("; the launch ends before, at another line")) for each in told]
+
+
+def test_a_personal_path_that_no_launch_comes_to() -> None:
+    stop, other = "other = IfCondition('true')", "A = '/home/ada/ws/src/my_pkg/a.txt'\nprint(A)\n"
+    assert paths("") == [("warning", False)]
+    assert paths(stop) == [("info", True)]
+    assert paths(stop, **{"my_pkg/words.py": other}) == [("warning", False)]

@@ -131,6 +131,18 @@ def test_a_variable_that_only_an_argument_of_no_use_has() -> None:
         assert level({"setup.py": SETUP_PY_FOR_ALL, "launch/a.launch.py": each}) == expected
 
 
+def test_what_an_included_file_does_not_take() -> None:
+    own = {"setup.py": SETUP_PY_FOR_ALL, "launch/b.launch.xml": XML.replace(PLACE, "a")}
+    for name, expected in (("model", "warning"), ("models", "info")):
+        gives = f'    <arg name="{name}" value="{PLACE}"/>\n'
+        assert level({**own, "launch/a.launch.xml": CALLER.format("b.launch.xml", gives)}) == expected
+
+
+def test_a_launch_file_that_says_it_is_given_up() -> None:
+    for name, expected in (("a.launch.xml", "warning"), ("deprecated_a.launch.xml", "info")):
+        assert level({"setup.py": SETUP_PY_FOR_ALL, f"launch/{name}": XML}) == expected
+
+
 @pytest.mark.parametrize(
     ("lines", "expected"),
     [

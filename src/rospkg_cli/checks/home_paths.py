@@ -36,10 +36,10 @@ from .home_path_texts import (
     patterns,
     without_comments,
 )
-from .launch.idle_actions import level_at
 from .launch.missing_references import LaunchContext
 from .launch.undeclared_files import is_written_in_vain
 from .launch.unread_values import UnreadValues
+from .launch.who_meets import level_met
 from .left_files import LeftFiles
 from .params.launch_overrides import is_given, is_overridden
 from .params.path_readers import PathReaders
@@ -88,6 +88,8 @@ class HomePath:
     is_unclaimed: bool = False
     """Whether it is a value of YAML, or of a parameter in a launch file, and neither code here nor a well-known node is
     shown to read it by its key."""
+    is_last_resort: bool = False
+    """Whether it is tried only where another way to the file failed before."""
 
 
 @dataclass(frozen=True)
@@ -111,7 +113,7 @@ class HomePaths:
 
     def is_read(self, path: str) -> bool:
         """Return whether a file is a launch file, YAML, CMake or code of what is built and runs."""
-        if role_of(path) not in ("run", "launch") or is_set_aside(path):
+        if role_of(path) not in ("run", "launch"):
             return False
         read = (".py", *MARKUP, *YAML, *CPP, "CMakeLists.txt")
         return path.endswith(read) and not path.startswith((".", "build/", "install/", "log/"))
@@ -148,7 +150,10 @@ class HomePaths:
             ends = self.is_unread(path, place), is_written(bare, place.start, place.end)
             is_value = path.endswith((".yaml", ".yml")) and role_of(path) != "launch" and not is_image
             is_unclaimed = (is_value and not self.readers.has(path, place, bare)) or self.is_given_in_vain(path, place)
-            yield HomePath(path, place, named, *home, *flags, *ends, is_unclaimed)
+            from .last_resorts import is_last_resort  # few files have such a path
+
+            is_last = is_last_resort(path, bare, place, file)
+            yield HomePath(path, place, named, *home, *flags, *ends, is_unclaimed, is_last)
 
     @cached_property
     def readers(self) -> PathReaders:
@@ -229,6 +234,7 @@ class HomePaths:
             self.left.has(path) or self.is_no_launch_file(path) or self.left.is_for_tests_alone(path)
         )
         is_left = is_left or (path.endswith(".py") and self.programs is not None and self.programs.has(path))
+        is_aside = is_aside or is_set_aside(path)
         return path.endswith(".rviz") or is_aside or is_left or (path.endswith(YAML) and self.is_left_out(path))
 
     def is_no_launch_file(self, path: str) -> bool:
@@ -238,8 +244,9 @@ class HomePaths:
         return not self.left.is_named(path) and not is_named(path, self.files)
 
     def is_unused(self, path: str, place: Span) -> bool:
-        """Return whether a launch file has a place only in what never comes to the launch description."""
-        return any(each.path == path and level_at(each, place)[0] == "info" for each in self.launches)
+        """Return whether no launch comes to a place of a launch file: nothing adds it, or an end is before."""
+        own = (each for each in self.launches if each.path == path)
+        return any(level_met(each, place, self.workspace)[0] == "info" for each in own)
 
     def is_left_out(self, path: str) -> bool:
         """Return whether nothing installs a file."""

@@ -14,6 +14,8 @@ from .run_rules import InputsOf
 
 OF_CONFIGURATIONS = frozenset({"LCH008", "LCH016"})
 """Launch asks for the value of a configuration at the visit, unless Python looks it up itself."""
+OF_TEXTS = "DEP118"
+"""Tells of paths, which are opened by what launch starts."""
 BEHIND = "; the launch ends before, at another line"
 
 
@@ -42,7 +44,9 @@ def behind_ended_launches(
 
 def is_visited(finding: Finding) -> bool:
     """Return whether a finding is loud and shows itself when launch visits an action, or reads a value for one."""
-    is_late = finding.code in OF_CONFIGURATIONS or shows_at_visit(finding.code, finding.severity)
+    path = finding.location.path
+    is_text = finding.code == OF_TEXTS and all(place.path == path for place, _ in finding.related)
+    is_late = is_text or finding.code in OF_CONFIGURATIONS or shows_at_visit(finding.code, finding.severity)
     return finding.severity is not Severity.INFO and is_late
 
 

@@ -26,6 +26,7 @@ SETUP = SETUP_PY_FOR_ALL.replace(
 )
 UNREACHED, UNREAD = "; nothing here leads to this function", "; nothing reads it"
 UNCLAIMED = "; neither code here nor a well-known node is shown to read it by this key"
+LAST = "; it is tried only where something else failed before"
 WRITTEN = "; something writes it, and misses no file"
 FILES = {
     "package.xml": manifest(
@@ -46,12 +47,12 @@ FILES = {
     over=HomePaths,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "the file is not of the workspace, many have an account of that name, code asks first, "
-        "nothing installs, compiles, starts or names the file, YAML or launch files replace it, nothing leads to the "
-        "function or reads the variable or argument, something writes the file, a comment or page tells another, it "
-        "is one of several places for modules, a dialog for files begins there, YAML has it and the repository no such "
-        "file, or a launch file has it without a suffix and no file or folder is called so, or no "
-        "code here and no well-known node is shown to read a value of YAML by its key"
+        Severity.INFO: "the file is not of the workspace, many have an account of that name, code asks or tries "
+        "something else first, nothing installs, compiles, starts or names the file, YAML or launch files replace it, "
+        "nothing leads to the function or reads the variable or argument, the launch ends before, something writes the "
+        "file, a comment or page tells another, it is one of several places for modules, a dialog for files begins "
+        "there, YAML has it and the repository no such file, or a launch file has it without a suffix and no file or "
+        "folder is called so, or no code here and no well-known node is shown to read a value of YAML by its key"
     },
     examples=(
         Example(
@@ -86,26 +87,27 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     Tests, comments, texts that are only shown (descriptions, help, logs), what a substitution fills in, what is under a
     condition that never holds on Linux, and paths below the home of an account that robots, containers and examples
     have (`/home/ubuntu`), of one that a Dockerfile of the repository names, or in code that asks whether something
-    exists or tries something else first, unless they lead into the workspace: then they are an info. So is the default
-    of a parameter for which all YAML of the package that gives it has another value, or launch files have one, a value
-    of YAML that they replace (nav2's, by its argument `map`, too), what an RViz config or YAML that nothing names has,
-    a script in a folder that is none for code, a program that nothing starts, beside others that are started, what code
-    goes on without (`except OSError`), the default of an argument that all who start or include the launch file give, a
-    launch file whose twin in another language alone is named, a source that no target compiles, a module that nothing
-    starts or imports beside others, or only such modules, a launch file or script that nothing installs or names, a
-    script that setup.py puts among the programs without the bit to be executed and that nothing names, a function that
-    no program leads to, what a launch file has only for an action that it never adds, what is put into a variable of a
-    function or a member, which nothing reads, the folder in which a dialog for files begins, and what a comment at it,
-    or a line of a page that names the file, tells to change. A script that nothing names is left too where it is only a
-    part of a folder in the share directory, or where not all that is installed is known and CMake does not name its
-    folder. A value of YAML or a launch file without a suffix that is the path of no file or folder is an info as well:
-    what reads it adds a suffix (slam_toolbox's `map_file_name`), or writes there. So are one of YAML that no file of
-    the repository ends with, but for the image of a map, the default of an argument that nothing reads, and what is
-    written: `open(…, 'w')`, `np.save`, `ofstream`, a parameter called `output_dir`. And so is a value of YAML that
-    nobody is shown to read: no code of the workspace declares the parameter or has its key as a text or attribute, and
-    no well-known node has it in a supported distribution (`default_bt_xml_filename`, which Humble's bt_navigator does
-    not read), unless only older ones are meant; in launch files it is one of a parameter that the node, if its code or
-    parameters are known, does not have, or whose name else says nothing of a file.
+    exists or tries something else first (`except`, `catch`, `or` behind a look-up of a share directory), unless they
+    lead into the workspace: then they are an info. So is the default of a parameter for which all YAML of the package
+    that gives it has another value, or launch files have one, a value of YAML that they replace (nav2's, by its
+    argument `map`, too), what an RViz config or YAML that nothing names has, a script in a folder that is none for
+    code, a program that nothing starts, beside others that are started, what code goes on without (`except OSError`),
+    the default of an argument that all who start or include the launch file give, a launch file whose twin in another
+    language alone is named, a source that no target compiles, a module that nothing starts or imports beside others, or
+    only such modules, a launch file or script that nothing installs or names, a script that setup.py puts among the
+    programs without the bit to be executed and that nothing names, a function that no program leads to, what a launch
+    file has only for an action that it never adds, what is put into a variable of a function or a member, which nothing
+    reads, the folder in which a dialog for files begins, and what a comment at it, or a line of a page that names the
+    file, tells to change. A script that nothing names is left too where it is only a part of a folder in the share
+    directory, or where not all that is installed is known and CMake does not name its folder. A value of YAML or a
+    launch file without a suffix that is the path of no file or folder is an info as well: what reads it adds a suffix
+    (slam_toolbox's `map_file_name`), or writes there. So are one of YAML that no file of the repository ends with, but
+    for the image of a map, the default of an argument that nothing reads, and what is written: `open(…, 'w')`,
+    `np.save`, `ofstream`, a parameter called `output_dir`. And so is a value of YAML that nobody is shown to read: no
+    code of the workspace declares the parameter or has its key as a text or attribute, and no well-known node has it in
+    a supported distribution (`default_bt_xml_filename`, which Humble's bt_navigator does not read), unless only older
+    ones are meant; in launch files it is one of a parameter that the node, if its code or parameters are known, does
+    not have, or whose name else says nothing of a file.
     Robots and worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
@@ -120,6 +122,7 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
 
 def is_mild(found: HomePath) -> bool:
     is_unmet = found.is_unreached or found.is_unread or found.is_written or found.is_unclaimed
+    is_unmet = is_unmet or found.is_last_resort
     return is_unmet or found.may_be_there or found.is_seldom_read
 
 
@@ -133,4 +136,5 @@ def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
     why = why or (UNREAD if all(each.is_unread for each in found) else "")
     why = why or (WRITTEN if all(each.is_written for each in found) else "")
     why = why or (UNCLAIMED if all(each.is_unclaimed and each.of_package for each in found) else "")
+    why = why or (LAST if all(each.is_last_resort for each in found) else "")
     return Hit(first.path, first.span, f"{message}{why}", level, again)
