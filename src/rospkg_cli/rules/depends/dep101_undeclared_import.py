@@ -31,17 +31,14 @@ OPTIONAL = "; this module is imported only where that may fail"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment or "
-        "for older distributions alone, "
-        "where another package of an unreleased repository declares it, where only PyPI has it or the repository has "
-        "it installed by pip or by hand, where nothing but launch files, only `try`, or nothing at all imports the "
-        "module or starts the script, where nothing leads to the function, and where another Python runs the file"
+        "for older distributions alone, where another package of an unreleased repository declares it, where only "
+        "PyPI has it or the repository has it installed by pip or by hand, where nothing but launch files, only "
+        "`try`, or nothing at all imports the module or starts the script, where nothing leads to the function, and "
+        "where another Python runs the file"
     },
     examples=(
         Example(
-            bad={
-                "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"),
-                "my_pkg/viewer.py": BAD,
-            },
+            bad={"package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"), "my_pkg/viewer.py": BAD},
             good={
                 "package.xml": manifest(
                     "  <exec_depend>rclpy</exec_depend>\n  <exec_depend>trajectory_msgs</exec_depend>\n"

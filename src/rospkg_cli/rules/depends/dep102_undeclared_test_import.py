@@ -22,9 +22,8 @@ NEVER_RUN = "; `colcon test` does not run this file today"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency or colcon brings or may bring it, another package of an "
-        "unreleased repository declares it, package.xml has it in a comment or for "
-        "older distributions alone, a page tells to install "
-        "it by hand, setup.py does not ask for pytest, or `colcon test` does not run the file or "
+        "unreleased repository declares it, package.xml has it in a comment or for older distributions alone, a page "
+        "tells to install it by hand, setup.py does not ask for pytest, or `colcon test` does not run the file or "
         "comes to the function"
     },
     examples=(

@@ -47,10 +47,9 @@ BAD_XML = """\
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "for launch itself, which users of launch files have, where a declared dependency brings it, "
-        "where an argument must turn it on, for examples, for launch files that nothing installs or "
-        "names, for what no launch comes to, for nodes that other code describes, where another "
-        "package of an unreleased repository declares it, and where package.xml has it in a comment or for "
-        "older distributions alone"
+        "where an argument must turn it on, for examples, for launch files that nothing installs or names, for what "
+        "no launch comes to, for nodes that other code describes, where another package of an unreleased repository "
+        "declares it, and where package.xml has it in a comment or for older distributions alone"
     },
     examples=(
         Example(

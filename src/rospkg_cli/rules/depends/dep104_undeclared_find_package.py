@@ -31,12 +31,11 @@ FOUND_IN_TESTS = CMAKE.replace(
     over=IncludeDependencies,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "for a package that is found, since it may be installed, and for commands in tests; an error "
-        "is a command that nothing defines",
+        Severity.WARNING: "for a package that is found, since it may be installed, and for commands in tests; an "
+        "error is a command that nothing defines",
         Severity.INFO: "where a declared dependency brings or may bring it, another package of an unreleased "
-        "repository declares it, package.xml has it in a comment or for "
-        "older distributions alone, a page tells to install it by hand, "
-        "its key has no rule for a supported distribution, or no one here knows it",
+        "repository declares it, package.xml has it in a comment or for older distributions alone, a page tells to "
+        "install it by hand, its key has no rule for a supported distribution, or no one here knows it",
     },
     examples=(
         Example(

@@ -29,10 +29,9 @@ MAIN = "int main() {return 0;}\n"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a dependency brings it, or may bring it, as an empty submodule may, a page tells to "
-        "install it by hand, another package of an unreleased repository declares it, package.xml has "
-        "it in a comment or for "
-        "older distributions alone, or no file that includes it is compiled, or installed where a package of "
-        "the workspace builds against this one"
+        "install it by hand, another package of an unreleased repository declares it, package.xml has it in a "
+        "comment or for older distributions alone, or no file that includes it is compiled, or installed where a "
+        "package of the workspace builds against this one"
     },
     examples=(
         Example(

@@ -35,10 +35,9 @@ Visualization Manager:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "for plugins of robots and of RViz configs, in a package that launches nothing, in a file "
-        "that nothing opens, and where an argument must turn it on, a declared dependency brings or "
-        "may bring it, another package of an unreleased repository declares it, or package.xml has it "
-        "in a comment or for "
-        "older distributions alone"
+        "that nothing opens, and where an argument must turn it on, a declared dependency brings or may bring it, "
+        "another package of an unreleased repository declares it, or package.xml has it in a comment or for older "
+        "distributions alone"
     },
     examples=(
         Example(

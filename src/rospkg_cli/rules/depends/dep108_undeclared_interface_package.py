@@ -31,8 +31,7 @@ RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
     levels={
         Severity.ERROR: "no package has that name, and one has nearly it",
         Severity.INFO: "where a declared dependency brings or may bring it, another package of an unreleased "
-        "repository declares it, or package.xml has it in a comment or for "
-        "older distributions alone",
+        "repository declares it, or package.xml has it in a comment or for older distributions alone",
     },
     examples=(
         Example(

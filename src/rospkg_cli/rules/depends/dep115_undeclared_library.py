@@ -43,8 +43,8 @@ def example(lines: str, key: str, more: str = "") -> Example:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a dependency brings it, or may bring it, another package of an unreleased repository "
-        "declares it, package.xml has it in a comment or for "
-        "older distributions alone, or a page tells to install it by hand"
+        "declares it, package.xml has it in a comment or for older distributions alone, or a page tells to install "
+        "it by hand"
     },
     examples=(
         example(LINKS, "libmodbus-dev"),

@@ -30,9 +30,9 @@ NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "a dependency brings or may bring it, another package of an unreleased repository declares "
-        "it, package.xml has it in a comment or for "
-        "older distributions alone, an `if` chooses it, nothing leads to the place, nothing "
-        "starts the program, or only packages that have it, or none, use the library that looks for it"
+        "it, package.xml has it in a comment or for older distributions alone, an `if` chooses it, nothing leads to "
+        "the place, nothing starts the program, or only packages that have it, or none, use the library that looks "
+        "for it"
     },
     examples=(
         Example(

@@ -36,8 +36,7 @@ def example(table: str, tag: str) -> Example:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency brings or may bring it, another package of an unreleased "
-        "repository declares it, or package.xml has it in a comment or for "
-        "older distributions alone"
+        "repository declares it, or package.xml has it in a comment or for older distributions alone"
     },
     examples=(example("", "depend"), example("dev-", "test_depend")),
 )
