@@ -301,3 +301,48 @@ def test_a_block_that_holds_defaults_alone(key: str, values: str, level: str) ->
     (found,) = lint_files(files, ["PRM003"]).findings
     assert found.severity.value == level
     assert ("nothing differs: the values are the defaults, or mostly are" in found.message) is (level == "info")
+
+
+def bringup(launch: str, yaml: str) -> dict[str, str]:
+    return {
+        "package.xml": manifest("  <exec_depend>nav2_bringup</exec_depend>\n", "ament_cmake"),
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package", "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})\nament_package"
+        ),
+        "config/a.yaml": yaml,
+        "launch/a.launch.xml": launch,
+    }
+
+
+@pytest.mark.parametrize(("value", "level"), [("camera_depth_frame", "info"), ("camera_link", "warning")])
+def test_a_default_of_a_driver(value: str, level: str) -> None:
+    yaml = f"scanner:\n  ros__parameters:\n    scan_height: 10\n    range_max: 8.0\n    output_frame_id: {value}\n"
+    launch = LAUNCH.format("depthimage_to_laserscan", 'depthimage_to_laserscan_node" name="scanner')
+    (found,) = lint_files(bringup(launch, yaml), ["PRM007"]).findings
+    assert found.severity.value == level
+
+
+@pytest.mark.parametrize(
+    ("switch", "level", "said"),
+    [
+        ("use_control: false\n", "info", "while `use_control` is false; did"),
+        ("two_d_mode: true\n", "info", "while `use_control` is false, as by default; did"),
+        ("use_control: true\n", "warning", "the value is dropped; did"),
+        ("use_control: $(var control)\n", "warning", "the value is dropped; did"),
+    ],
+)
+def test_a_value_whose_switch_is_off(switch: str, level: str, said: str) -> None:
+    given = f"frequency: 30.0\n    odom_frame: odom\n    {switch}    control_timeour: 0.2\n"
+    launch = LAUNCH.format("robot_localization", 'ekf_node" name="ekf_filter_node')
+    (found,) = lint_files(bringup(launch, f"ekf_filter_node:\n  ros__parameters:\n    {given}"), ["PRM007"]).findings
+    assert found.severity.value == level
+    assert said in found.message
+
+
+@pytest.mark.parametrize(("enabled", "level"), [("false", "info"), ("true", "warning")])
+def test_a_layer_of_a_costmap_that_is_off(enabled: str, level: str) -> None:
+    yaml = "local_costmap:\n  local_costmap:\n    ros__parameters:\n      plugins: [inflation_layer]\n"
+    yaml += '      inflation_layer:\n        plugin: "nav2_costmap_2d::InflationLayer"\n'
+    yaml += f"        enabled: {enabled}\n        inflation_radis: 0.9\n        cost_scaling_factor: 3.0\n"
+    (found,) = lint_files(bringup(LAUNCH.format("nav2_controller", "controller_server"), yaml), ["PRM007"]).findings
+    assert found.severity.value == level

@@ -10,7 +10,7 @@ from .read_table import rows
 NAMES = "node_names.txt"
 TABLE = "well_known_parameters.txt"
 NEWER = "newer_parameters.txt"
-OF_TABLE = "known_defaults.txt"
+OF_TABLES = "known_defaults.txt", "more_defaults.txt"
 TYPES = {"b": "bool", "d": "double", "i": "int", "s": "string"}
 TAIL = "*"
 
@@ -75,7 +75,8 @@ BY_HAND: dict[str, dict[str, str]] = {
 
 @cache
 def table_of_defaults(package: str) -> dict[str, str]:
-    return {name: value for name, _, value in (each.partition("=") for each in rows(OF_TABLE).get(package, ()))}
+    words = (word.partition("=") for table in OF_TABLES for word in rows(table).get(package, ()))
+    return {name: value for name, _, value in words}
 
 
 def default_of(package: str, name: str) -> str:

@@ -205,8 +205,11 @@ def unknown_of(group: KnownGroup) -> Iterator[LaunchedName]:
         is_removed = any(one.fits(each.name) for one in group.removed)
         near = list(meant(each, group)) if is_owner or is_removed or "/" in each.name else []
         if len(near) == 1:
+            from .switched_off import why_off  # few packages have something to ask it of
+
             names = each.name, near[0], is_removed, group.file, group.is_certain
             same = same_as_default(each.plain, near[0], known_defaults(group.packages, near[0]))
+            same = same or why_off(group, near[0])
             yield LaunchedName(group.path, each.key, group.packages[0], *names, start=group.start, same=same)
 
 
