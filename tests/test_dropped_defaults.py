@@ -346,3 +346,68 @@ def test_a_layer_of_a_costmap_that_is_off(enabled: str, level: str) -> None:
     yaml += f"        enabled: {enabled}\n        inflation_radis: 0.9\n        cost_scaling_factor: 3.0\n"
     (found,) = lint_files(bringup(LAUNCH.format("nav2_controller", "controller_server"), yaml), ["PRM007"]).findings
     assert found.severity.value == level
+
+
+CPP = """\
+#include <rclcpp/rclcpp.hpp>
+class Talker : public rclcpp::Node {{
+public:
+  Talker() : Node("talker") {{
+    declare_parameter("rate", 1.0);
+    declare_parameter("queue_depth", 5);
+    // the frame; of the map
+    this->declare_parameter<std::string>("frame_id", "map");
+    rate_ = get_parameter("rate").as_double();
+    {}
+  }}
+private:
+  double rate_;
+  std::string frame_;
+}};
+int main() {{ rclcpp::spin(std::make_shared<Talker>()); }}
+"""
+READS = (
+    ('this->get_parameter("frame_id", frame_);', "info"),
+    ('frame_ = this->get_parameter("frame_id").as_string();', "info"),
+    ('this->get_parameter("frame_id", frame_); use(frame_);', "warning"),
+    ('frame_ = this->get_parameter("frame_id").as_string(); use(frame_);', "warning"),
+    ('use(this->get_parameter("frame_id").as_string());', "warning"),
+    ("use(get_parameters({names}));", "warning"),
+)
+
+
+@pytest.mark.parametrize(("read", "level"), READS)
+def test_a_parameter_that_cpp_never_uses(read: str, level: str) -> None:
+    build = "find_package(rclcpp REQUIRED)\nadd_executable(talker src/talker.cpp)\n"
+    build += "target_link_libraries(talker rclcpp::rclcpp)\n"
+    build += "install(TARGETS talker DESTINATION lib/${PROJECT_NAME})\n"
+    given = bringup(LAUNCH.format("my_pkg", "talker"), YAML.format("frame_di", "odom"))
+    files = {
+        **given,
+        "package.xml": manifest("  <depend>rclcpp</depend>\n", "ament_cmake"),
+        "CMakeLists.txt": given["CMakeLists.txt"].replace("install(DIR", build + "install(DIR"),
+        "src/talker.cpp": CPP.format(read),
+    }
+    (found,) = lint_files(files, ["PRM007"]).findings
+    assert found.severity.value == level
+    assert ("nothing differs, as no code uses `frame_id`; did" in found.message) is (level == "info")
+
+
+@pytest.mark.parametrize(("after", "level"), [("", "info"), ("print(node.frame)", "warning")])
+def test_a_parameter_that_python_never_uses(after: str, level: str) -> None:
+    lines = ["import rclpy", "from rclpy.node import Node", "", "", "class Talker(Node):", "    def __init__(self):"]
+    lines += ["        super().__init__('talker')", "        print(self.declare_parameter('rate', 1.0).value)"]
+    lines += ["        print(self.declare_parameter('queue_depth', 5).value)"]
+    lines += ["        self.declare_parameter('frame_id', 'map')"]
+    lines += ["        self.frame = self.get_parameter('frame_id').value", "", "", "def main():", "    rclpy.init()"]
+    lines += ["    node = Talker()", f"    {after}", "    rclpy.spin(node)", ""]
+    files = {
+        "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"),
+        "setup.py": setup_py(scripts("talker = my_pkg.talker:main")).replace("['package.xml']", INSTALLED),
+        "my_pkg/__init__.py": "",
+        "my_pkg/talker.py": "\n".join(lines),
+        "config/a.yaml": YAML.format("frame_di", "odom"),
+        "launch/a.launch.xml": LAUNCH.format("my_pkg", "talker"),
+    }
+    (found,) = lint_files(files, ["PRM007"]).findings
+    assert found.severity.value == level

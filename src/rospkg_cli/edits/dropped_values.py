@@ -14,9 +14,10 @@ from ..source import Span
 def dropped_value(scope: UnknownParameters, named: LaunchedName) -> Hit:
     """Return the hit of a name in a launch file, or of one that a table knows."""
     more, (softer, why) = " any more" if named.is_removed else "", level_of(named.start)
-    is_mild = bool(more) or softer == "info" or not named.is_certain or bool(named.same)
+    same = named.same or scope.why_unread([scope.given.workspace.named(named.package)], named.meant)
+    is_mild = bool(more) or softer == "info" or not named.is_certain or bool(same)
     is_mild = is_mild or scope.readers.is_idle(named.path, named.span)
-    message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped{why}{named.same}"
+    message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped{why}{same}"
     hint = f"did you mean `{named.meant}`?" if named.meant else "declare it, or take it out"
     level, others = Severity.INFO if is_mild else None, also(named.path, named.others)
     return Hit(named.path, named.span, f"{message}; {hint}", level, others)

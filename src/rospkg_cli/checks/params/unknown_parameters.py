@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
+from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import Parameter, ParameterFile
 from ..depends.compiled_sources import HEADERS, own_compiled
 from ..fault import Fault, Level
@@ -65,6 +66,15 @@ class UnknownParameters:
         if read.path.endswith(".py"):
             return self.unmet.in_python(read.path, read.span)
         return self.unmet.in_cpp(read.path, read.span, self.reads.cpp)
+
+    def why_unread(self, owners: Iterable[PackageFacts | None], name: str) -> str:
+        """Return that no code of this package uses a parameter, where it alone declares it; "" where some may."""
+        from .unread_parameters import is_unread_by  # few packages have something to ask it of
+
+        reads = self.reads
+        is_own = bool(name) and all(each is not None and each.folder == reads.package.folder for each in owners)
+        is_unread = is_own and is_unread_by(name, reads.package, reads.cpp, list(reads.run_files))
+        return f", and nothing differs, as no code uses `{name}`" if is_unread else ""
 
     def repeated_reads(self) -> Iterator[tuple[str, Fault]]:
         """Yield path and fault of what is got twice, the second time in the place of what no code gets."""

@@ -16,6 +16,7 @@ from ...source import Span
 
 VARIABLE = regex(r"(?:this\s*->\s*)?([A-Za-z_]\w*)")
 SETS = r"\bget_parameter\s*\([^(),;]*,\s*(?:this\s*->\s*)?{0}\s*\)"
+ASSIGNS = r"(?:\bthis\s*->\s*)?\b{0}\s*=\s*(?:[A-Za-z_]\w*\s*(?:->|\.)\s*)*(?:get|declare)_parameter\b"
 DECLARES = r"(?:(?<=\w)|(?<=[\w>]>))(?<!\breturn)\s+{0}\s*(?=[;={{])(?!==)"
 """A type and the name, with a value or without one."""
 BY_NAME = regex(r"\b(?:getattr|vars|__dict__|__slots__|dataclass)\b")
@@ -30,11 +31,14 @@ def is_dropped_in_cpp(call: CppCall, files: Iterable[CppFile]) -> bool:
     """
     arguments = call.arguments or ()
     found = VARIABLE.fullmatch(arguments[INTO].text) if len(arguments) == INTO + 1 else None
-    if found is None:
-        return False
-    word = re.compile(rf"\b{found[1]}\b")
+    return found is not None and is_never_read(found[1], files, SETS)
+
+
+def is_never_read(variable: str, files: Iterable[CppFile], setting: str = ASSIGNS) -> bool:
+    """Return whether a variable is declared, and its name stands nowhere else but where a parameter is got into it."""
+    word = re.compile(rf"\b{variable}\b")
     texts = [code_of(file) for file in files if word.search(file.source.text)]
-    sets, declares = (re.compile(each.format(found[1])) for each in (SETS, DECLARES))
+    sets, declares = (re.compile(each.format(variable)) for each in (setting, DECLARES))
     is_own = any(declares.search(text) for text in texts)
     return is_own and not any(word.search(declares.sub(" ", sets.sub(" ", text))) for text in texts)
 

@@ -55,9 +55,9 @@ talker:
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code gets a parameter that is not declared, and nothing may catch what it throws",
-        Severity.INFO: "older releases had it, the value is the default, or probably is, nothing names the file, adds "
-        "the action or reads block or variable, nothing leads to the code, only the block's name tells the node, no "
-        "list has the plugin, or the repository is for Crystal",
+        Severity.INFO: "older releases had it, the value is the default, or probably is, nothing uses the meant one, "
+        "names the file, adds the action or reads block or variable, nothing leads to the code, only the block's name "
+        "tells the node, no list has the plugin, or the repository is for Crystal",
     },
     examples=(
         Example(
@@ -103,10 +103,11 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     packages may choose the options of a node, or a function or library that it calls may declare them. One that is got
     into a variable, has an alternative, is like no other, or whose exception may be caught, or under a condition, is a
     warning; into one that nothing reads, an info. So is what stands in code that nothing compiles, starts, imports or
-    calls, a value in a block that no node reads which is started with the file, and one that is the default of the
-    parameter that is meant, as the code or a table of well-known packages has it: that it is dropped changes nothing.
-    Where that is not known, false, 0, an empty text and list are taken for it. So is a limit of a joint in a file that
-    nothing names, where no package needs moveit_configs_utils, and what a plugin gets that its block's lists leave out.
+    calls, a value in a block that no node reads which is started with the file (and configured, in nav2), and one that
+    changes nothing: it is the default of the parameter that is meant, as the code or a table of well-known packages has
+    it, the code never uses that one, or its switch is off, as `use_control` is for `control_timeout`. Where no default
+    is known, false, 0, an empty text and list are taken for it. So is a limit of a joint in a file that nothing names,
+    where no package needs moveit_configs_utils, and what a plugin gets that its block's lists leave out.
 
     ## Fix safety
     The similar name may not be right. A value of another type stays, a single one for a list is put into brackets.
@@ -114,7 +115,7 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     for group in scope.given.groups():
         for parameter, meant in group.unknown():
             last, by = meant.rpartition(".")[2], group.owners[0].name
-            same = group.same_as_default(parameter, meant)
+            same = group.same_as_default(parameter, meant) or scope.why_unread(group.owners, meant)
             dropped = f"`{by}` declares no parameter `{parameter.name}`: the value is dropped{same}"
             is_mild = bool(same) or scope.readers.is_idle(group.file.path, parameter.key.span)
             fix = only_plain_names(renamed(group, parameter, meant), last)
@@ -133,8 +134,7 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
         yield from hits(path, [fault])
     for limit in scope.joints.mistyped():
         others = tuple(Related(limit.path, span, "and here") for span in limit.others)
-        level = None if limit.is_met else Severity.INFO
-        yield Hit(limit.path, limit.span, unread(limit), level, others)
+        yield Hit(limit.path, limit.span, unread(limit), None if limit.is_met else Severity.INFO, others)
     for read in scope.unknown_reads():
         softer, what = scope.told_of(read)
         yield Hit(read.path, read.span, what, Severity(softer), also(read.path, (span for _, span in read.more)))
