@@ -19,6 +19,9 @@ from .refused_files import is_refused
 TO_SPAWNERS = "param-file"
 """How a spawner is given a file, for a controller whose name is not that of a node here."""
 
+AUTOSTART = "autostart_node"
+"""A parameter by which a node of nav2 configures itself."""
+
 
 @dataclass(frozen=True)
 class BlockReaders:
@@ -43,15 +46,18 @@ class BlockReaders:
 
     def is_unopened(self, file: ParameterFile) -> bool:
         """Return whether nothing names a file, or launch files give it to nodes alone that nobody starts."""
+        from .ignored_files import is_ignored  # few packages have something to ask it of
+
         given = self.given(file)
         is_dead = bool(given) and not any(map(self.is_met, given)) and self.is_only_given(file, given)
-        return is_dead or self.uses.of(file).is_unnamed
+        return is_dead or self.uses.of(file).is_unnamed or is_ignored(self.uses.of(file), self.launched.launches)
 
     def is_unread(self, file: ParameterFile, block: NodeBlock) -> bool:
         """Return whether launch files give a file to nodes, and none of those that they start reads a block of it."""
         given = self.given(file)
         met = [each for each in given if self.is_met(each)]
-        if not met or any(may_read(each, block) for each in met) or not self.is_only_given(file, given):
+        awake = [each for each in met if not self.is_asleep(each, block)]
+        if not met or any(may_read(each, block) for each in awake) or not self.is_only_given(file, given):
             return False
         return any(may_read(each, block) for each in given) or self.is_for_others(block, met)
 
@@ -68,6 +74,13 @@ class BlockReaders:
         return may_start(start_of(each.launch, each.node, self.launched.workspace)) and not self.launched.is_left_out(
             each.launch
         )
+
+    def is_asleep(self, each: NodeArguments, block: NodeBlock) -> bool:
+        """Return whether a node would read a block, and nothing configures it."""
+        from .unmanaged_nodes import is_unmanaged  # few packages have something to ask it of
+
+        is_named = last(block) == each.usual_name and not any(one.name == AUTOSTART for one in block.parameters)
+        return is_named and is_unmanaged(each, self.launched)
 
     def is_only_given(self, file: ParameterFile, given: list[NodeArguments]) -> bool:
         """Return whether nothing opens a file but the launch files that give it to some nodes, and these alone."""
@@ -96,4 +109,4 @@ class BlockReaders:
 def may_read(each: NodeArguments, block: NodeBlock) -> bool:
     """Return whether a node may read a block; a server of nav2 makes a costmap, which gets the same files."""
     names = (last(block), COSTMAPS.get(last(block)))
-    return last(block) in WILD or each.known_name is None or each.known_name in names
+    return last(block) in WILD or each.usual_name is None or each.usual_name in names

@@ -130,7 +130,7 @@ class KnownNodes:
     def readers(self, file: ParameterFile, key: str) -> list[NodeArguments]:
         """Return the nodes that launch files give a file, and that read a block of a name."""
         given = (each for each in self.launched.node_arguments if file in each.files)
-        return [each for each in given if key in WILD or each.name in (key, None)]
+        return [each for each in given if key in WILD or key in (each.name, each.usual_name) or each.usual_name is None]
 
     def is_certain(self, file: ParameterFile, block: NodeBlock) -> bool:
         """Return whether a launch file gives the node the file, or it stands among several nodes of well-known sets."""

@@ -56,6 +56,13 @@ class NodeArguments:
     def known_name(self) -> str | None:
         return self.name or self.in_code or self.by_default
 
+    @property
+    def usual_name(self) -> str | None:
+        """The same; that of a well-known node is mostly that of its program."""
+        program = self.node.executable.literal if self.node.executable and self.node.name is None else None
+        package = self.node.package.literal if self.node.package else None
+        return self.known_name or (program if package in known_nodes().get(program or "", ()) else None)
+
     def starts(self, executable: str) -> bool:
         """Return whether the node has an executable of this name, which is often that of a node without `name=`."""
         return self.node.executable is not None and self.node.executable.literal == executable
