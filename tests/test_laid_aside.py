@@ -431,7 +431,19 @@ class Ears(Device):
         self._node.create_timer(1.0, self.hear)
 """
 DEVICE = "class Device:\n    def __init__(self, node):\n        self._node = node{}\n"
-MAKES = "from .ears import Ears\n\n\ndef main():\n    ears = Ears(None)\n{}"
+MAKES = """\
+import rclpy
+
+from .ears import Ears
+
+
+def turn(node):
+    rclpy.spin(node)
+
+
+def main():
+    ears = Ears(None)
+{}"""
 
 
 @pytest.mark.parametrize(
