@@ -79,14 +79,18 @@ class OpeningPlaces:
 
     def is_read_in(self, own: str, text: str, name: str) -> bool:
         """Return whether a parameter of YAML has the name of a file, and something is shown to read it."""
-        readers = PathReaders(self.files, self.workspace, self.parameters)
+        if name not in text:
+            return False
         source = self.files.readable_text(own)
-        places = [Span(*found.span()) for found in whole(name).finditer(source)]
         launches = tuple(each.file for each in self.launches)
-        return name in text and any(
-            readers.has(own, each, source) and not is_overridden(own, each, self.parameters, launches)
-            for each in places
+        return any(
+            self.readers.has(own, each, source) and not is_overridden(own, each, self.parameters, launches)
+            for each in (Span(*found.span()) for found in whole(name).finditer(source))
         )
+
+    @cached_property
+    def readers(self) -> PathReaders:
+        return PathReaders(self.files, self.workspace, self.parameters)
 
     def is_typed(self, path: str) -> bool:
         """Return whether a command of a page or a script opens a file by its place, and does not write it."""
