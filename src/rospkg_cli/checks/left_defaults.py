@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 from ..languages.python.file import PythonFile
-from ..languages.python.nodes import FunctionNode, functions_of, nodes_of_kind
+from ..languages.python.nodes import FunctionNode, functions_of, last_name, nodes_of_kind
 from ..languages.python.settled_names import Held, Values, constant_of
 
 START = "__init__"
@@ -105,10 +105,3 @@ def mentions(file: PythonFile) -> Iterator[str]:
     aliases = [alias for each in nodes_of_kind(file.tree, ast.ImportFrom) for alias in each.names]
     aliases += [alias for each in nodes_of_kind(file.tree, ast.Import) for alias in each.names]
     yield from (alias.name for alias in aliases if alias.asname not in (None, alias.name))
-
-
-def last_name(node: ast.AST) -> str:
-    match node:
-        case ast.Attribute(attr=name) | ast.Name(id=name):
-            return name
-    return ""

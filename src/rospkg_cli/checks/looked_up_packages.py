@@ -6,11 +6,10 @@ import ast
 from collections.abc import Iterator
 
 from ..languages.python.guarded_nodes import guarded_nodes
-from ..languages.python.nodes import nodes_of, nodes_of_kind
+from ..languages.python.nodes import last_name, nodes_of, nodes_of_kind
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
-from ..package.python.node_calls import called
 from ..package.workspace import Workspace
 from ..ros.names import NameKind
 from ..source import Span
@@ -76,7 +75,7 @@ class LookedUpPackages:
             chosen = set(alternatives(file.tree))
             caught = set(guarded_nodes(file.tree.body, CATCHES)) if role_of(file.path) == "run" else None
             for call in nodes_of_kind(file.tree, ast.Call) if caught is not None else ():
-                name = literal_of(call) if called(call.func) in LOOKUPS and id(call) not in (caught or ()) else None
+                name = literal_of(call) if last_name(call.func) in LOOKUPS and id(call) not in (caught or ()) else None
                 if name is not None:
                     span = file.span(name)
                     why = LEFT if self.lookups.is_left(file.path) else self.lookups.why_seldom(file.path, span)
@@ -112,7 +111,7 @@ def alternatives(tree: ast.AST) -> Iterator[int]:
 
 
 def lookups_in(statement: ast.AST) -> list[ast.Call]:
-    return [each for each in nodes_of(statement) if isinstance(each, ast.Call) and called(each.func) in LOOKUPS]
+    return [each for each in nodes_of(statement) if isinstance(each, ast.Call) and last_name(each.func) in LOOKUPS]
 
 
 def may_be_elsewhere(workspace: Workspace, name: str) -> bool:

@@ -14,7 +14,7 @@ from ..languages.python.branches import is_default
 from ..languages.python.file import PythonFile
 from ..languages.python.guarded_nodes import guarded_nodes, is_guarded
 from ..languages.python.joined_paths import PathJoiner
-from ..languages.python.nodes import nodes_of
+from ..languages.python.nodes import last_name, nodes_of
 from ..languages.python.unreached_places import is_unreached
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
@@ -23,7 +23,6 @@ from ..package.file_role import role_of
 from ..package.install_table import InstallTable
 from ..package.launch.file_references import is_file
 from ..package.package_facts import PackageFacts
-from ..package.python.node_calls import called
 from ..package.python.share_paths import SHARE, share_of
 from ..package.workspace import Workspace
 from ..ros.names import NameKind
@@ -143,7 +142,7 @@ class ShareLookups:
         for file in self.modules:
             caught = set(guarded_nodes(file.tree.body, CATCHES))
             for node in nodes_of(file.tree):
-                is_lookup = isinstance(node, ast.Call) and called(node.func) in LOOKUPS and id(node) not in caught
+                is_lookup = isinstance(node, ast.Call) and last_name(node.func) in LOOKUPS and id(node) not in caught
                 name = literal_of(node) if is_lookup and isinstance(node, ast.Call) else None
                 near = self.near_package(str(name.value)) if name is not None else None
                 if name is not None and near and not is_unreached(file, file.span(name)):

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from ..languages.python.file import PythonFile
-from ..languages.python.nodes import nodes_of_kind
+from ..languages.python.nodes import last_name, nodes_of_kind
 from ..lazy_regex import regex
 from ..package.file_role import role_of
 from ..source import Span
@@ -50,7 +50,7 @@ def is_only_shown(path: str, text: str, place: Span, file: PythonFile | None) ->
 def shown_spans(file: PythonFile) -> Iterator[Span]:
     """Yield what a Python file gives as a description, as help, or to launch's log."""
     for call in nodes_of_kind(file.tree, ast.Call):
-        name = name_of(call.func)
+        name = last_name(call.func)
         if name in SAYS:
             yield file.span(call)
         for keyword in call.keywords:
@@ -63,10 +63,3 @@ def shown_spans(file: PythonFile) -> Iterator[Span]:
 
 def is_for_people(attribute: str) -> bool:
     return attribute in ("description", "additional_constraints")
-
-
-def name_of(function: ast.expr) -> str:
-    match function:
-        case ast.Attribute(attr=name) | ast.Name(id=name):
-            return name
-    return ""

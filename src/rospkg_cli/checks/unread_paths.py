@@ -8,9 +8,8 @@ from functools import cached_property
 
 from ..languages.python.attributes import is_of_self
 from ..languages.python.file import PythonFile
-from ..languages.python.nodes import FunctionNode, nodes_below, nodes_of, nodes_of_kind
+from ..languages.python.nodes import FunctionNode, last_name, nodes_below, nodes_of, nodes_of_kind
 from ..light_dataclasses import dataclass
-from ..package.python.node_calls import called
 from ..package.python.share_paths import SHARE
 from ..source import Span
 from .named_definitions import is_open
@@ -69,8 +68,8 @@ def assigned(file: PythonFile) -> Iterator[tuple[FunctionNode, ast.expr, ast.exp
 
 def opens_nothing(value: ast.expr) -> bool:
     calls = (each for each in (value, *nodes_below(value)) if isinstance(each, ast.Call))
-    return all(called(each.func) in OPENS_NOTHING for each in calls)
+    return all(last_name(each.func) in OPENS_NOTHING for each in calls)
 
 
 def is_dynamic(owner: FunctionNode) -> bool:
-    return any(called(each.func) in DYNAMIC for each in nodes_of_kind(owner, ast.Call))
+    return any(last_name(each.func) in DYNAMIC for each in nodes_of_kind(owner, ast.Call))

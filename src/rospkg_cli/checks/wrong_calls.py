@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 
-from ..package.python.node_calls import called
+from ..languages.python.nodes import last_name
 from ..ros.python_calls import OF_INDEX, CallSignature
 from .enumeration import in_ticks
 
@@ -26,5 +26,5 @@ def wrong_call(call: ast.Call, signature: CallSignature) -> str:
 
 def wrong_lookup(call: ast.Call) -> str:
     """Return what is wrong with the arguments of a look-up: it raises TypeError before it looks for anything."""
-    signature = OF_INDEX.get(called(call.func))
+    signature = OF_INDEX.get(last_name(call.func))
     return wrong_call(call, signature) if signature is not None else ""

@@ -8,8 +8,7 @@ from collections.abc import Iterator
 
 from ...languages.python.attributes import is_of_self
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_below, nodes_of_kind
-from ...package.python.node_calls import called
+from ...languages.python.nodes import last_name, nodes_below, nodes_of_kind
 from .message_classes import MessageClasses
 
 BY_NAME = 99
@@ -58,7 +57,7 @@ def mentions(tree: ast.Module) -> Iterator[str]:
 
 def registration(call: ast.Call, classes: MessageClasses) -> tuple[ast.Attribute | ast.Name, tuple[str, ...]] | None:
     """Return the function that a call registers, `self.function` or `function`, and the messages it will be given."""
-    name_called = called(call.func)
+    name_called = last_name(call.func)
     if name_called not in REGISTER or (isinstance(call.func, ast.Name) and name_called != "ActionServer"):
         return None
     of_kind, position, keyword, suffixes = REGISTER[name_called]

@@ -6,8 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_below, nodes_of_kind
-from ...package.python.node_calls import called
+from ...languages.python.nodes import last_name, nodes_below, nodes_of_kind
 
 HANDLES = ("execute_callback", "handle_accepted_callback", "cancel_callback")
 OBJECTS: dict[str, tuple[int, tuple[str, ...]]] = {
@@ -40,7 +39,7 @@ def handed_objects(file: PythonFile) -> frozenset[str]:
 
 def callbacks(call: ast.Call) -> Iterator[ast.expr]:
     """Yield the arguments of a call that rclpy will call with an object of its own."""
-    name = called(call.func)
+    name = last_name(call.func)
     position, names = OBJECTS.get(name, (len(call.args), ()))
     if name == SUBSCRIBES and any(each.arg == "raw" and is_set(each.value) for each in call.keywords):
         position, names = RECEIVES

@@ -7,9 +7,8 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import FunctionNode, nodes_of_kind
+from ...languages.python.nodes import FunctionNode, last_name, nodes_of_kind
 from ...light_dataclasses import dataclass
-from ...package.python.node_calls import called
 from .callback_types import callback_types
 from .handed_objects import handed_objects
 from .message_classes import MessageClasses
@@ -81,7 +80,7 @@ class Signatures:
         self.classes = classes
         self.callbacks = callback_types(file, classes)
         self.handed = handed_objects(file)
-        self.called = {called(node.func) for node in nodes_of_kind(file.tree, ast.Call)}
+        self.called = {last_name(node.func) for node in nodes_of_kind(file.tree, ast.Call)}
 
     def parameters(self, function: FunctionNode, owner: str) -> dict[str, str]:
         """Return the parameters that hold a message: by what the function is registered for, or by annotation.

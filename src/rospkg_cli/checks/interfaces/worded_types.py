@@ -7,8 +7,7 @@ import posixpath
 from collections.abc import Iterable, Iterator
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import FunctionNode, functions_of, nodes_of_kind
-from ...package.python.node_calls import called
+from ...languages.python.nodes import FunctionNode, functions_of, last_name, nodes_of_kind
 from ...source import Span
 from .callback_types import callback_types
 from .message_classes import MessageClasses
@@ -37,7 +36,7 @@ def is_told_by_word(file: PythonFile, span: Span, message: str, files: Iterable[
 def handed(file: PythonFile) -> Iterator[str]:
     """Yield the functions that a file has something call with arguments of its own."""
     for call in nodes_of_kind(file.tree, ast.Call):
-        if called(call.func) in STARTERS:
+        if last_name(call.func) in STARTERS:
             for each in (*call.args, *(keyword.value for keyword in call.keywords)):
                 if isinstance(each, ast.Name | ast.Attribute):
                     yield each.attr if isinstance(each, ast.Attribute) else each.id
@@ -47,4 +46,4 @@ def is_called_in(other: PythonFile, function: FunctionNode, file: PythonFile) ->
     """Return whether a file that names the module of a function calls one of its name."""
     stem = posixpath.basename(file.path).removesuffix(".py")
     calls = nodes_of_kind(other.tree, ast.Call) if stem in other.source.text else []
-    return any(called(each.func) == function.name for each in calls)
+    return any(last_name(each.func) == function.name for each in calls)

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import FunctionNode, nodes_of_kind
+from ...languages.python.nodes import FunctionNode, last_name, nodes_of_kind
 from ...source import Span
 
 SERVERS = frozenset({"create_service", "ActionServer", "Service"})
@@ -22,12 +22,5 @@ def parts_on_request(file: PythonFile) -> tuple[Span, ...]:
 
 def names_handed_on(file: PythonFile) -> Iterator[str]:
     for call in nodes_of_kind(file.tree, ast.Call):
-        if name_of(call.func) in SERVERS:
-            yield from filter(None, (name_of(value) for value in (*call.args, *(k.value for k in call.keywords))))
-
-
-def name_of(value: ast.expr) -> str:
-    match value:
-        case ast.Attribute(attr=name) | ast.Name(id=name):
-            return name
-    return ""
+        if last_name(call.func) in SERVERS:
+            yield from filter(None, (last_name(value) for value in (*call.args, *(k.value for k in call.keywords))))

@@ -7,11 +7,10 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import functions_of, nodes_of, nodes_of_kind
+from ...languages.python.nodes import functions_of, last_name, nodes_of, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...ros.imports import STANDARD
 from ..behind_loops import is_behind_loop
-from .spun_callbacks import last_name
 from .steps import ASKING, Steps
 
 KEEPS = ASKING | {

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from ...languages.python.counted_conditions import Counted
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of, nodes_of_kind
+from ...languages.python.nodes import last_name, nodes_of, nodes_of_kind
 
 PLACES = {"create_subscription": 2, "create_timer": 1, "create_service": 2, "ActionServer": 3, "send_goal_async": 1}
 """Calls that are given a callback, with its position."""
@@ -54,7 +54,3 @@ def is_answer(receiver: ast.expr, file: PythonFile) -> bool:
     stores = (each for each in nodes_of_kind(file.tree, ast.Assign) if text in map(ast.unparse, each.targets))
     given = [each.value for each in stores]
     return bool(given) and all(isinstance(each, ast.Call) and is_answer(each, file) for each in given)
-
-
-def last_name(node: ast.expr) -> str:
-    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""

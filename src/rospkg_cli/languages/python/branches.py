@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from ...source import Span
 from .certain_nodes import is_guard
 from .file import PythonFile
-from .nodes import FunctionNode, children_of, nodes_below, nodes_of, nodes_of_kind
+from .nodes import FunctionNode, children_of, last_name, nodes_below, nodes_of, nodes_of_kind
 from .syntax import PositionedNode
 
 HOW_STARTED = frozenset({"__name__", "__package__", "__spec__"})
@@ -66,7 +66,7 @@ def is_default(file: PythonFile, span: Span) -> bool:
 
 def defaults(file: PythonFile) -> Iterator[PositionedNode]:
     for call in nodes_of_kind(file.tree, ast.Call):
-        name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
+        name = last_name(call.func)
         yield from (each.value for each in call.keywords if each.arg in STANDING_IN)
         yield from call.args[1:] if name in SECOND else ()
     for owner in nodes_of(file.tree):

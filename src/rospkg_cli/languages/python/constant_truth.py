@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterable, Iterator, Mapping
 
 from .linux_truth import holds_on_linux
-from .nodes import nodes_of
+from .nodes import last_name, nodes_of
 
 ROS_VERSION = frozenset({"ROS_VERSION", "ros_version", "get_ros_version"})
 """How the number 1 or 2 is called of the ROS that a file for both runs in: a variable, or a function of the package."""
@@ -67,9 +67,7 @@ def asks_for_ros(value: ast.expr) -> bool:
 
 
 def is_environ(value: ast.expr) -> bool:
-    return (
-        value.attr if isinstance(value, ast.Attribute) else value.id if isinstance(value, ast.Name) else ""
-    ) == "environ"
+    return last_name(value) == "environ"
 
 
 def unreached_nodes(body: Iterable[ast.AST], names: Mapping[str, bool]) -> Iterator[int]:

@@ -24,6 +24,14 @@ class NodeList(list[ast.AST]):
     """How many nodes stand inside each other at most."""
 
 
+def last_name(node: ast.AST) -> str:
+    """Return the name of a node, or of its attribute: `c` of `a.b.c`; "" for any other expression."""
+    match node:
+        case ast.Name(id=name) | ast.Attribute(attr=name):
+            return name
+    return ""
+
+
 def children_of(node: ast.AST) -> list[ast.AST]:
     """Return what `ast.iter_child_nodes` yields, without contexts."""
     found: list[ast.AST] = []

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from ...source import Span
 from .constant_truth import constant_truth, unreached_statements
 from .file import STARTERS, PythonFile
-from .nodes import FunctionNode, nodes_of, nodes_of_kind
+from .nodes import FunctionNode, last_name, nodes_of, nodes_of_kind
 from .raising_regions import BLOCKS, BRANCHES, around
 from .settled_names import settled_in, truths
 
@@ -58,7 +58,7 @@ def truth_in(scope: Scope, file: PythonFile, test: ast.expr, is_taken: Callable[
 def lasts(statement: ast.stmt) -> bool:
     """Return whether a statement may last until somebody stops the program."""
     calls = (each.func for each in nodes_of_kind(statement, ast.Call))
-    names = (each.attr if isinstance(each, ast.Attribute) else getattr(each, "id", "") for each in calls)
+    names = map(last_name, calls)
     return (
         isinstance(statement, ast.While)
         or bool(nodes_of_kind(statement, ast.While))

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.nodes import last_name, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...source import Span
 
@@ -35,8 +35,8 @@ def described_nodes(file: PythonFile) -> Iterator[DescribedNode]:
     for node in nodes_of_kind(file.tree, ast.Call):
         given = next((each.value for each in node.keywords if each.arg == "package"), None)
         value = values.get(ast.unparse(given)) or given if isinstance(given, ast.Name | ast.Attribute) else given
-        is_node = called(node.func) in classes and bool(WHAT & {each.arg for each in node.keywords})
-        if isinstance(value, ast.Call) and called(value.func) == OBJECT and len(value.args) == 1:
+        is_node = last_name(node.func) in classes and bool(WHAT & {each.arg for each in node.keywords})
+        if isinstance(value, ast.Call) and last_name(value.func) == OBJECT and len(value.args) == 1:
             value, is_node = value.args[0], True
         if is_node and isinstance(value, ast.Constant) and isinstance(value.value, str):
             yield DescribedNode(value.value, file.span(value))
@@ -56,11 +56,3 @@ def assigned_once(file: PythonFile) -> dict[str, ast.expr]:
             if isinstance(target, ast.Name | ast.Attribute):
                 found.setdefault(ast.unparse(target), []).append(node.value)
     return {name: values[0] for name, values in found.items() if len(values) == 1}
-
-
-def called(function: ast.expr) -> str:
-    """Return the last part of the name of what is called."""
-    match function:
-        case ast.Name(id=name) | ast.Attribute(attr=name):
-            return name
-    return ""

@@ -9,12 +9,11 @@ from collections.abc import Iterator
 from ...files import ReaderInput
 from ...languages.python.file import PythonFile
 from ...languages.python.joined_paths import PathJoiner
-from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.nodes import last_name, nodes_of_kind
 from ...lazy_regex import regex
 from ..file_role import role_of
 from ..manifest import Manifest
 from ..python_modules import PythonModules
-from .node_calls import called
 from .share_paths import share_of
 
 WRITES = regex(r"\bopen\s*\(|\bwrite_(?:text|bytes)\b|\bcopy")
@@ -49,7 +48,7 @@ def written_below(file: PythonFile, package: str) -> Iterator[str]:
 
 def written_by(call: ast.Call) -> ast.expr | None:
     """Return the path that a call writes to: `open(path, "w")`, `path.write_text(…)`, `shutil.copy(other, path)`."""
-    name, method = called(call.func), call.func.value if isinstance(call.func, ast.Attribute) else None
+    name, method = last_name(call.func), call.func.value if isinstance(call.func, ast.Attribute) else None
     if name == "open":
         first = call.args[0] if call.args else None
         if is_mode(first) and method is not None:
