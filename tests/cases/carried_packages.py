@@ -18,6 +18,11 @@ TEXTS = {
         "cp arm.yaml drivers/arm\n",
         "cp drivers/arm/arm.yaml ~/ws/src\n",
     ),
+    "colcon_defaults.yaml": (
+        "build:\n  base-paths:\n    - src\n    - src/my_pkg/drivers/arm\n  symlink-install: true\n",
+        "build:\n  base-paths: [src, src/my_pkg/drivers]\n",
+        "build:\n  base-paths: [src]\n",
+    ),
     "Dockerfile": ("COPY drivers/arm/ /ws/src/arm/\n", 'ADD ["drivers/arm", "/ws/src/arm"]\n'),
     "drivers/arm/README.md": ("ln -s ~/my_pkg/drivers/arm\n",),
     "docker-compose.yml": ("volumes:\n  - ./drivers/arm:/ws/src/arm\n",),

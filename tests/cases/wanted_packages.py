@@ -45,6 +45,33 @@ ON_RELEASED = (
 )
 """A package of a distribution is installed where it is named; only a build of the copy misses the copy."""
 
+RUN = "ros2 run arm talker\n"
+OWN_COMMAND = "function(add_interfaces where)\n  execute_process(COMMAND ${CMAKE_COMMAND} -S ${where})\nendfunction()\n"
+NAMED = (
+    "include(AddInterfaces OPTIONAL)\nadd_interfaces(arm)",
+    f"{OWN_COMMAND}add_interfaces(arm)",
+    f"{OWN_COMMAND}foreach(each leg arm)\n  add_interfaces(${{each}})\nendforeach()",
+    "execute_process(COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_SOURCE_DIR}/arm -B build)",
+    "add_custom_target(arms COMMAND make -C ${PROJECT_SOURCE_DIR}/arm)",
+    "include_directories(arm/include)",
+    "find_package(arm REQUIRED)",
+    "set(DEPENDENCIES arm)",
+    "install(DIRECTORY arm/launch DESTINATION share/${PROJECT_NAME})",
+    "message(STATUS arm/package.xml)",
+)
+"""What CMake says of the folder of an inner package: a folder of its own is meant, or a name alone."""
+BUILT = (
+    "cd arm && mkdir build && cd build\ncmake .. && sudo make install\n",
+    "cmake -S arm -B build/arm\n",
+    "make -C ./arm\n",
+    "pip3 install -e ./arm\n",
+    "cd ~/ws/src/my_pkg/arm\npython3 setup.py install\n",
+    "cd arm\npip install -r requirements.txt\n",
+    "cd arm\ncd ..\nmake\n",
+    "cd army && make\n",
+)
+"""How pages build it without colcon, or something else."""
+
 
 def beside(files: dict[str, str]) -> dict[str, str]:
     """Return files with the outer package in a folder, as one may lie beside it."""
@@ -57,6 +84,13 @@ CASES = {
         *(Example(bad=beside({**OUTER, **INNER, **use}), good={}, on="") for use in USES),
         *(Example(bad=beside({**OUTER, **INNER, **use}), good={}, on="") for use in OF_THE_INNER),
         *(Example(bad=beside({**OUTER, **RELEASED, **use}), good={}, on="") for use in ON_RELEASED),
+        *(
+            Example(bad=beside({**OUTER, **INNER, "README.md": RUN,
+                                "CMakeLists.txt": CMAKE.replace("ament_package", f"{line}\nament_package")}),
+                    good={}, on="")
+            for line in NAMED
+        ),
+        *(Example(bad=beside({**OUTER, **INNER, "README.md": RUN + text}), good={}, on="") for text in BUILT),
         Example(bad={**OUTER, **CATKIN, "README.md": "ros2 run arm talker\n"}, good={}, on=""),
         Example(bad={**OUTER, **INNER, "b/package.xml": manifest("", "cmake", "b"),
                      "README.md": "ros2 run b b\n"}, good={}, on=""),

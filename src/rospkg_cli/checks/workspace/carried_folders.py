@@ -12,6 +12,8 @@ CARRIES = regex(r"\b(?:ln|cp|mv|rsync|robocopy|xcopy|COPY|ADD)\s+([^\n#;&|]*)")
 """A command that puts a folder elsewhere, with its words."""
 LISTED = regex(r"\bcolcon\s[^\n#;&|]{0,200}?--(?:base-)?paths\s+([^\n#;&|]*)")
 """The folders in which colcon is told to look."""
+BASES = regex(r"\bbase-paths[\"']?\s*:((?:\s*-\s*[^\s-]\S*)+|\s*\[[^\]]*\])")
+"""The same in the defaults of colcon, or in what a workflow hands to it."""
 MOUNTS = regex(r"([^\s\"':=,]{0,200}[\w}./~)]):/[\w./$-]|\b(?:source|src)=([^,\s\"']+)")
 """A folder of the host that a container sees in another place."""
 CONTINUED = regex(r"\\\n\s*")
@@ -46,6 +48,8 @@ def carried(text: str) -> Iterator[str]:
         found += words[:-1] or words
     for match in LISTED.finditer(text):
         found += words_in(match[1])
+    for match in BASES.finditer(text):
+        found += words_in(match[1].replace(",", " "))
     yield from (word.strip("\"',[]()").removesuffix("*").removesuffix("/.").rstrip("/") for word in found)
 
 

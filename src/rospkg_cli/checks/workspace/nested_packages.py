@@ -8,24 +8,23 @@ from functools import cached_property
 from typing import Literal
 
 from ...files import PackageFiles
-from ...languages.cmake.evaluated_command import path_in_package
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from ...package.cmake.made_paths import values_of
 from ...package.file_role import is_set_aside, role_of
 from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from .built_places import is_built_from
 from .carried_folders import is_carried
+from .cmake_folders import named_folders
+from .hand_builds import is_built_by_hand
 from .wanted_packages import WantedPackages
 
 MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
 COPIES = frozenset("fixtures resource resources example examples thirdparty 3rdparty external extern".split())
 """Folders of packages that are there to be read or copied."""
-Way = Literal["built", "started", "carried", "idle", "none"]
-COMPILES = ("add_executable", "add_library", "target_sources", "target_include_directories")
+Way = Literal["built", "started", "carried", "by hand", "idle", "none"]
 FOR_ROS2 = regex(r"<build_type>\s*(?:ament_\w+|cmake)\b")
 NAME = regex(r"<name>\s*([\w-]+)")
 
@@ -81,8 +80,8 @@ class NestedPackages:
         return found
 
     def way_of(self, path: str) -> Way:
-        """Return how a package gets built: by the outer one, or where pages start colcon below it, or bring it; of
-        others, whether somebody wants it (none) or nobody does (idle)."""
+        """Return how a package gets built: by the outer one, or where pages start colcon below it, bring it, or
+        build it without colcon; of others, whether somebody wants it (none) or nobody does (idle)."""
         folder = posixpath.dirname(path)
         if self.is_built_here(path):
             return "built"
@@ -90,6 +89,8 @@ class NestedPackages:
             return "started"
         if is_carried(self.files, folder):
             return "carried"
+        if is_built_by_hand(self.wanted.pages, folder):
+            return "by hand"
         return "none" if self.may_be_meant(path) and self.is_wanted(path) else "idle"
 
     def is_wanted(self, path: str) -> bool:
@@ -109,12 +110,4 @@ class NestedPackages:
 
     @cached_property
     def built_folders(self) -> frozenset[str]:
-        """The folders and sources that CMake adds to the build, or builds as a project of its own."""
-        if self.cmake is None:
-            return frozenset()
-        words = [(word, call) for call in self.cmake.named("add_subdirectory") for word in call.words[:1]]
-        words += [(word, call) for call in self.cmake.named(*COMPILES) for word in call.words[1:]]
-        for call in self.cmake.named("externalproject_add", "fetchcontent_declare"):
-            words += [(word, call) for word in values_of(call, ("SOURCE_DIR",))]
-        paths = (path_in_package(word.text, call.folder) for word, call in words)
-        return frozenset(path for path in paths if path)
+        return named_folders(self.cmake)

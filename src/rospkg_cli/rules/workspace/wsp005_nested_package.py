@@ -20,6 +20,8 @@ SENTENCES: dict[Way, str] = {
     "to `{0}`",
     "carried": ": colcon finds it only where it is linked, copied or named on its own, as a page or a script does "
     "here; move it next to `{0}`",
+    "by hand": ": colcon does not look there, and a page or a script builds it by itself; declare what it needs in the "
+    "package.xml of `{0}`, or move it next to `{0}`",
     "built": ", which builds it itself: nothing fails, but colcon and rosdep read no package.xml there; declare what "
     "it needs in that of `{0}`",
 }
@@ -34,7 +36,7 @@ SENTENCES: dict[Way, str] = {
     levels={
         Severity.INFO: "distributions have them, or nothing depends on one, or builds, runs, imports or looks for it; "
         "all of them are for ROS 1, in a hidden folder, or built by the outer one; or a README has colcon started "
-        "below the outer one, or brings them to another place"
+        "below the outer one, brings them to another place, or builds them without colcon"
     },
     examples=(
         Example(
@@ -60,8 +62,11 @@ def nested_package(nested: NestedPackages) -> Iterator[Hit]:
     distributions have, which may be installed, unless a page or script builds one. So are packages for ROS 1, those
     in hidden folders, and those whose name a package has that colcon finds. So are those that
     colcon finds where a README or a script starts it (`cd driver && colcon build`), those that one links, copies or
-    mounts into a workspace (`ln -s`, `cp -r`, `COPY`), and those that the outer package builds itself
-    (`add_subdirectory`, `ExternalProject_Add`, a target with their sources): only their package.xml is not read.
+    mounts into a workspace (`ln -s`, `cp -r`, `COPY`), those that one builds without colcon
+    (`cd serial && mkdir build && cd build && cmake ..`, `pip install ./serial`), and those whose folder the CMake of
+    the outer package names: `add_subdirectory`, `ExternalProject_Add`, a target with their sources, a command of its
+    own or of another package (`add_interfaces(my_msgs)`), or any other one with a path: only their package.xml is not
+    read.
 
     ## References
     colcon/colcon-recursive-crawl: package_discovery/recursive_crawl.py
