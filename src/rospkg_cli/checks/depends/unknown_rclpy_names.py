@@ -11,6 +11,7 @@ from ...languages.python.branches import is_under_condition
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
 from ...languages.python.unreached_places import is_unreached
+from ...languages.python.unread_types import told_types
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role
 from ...ros.rclpy_names import OF_ROSPY, members_of_nodes, names_of_rclpy
@@ -64,7 +65,7 @@ class UnknownRclpyNames:
     ) -> UnknownName:
         span = attribute_span(file, node) if isinstance(node, ast.Attribute) else file.span(node)
         read = file.span(node.value) if isinstance(node, ast.Attribute) else span
-        is_certain = not is_test and read in self.uses.places.certain_spans(file)
+        is_certain = not is_test and read in self.uses.places.certain_spans(file) and not is_type(file, span)
         when: When = "certainly" if is_certain else self.uses.places.met(file, span)
         when = "branch" if when == "maybe" and is_under_condition(file, span) else when
         return UnknownName(file, span, name_of(node), owner, better, when)
@@ -104,6 +105,11 @@ class UnknownRclpyNames:
         """What any class of the package has: a subclass may bring what its base calls."""
         owners = (each for _, file in self.uses.run.files for each in nodes_of_kind(file.tree, ast.ClassDef))
         return frozenset(name for each in owners for name in members(each))
+
+
+def is_type(file: PythonFile, span: Span) -> bool:
+    """Return whether a place says a type, which newer Pythons evaluate once somebody asks for it."""
+    return any(file.span(each).holds(span) for each in told_types(file))
 
 
 def name_of(node: ast.Attribute | ast.Name) -> str:

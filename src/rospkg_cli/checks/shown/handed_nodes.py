@@ -8,6 +8,7 @@ from functools import cached_property
 
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import functions_of, last_name, nodes_of, nodes_of_kind
+from ...languages.python.unread_types import told_types
 from ...light_dataclasses import dataclass
 from ...ros.imports import STANDARD
 from ..behind_loops import is_behind_loop
@@ -108,9 +109,3 @@ def is_made(node: ast.AST) -> bool:
 
 def root_call(node: ast.expr) -> ast.expr:
     return node.func if isinstance(node, ast.Call) else node
-
-
-def told_types(file: PythonFile) -> Iterator[ast.expr]:
-    yield from (each.annotation for each in nodes_of_kind(file.tree, ast.arg) if each.annotation is not None)
-    yield from (each.annotation for each in nodes_of_kind(file.tree, ast.AnnAssign))
-    yield from (each.returns for each in functions_of(file.tree) if each.returns is not None)

@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from ...checks.depends.wrong_rclpy_calls import FOR_OLDER
 from ...finding import ALSO, Finding, Location, Severity
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import functions_of, nodes_of_kind
+from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.unread_types import told_types
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...source import Span
@@ -60,9 +61,3 @@ def may_pass(file: PythonFile, span: Span) -> bool:
     """Return whether some Pythons or distributions pass over a place: a keyword of a message, or an annotation."""
     keywords = any(file.span(each).holds(span) for each in nodes_of_kind(file.tree, ast.keyword))
     return keywords or any(file.span(each).holds(span) for each in told_types(file))
-
-
-def told_types(file: PythonFile) -> Iterator[ast.expr]:
-    yield from (each.annotation for each in nodes_of_kind(file.tree, ast.arg) if each.annotation is not None)
-    yield from (each.annotation for each in nodes_of_kind(file.tree, ast.AnnAssign))
-    yield from (each.returns for each in functions_of(file.tree) if each.returns is not None)

@@ -11,6 +11,7 @@ from ...source import Span
 from .file import PythonFile, bindings
 from .guarded_nodes import guarded_nodes
 from .nodes import children_of, nodes_of, nodes_of_kind
+from .unread_types import told_types
 
 GIVEN = frozenset(dir(builtins)) | frozenset(
     "__file__ __name__ __doc__ __package__ __loader__ __spec__ __builtins__ __path__ __cached__ __annotations__".split()
@@ -65,10 +66,7 @@ def undefined_names(file: PythonFile, *, everywhere: bool = False) -> Iterator[U
 
 def annotated(file: PythonFile) -> Iterator[int]:
     """Yield the identity of each node in an annotation."""
-    parts: list[ast.expr | None] = [each.annotation for each in nodes_of_kind(file.tree, ast.arg)]
-    parts += [each.annotation for each in nodes_of_kind(file.tree, ast.AnnAssign)]
-    parts += [each.returns for each in nodes_of(file.tree) if isinstance(each, ast.FunctionDef | ast.AsyncFunctionDef)]
-    yield from (id(node) for each in parts if each is not None for node in nodes_of(each))
+    yield from (id(node) for each in told_types(file) for node in nodes_of(each))
 
 
 def is_in_branch(file: PythonFile, span: Span) -> bool:

@@ -75,8 +75,9 @@ def unknown_rclpy_name(calls: WrongRclpyCalls) -> Iterator[Hit]:
     ## When it is quiet
     For any other name, as a newer rclpy may have it; for classes that have other bases than rclpy's nodes, for methods
     that any class of the package has, in files that bind `rclpy` themselves or set names by `setattr`, for calls with
-    `*` or `**` that may be right or whose TypeError is caught, and under what never holds on Linux. A depth that is
-    missing is an info where the repository names Dashing or older distributions alone.
+    `*` or `**` that may be right or whose TypeError is caught, and under what never holds on Linux. So is the type of a
+    variable or member in a function, which Python does not evaluate, and every type where a file imports `annotations`
+    of `__future__`. A depth that is missing is an info where the repository names Dashing or older ones alone.
 
     ## References
     The names of all branches of ros2/rclpy from Foxy on.
