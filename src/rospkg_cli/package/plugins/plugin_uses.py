@@ -16,6 +16,7 @@ from ...source import Span
 from ...unreadable import UnreadableError
 from ..file_role import role_of
 from ..package_facts import PluginUse
+from .nested_blocks import reading_of
 from .unlisted_blocks import is_unlisted
 from .unspawned_controllers import SpawnedNames
 
@@ -50,10 +51,12 @@ def uses_in(files: PackageFiles, path: str, spawned: SpawnedNames) -> Iterator[P
         text = without_comments(text)
     for match in pattern.finditer(text):
         group = "name" if match["name"] else "value"
-        at = match.start(group)
-        is_listed = pattern is not YAML or not (is_unlisted(text, at) or spawned.is_unspawned(path, text, at))
+        reading = reading_of(text, at := match.start(group)) if pattern is YAML else "read"
+        is_idle = pattern is YAML and (is_unlisted(text, at) or spawned.is_unspawned(path, text, at))
         kind = kind_at(text, match.start()) if pattern is RVIZ else ""
-        yield PluginUse(match[group], path, Span(*match.span(group)), is_listed, kind)
+        if reading != "unread":
+            span = Span(*match.span(group))
+            yield PluginUse(match[group], path, span, reading == "read" and not is_idle, kind)
 
 
 def kind_at(text: str, start: int) -> str:

@@ -5,14 +5,24 @@ Servers of Nav2 load what their lists name, and read a plugin's block only then.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
 
-LINE = regex(r"(?P<indent>[ ]*)(?P<key>[\w./-]+)[ ]*:(?:[ ]+(?P<value>.*)|[ ]*)")
-LIST = regex(r"(?:\w+_)?plugins")
+LINE = regex(r"(?P<indent>[ ]*)(?P<key>[\w./*-]+)[ ]*:(?:[ ]+(?P<value>.*)|[ ]*)")
+LIST = regex(r"(?:\w+_)?plugins|filters")
 ONE_LINE = regex(r"\[(?P<names>[^\[\]{}]*)\]\s*(?:#.*)?")
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    number: int
+    """Of its line."""
+    indent: int
+    name: str
+    value: str
+    """What stands behind it on its line."""
 
 
 def is_unlisted(text: str, at: int) -> bool:
@@ -20,29 +30,55 @@ def is_unlisted(text: str, at: int) -> bool:
 
     A list that goes over several lines may name it.
     """
-    above, below = keys(reversed(text[:at].splitlines())), keys(text[at:].splitlines()[1:])
-    own = next(above, None)
-    if own is None or own["key"] != "plugin":
-        return False
-    block = next((each for each in above if len(each["indent"]) < len(own["indent"])), None)
-    if block is None:
-        return False
-    lists = [*lists_at(block["indent"], above), *lists_at(block["indent"], below)]
-    named = [ONE_LINE.fullmatch(each) for each in lists]
-    return bool(named) and all(each and block["key"] not in names_in(each["names"]) for each in named)
+    block, lists = beside(text, at)
+    return bool(lists) and not is_in_list(block, lists)
 
 
-def keys(lines: Iterable[str]) -> Iterator[re.Match[str]]:
-    return (found for line in lines if (found := LINE.fullmatch(line)) is not None)
+def is_listed(text: str, at: int) -> bool:
+    """Return whether a list beside the block that an offset is in names it, or may."""
+    return is_in_list(*beside(text, at))
 
 
-def lists_at(indent: str, lines: Iterable[re.Match[str]]) -> Iterator[str]:
-    """Yield the values of the lists of plugins of one mapping, from one of its keys on."""
-    for each in lines:
-        if len(each["indent"]) < len(indent):
-            return
-        if each["indent"] == indent and LIST.fullmatch(each["key"]):
-            yield each["value"] or ""
+def is_in_list(block: str, lists: Iterable[str]) -> bool:
+    return any(names is None or block in names_in(names["names"]) for names in map(ONE_LINE.fullmatch, lists))
+
+
+def beside(text: str, at: int) -> tuple[str, list[str]]:
+    """Return the name of the block whose `plugin` is at an offset, and the values of the lists of plugins beside it."""
+    own, block, *_ = [*ancestors(text, at), None, None]
+    if own is None or own.name != "plugin" or block is None:
+        return "", []
+    return block.name, [each.value for each in siblings(text, block) if LIST.fullmatch(each.name)]
+
+
+def ancestors(text: str, at: int) -> list[Key]:
+    """Return the key before an offset, and the keys of the mappings around it from the inside out."""
+    lines = text[:at].splitlines()
+    found: list[Key] = []
+    for each in keys(lines, range(len(lines) - 1, -1, -1)):
+        if not found or each.indent < found[-1].indent:
+            found.append(each)
+        if not each.indent:
+            break
+    return found
+
+
+def siblings(text: str, key: Key) -> Iterator[Key]:
+    """Yield the keys of the mapping that a key is in, but for itself; those above it first."""
+    lines = text.splitlines()
+    for numbers in (range(key.number - 1, -1, -1), range(key.number + 1, len(lines))):
+        for each in keys(lines, numbers):
+            if each.indent < key.indent:
+                break
+            if each.indent == key.indent:
+                yield each
+
+
+def keys(lines: Sequence[str], numbers: Iterable[int]) -> Iterator[Key]:
+    """Yield the keys that begin the lines of some numbers."""
+    for number in numbers:
+        if (found := LINE.fullmatch(lines[number])) is not None:
+            yield Key(number, len(found["indent"]), found["key"], found["value"] or "")
 
 
 def names_in(text: str) -> set[str]:

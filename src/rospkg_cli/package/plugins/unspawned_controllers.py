@@ -10,7 +10,7 @@ from ...files import PackageFiles
 from ...lazy_regex import regex
 from ..file_role import role_of
 from ..launch.text import uncommented
-from .unlisted_blocks import keys
+from .unlisted_blocks import ancestors, keys
 
 NAMING = (".py", ".xml", ".launch", ".yaml", ".yml", ".sh", ".bash", ".cpp", ".hpp", ".md", ".rst", ".srv", ".service")
 """Files that name a controller which is loaded, or tell how to load it; MoveIt spawns what a YAML file lists."""
@@ -49,18 +49,15 @@ class SpawnedNames:
 
 def controller_at(text: str, at: int) -> str:
     """Return the key above the `type` at an offset; "" where there is none."""
-    above = keys(reversed(text[:at].splitlines()))
-    own = next(above, None)
-    if own is None or own["key"] != TYPE:
-        return ""
-    block = next((each for each in above if len(each["indent"]) < len(own["indent"])), None)
-    return block["key"] if block is not None else ""
+    own, block, *_ = [*ancestors(text, at), None, None]
+    return block.name if own is not None and own.name == TYPE and block is not None else ""
 
 
 def controllers(text: str) -> Iterable[str]:
     """Return the keys right above each `type`."""
-    found = list(keys(text.splitlines()))
-    return [one["key"] for one, two in pairwise(found) if two["key"] == TYPE]
+    lines = text.splitlines()
+    found = list(keys(lines, range(len(lines))))
+    return [one.name for one, two in pairwise(found) if two.name == TYPE]
 
 
 def may_name(name: str, text: str) -> bool:

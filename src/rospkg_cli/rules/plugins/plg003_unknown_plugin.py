@@ -53,8 +53,8 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "an old distribution had the plugin, none has it and another package may, or no list of plugins "
-        "names its block, nothing spawns the controller beside others, or nothing names the file: nothing loads it, or "
-        "it is a panel of RViz, which goes on without it"
+        "names its block, it is in the block of another plugin that may not read it, nothing spawns the controller "
+        "beside others, or nothing names the file: nothing loads it, or it is a panel of RViz, which goes on without it"
     },
     examples=(
         Example(
@@ -81,7 +81,8 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
 
     ## When it is quiet
     Packages whose plugins are not all known, plugins in Python, and names of components and interfaces, are left alone;
-    so are names of packages that exist but are not here. It is an info for a controller that no other file names, where
+    so are names of packages that exist but are not here, and a `plugin` in the block of a well-known plugin that reads
+    no such key: DWB knows its critics by `class`. It is an info for a controller that no other file names, where
     one beside it is named, in a parameter file or robot that nothing names, though nodes are launched, and for a panel
     of an RViz config: RViz goes on without it. What is offered there is of the same kind: a panel, a display, a tool or
     a view.
