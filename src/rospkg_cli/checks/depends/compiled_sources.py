@@ -38,14 +38,16 @@ class SourcesByUse:
         on = (named_sources(cmake, files, testing, off=off) for testing in (False, True))
         self.likely = including.reached(set().union(*on))
         self.certain = including.reached(named_sources(cmake, files, False, maybe=False))
-        headers = (path for path in files if path.endswith(HEADERS) and not cmake.only_tests)
-        public = {path for path in headers if "include/" in path}
+        self.including = including
+        self.headers = {path for path in files if path.endswith(HEADERS) and not cmake.only_tests}
+        public = {path for path in self.headers if "include/" in path}
         self.run = including.reached(named[False] | public)
         self.tests = including.reached(named[True]) - self.run
         asked = not any(call.texts[::2][:2] == ("BUILD_TESTING", "OFF") for call in cmake.named("option"))
         self.certain_tests = including.reached(named_sources(cmake, files, True, maybe=False)) if asked else set[str]()
         self.only_tests = cmake.only_tests
         self._unadded: frozenset[str] | None = None
+        self._handed_out: set[str] | None = None
 
     def unadded(self, cmake: CMake) -> frozenset[str]:
         """Return the files below a CMakeLists.txt that nothing adds, where it is not known which files are compiled."""
@@ -56,12 +58,25 @@ class SourcesByUse:
         return self._unadded
 
     def is_left(self, cmake: CMake, path: str) -> bool:
-        """Return whether no target compiles a file, nor one that includes it, and nobody gets it, beside others."""
+        """Return whether no target compiles a file, nor one that includes it, and nobody gets it.
+
+        Where a package compiles nothing, its build may be forgotten: only a file is left that it has in a comment.
+        """
         if not self.is_known:
             return path in self.unadded(cmake)
-        if not self.run or path in self.run | self.tests or path not in self.paths:
+        if not (self.own or self.tests or is_named(cmake, path)):
+            return False
+        if path in self.headers - self.own - self.tests:
+            return path not in self.handed_out(cmake)
+        if path in self.run | self.tests or path not in self.paths:
             return False
         return self.role(path) is None or not may_be_handed_out(cmake, path)
+
+    def handed_out(self, cmake: CMake) -> set[str]:
+        """Return the headers that may be installed, and what these include."""
+        if self._handed_out is None:
+            self._handed_out = self.including.reached(each for each in self.headers if may_be_handed_out(cmake, each))
+        return self._handed_out
 
     def role(self, path: str) -> Role | None:
         """Return the role of a file that is compiled, or installed for others; None for any other."""
@@ -85,13 +100,12 @@ def sources_by_use(cmake: CMake, sources: Iterable[CppFile]) -> tuple[SourcesByU
 def compiled_sources(cmake: CMake, sources: Iterable[CppFile]) -> list[tuple[CppFile, Role]]:
     """Return the sources of targets, installed headers, and the files of the package that they include, with roles.
 
-    Files that only tests use have the role `test`. All files are returned where the sources of a target are unknown,
-    those last that lie in a folder which nothing adds.
+    Files that only tests use have the role `test`. All files are returned where the sources of a target are unknown.
+    Those come last that nothing compiles or gets.
     """
     known, files = sources_by_use(cmake, sources)
     found = [(source, role) for path, source in files.items() if (role := known.role(path)) is not None]
-    left = known.unadded(cmake)
-    return sorted(found, key=lambda each: each[0].path in left) if left else found
+    return sorted(found, key=lambda each: known.is_left(cmake, each[0].path))
 
 
 def own_compiled(cmake: CMake, sources: Iterable[CppFile]) -> set[str] | None:

@@ -93,22 +93,22 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     argument `map`, too), what an RViz config or YAML that nothing names has, a script in a folder that is none for
     code, a program that nothing starts, beside others that are started, what code goes on without (`except OSError`),
     the default of an argument that all who start or include the launch file give, a launch file whose twin in another
-    language alone is named, a source that no target compiles, a module that nothing starts or imports beside others, or
-    only such modules, a launch file or script that nothing installs or names, a script that setup.py puts among the
-    programs without the bit to be executed and that nothing names, a function that no program leads to, what a launch
-    file has only for an action that it never adds, what is put into a variable of a function or a member, which nothing
-    reads, the folder in which a dialog for files begins, and what a comment at it, or a line of a page that names the
-    file, tells to change. A script that nothing names is left too where it is only a part of a folder in the share
-    directory, or where not all that is installed is known and CMake does not name its folder. A value of YAML or a
-    launch file without a suffix that is the path of no file or folder is an info as well: what reads it adds a suffix
-    (slam_toolbox's `map_file_name`), or writes there. So are one of YAML that no file of the repository ends with, but
-    for the image of a map, the default of an argument that nothing reads, and what is written: `open(…, 'w')`,
-    `np.save`, `ofstream`, a parameter called `output_dir`. And so is a value of YAML that nobody is shown to read: no
-    code of the workspace declares the parameter or has its key as a text or attribute, and no well-known node has it in
-    a supported distribution (`default_bt_xml_filename`, which Humble's bt_navigator does not read), unless only older
-    ones are meant; in launch files it is one of a parameter that the node, if its code or parameters are known, does
-    not have, or whose name else says nothing of a file.
-    Robots and worlds are URD002's, what setup.py installs is SET205's.
+    language alone is named, a source that no target compiles, a header that no compiled file includes and nothing
+    installs, a module that nothing starts or imports beside others, or only such modules, a launch file or script that
+    nothing installs or names, a script that setup.py puts among the programs without the bit to be executed and that
+    nothing names, a function that no program leads to, what a launch file has only for an action that it never adds,
+    what is put into a variable of a function or a member, which nothing reads, the folder in which a dialog for files
+    begins, and what a comment at it, or a line of a page that names the file, tells to change. A script that nothing
+    names is left too where it is only a part of a folder in the share directory, or where not all that is installed is
+    known and CMake does not name its folder. A value of YAML or a launch file without a suffix that is the path of no
+    file or folder is an info as well: what reads it adds a suffix (slam_toolbox's `map_file_name`), or writes there. So
+    are one of YAML that no file of the repository ends with, but for the image of a map, the default of an argument
+    that nothing reads, and what is written: `open(…, 'w')`, `np.save`, `ofstream`, a parameter called `output_dir`. And
+    so is a value of YAML that nobody is shown to read: no code of the workspace declares the parameter or has its key
+    as a text or attribute, and no well-known node has it in a supported distribution (`default_bt_xml_filename`, which
+    Humble's bt_navigator does not read), unless only older ones are meant; in launch files it is one of a parameter
+    that the node, if its code or parameters are known, does not have, or whose name else says nothing of a file. Robots
+    and worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
     others = [each for each in paths.found if each.of_package is None and not each.may_be_there]
