@@ -7,6 +7,7 @@ import pytest
 from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.example import CMAKE, INTERFACES_CMAKE, manifest, scripts, setup_py
 from rospkg_cli.finding import Edit
+from rospkg_cli.rules.plugins import plg003_unknown_plugin as plg003
 from rospkg_cli.rules.plugins import plg005_wrong_plugin_base as plg005
 from rospkg_cli.testing import lint_files
 
@@ -290,3 +291,28 @@ def test_python_packages_that_one_list_leaves_out(clean) -> None:
     assert [left_out.severity.value, unused.severity.value] == ["warning", "info"]
     assert left_out.fix is not None
     assert [each.text for each in left_out.fix.operations if isinstance(each, Edit)] == ["', 'my_pkg.a', 'my_pkg.b'"]
+
+
+def test_a_description_that_is_not_exported() -> None:
+    second = plg003.FILES["plugins.xml"].replace("my_pkg/Planner", "my_pkg/Other").replace("my_pkg::Planner", "Other")
+    files = {
+        **plg003.FILES,
+        "others.xml": second,
+        "src/planner.cpp": plg003.FILES["src/planner.cpp"]
+        + "PLUGINLIB_EXPORT_CLASS(Other, nav2_core::GlobalPlanner)\n",
+        "config/nav2.yaml": plg003.CONFIG.replace("Planner", "Other"),
+    }
+    assert codes(files, "PLG002", "PLG003") == ["PLG002"]
+    del files["others.xml"]
+    assert codes(files, "PLG003") == ["PLG003"]
+
+
+@pytest.mark.parametrize("command, expected", [("ametn_target_dependencies", ["CMK114"]), ("link_all", ["CMK121"])])
+def test_a_command_that_is_none_and_may_have_linked(command: str, expected: list[str]) -> None:
+    needs = "  <depend>rclcpp</depend>\n  <depend>sensor_msgs</depend>\n"
+    lines = (
+        "find_package(rclcpp REQUIRED)\nfind_package(sensor_msgs REQUIRED)\nadd_executable(a src/a.cpp)\n"
+        "target_link_libraries(a rclcpp::rclcpp)\n" + f"{command}(a sensor_msgs)\n"
+    )
+    source = "#include <rclcpp/rclcpp.hpp>\n#include <sensor_msgs/msg/image.hpp>\n" + TALKER
+    assert codes({**cmake(lines, needs), "src/a.cpp": source}, "CMK114", "CMK121") == expected

@@ -18,6 +18,7 @@ from ...ros.names import NameKind
 from ...ros.private_links import KEPT_FROM_JAZZY
 from ...source import Span
 from ..cmake.missing_export_dependencies import BY_MACRO
+from ..cmake.unknown_commands import UnknownCommands
 from ..older_distribution import OlderDistribution
 from .brought_by_links import BEFORE_JAZZY, SOMEWHERE, BroughtByLinks, is_of_interfaces
 from .compiled_sources import Inclusions, sources_by_use
@@ -64,6 +65,8 @@ class UnlinkedIncludes:
         links = cmake.named("target_link_libraries", "ament_target_dependencies")
         if self.folders.for_all is None or any(cmake.target(call.texts[0]) is None for call in links if call.texts):
             return  # a link of a target that is not there is one that another lacks
+        if any(UnknownCommands(cmake).all()):
+            return  # CMake stops there, and a misspelt command may be the one that links
         seen: set[str] = set()
         stopping = self.includes.ros1.stopping
         for target in sorted(cmake.targets, key=lambda each: (each.call.testing, stopping(each.name) is not None)):

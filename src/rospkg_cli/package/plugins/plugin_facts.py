@@ -38,8 +38,13 @@ def plugins_of(description: PluginDescription) -> list[Plugin]:
 
 
 def are_complete(reading: ReaderInput) -> bool:
-    """Return whether every description that CMake exports is known, is there, and can be read."""
+    """Return whether every description that CMake exports is known, is there, and can be read, and no other is here.
+
+    What a description has that nothing exports is meant to be found, and is not: that is one fault, told there.
+    """
     if reading.parts(PluginDescription).broken or reading.parts(CMake).broken:
+        return False
+    if any(each.classes and not each.exported for each in reading.parts(PluginDescription).good):
         return False
     exported = [path for path, _ in by_cmake(reading)]
     calls = sum(len(cmake.named(EXPORT)) for cmake in reading.parts(CMake).good)
