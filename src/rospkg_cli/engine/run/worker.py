@@ -27,7 +27,7 @@ from ..reuse.recorded_tree import RecordedTree, listing
 from ..reuse.recorded_workspace import Question, RecordedWorkspace
 from ..suppression.comments import Suppression, suppressions_in
 from .crashes import reader_crashes
-from .finding_builder import FindingBuilder
+from .finding_builder import OF_STARTS, FindingBuilder
 from .milder_behind import milder_behind
 from .rule_inputs import InputBuilder
 from .run_rules import InputsOf, run_rules
@@ -175,7 +175,12 @@ def why_warning(inputs: InputsOf, hit: Hit) -> str:
 
 
 def why_unmet(inputs: InputsOf, code: str, level: Severity, hit: Hit) -> str:
-    """Return why no plain launch comes to a hit in a launch file; imported where a finding needs it."""
+    """Return why no plain launch or start comes to a hit; imported where a finding needs it."""
+    if code in OF_STARTS and hit.path.endswith(".py"):
+        from ...checks.unmeant_starts import UnmeantStarts
+
+        if why := next((each.why(hit.path, hit.span) for each in inputs(UnmeantStarts)), ""):
+            return why
     if not code.startswith(OF_LAUNCHES) or code in ASKING or "launch" not in hit.path:
         return ""
     from ...checks.launch.unmet_places import UnmetPlaces

@@ -44,7 +44,8 @@ def main():
         "test, or in a program that nothing starts, beside others that are started",
         Severity.INFO: "no program is shown to come to it, or under several conditions alone, it is under a condition "
         "(`__main__` of an entry point's module), behind `rclpy.spin`, nothing in the package calls the function, or "
-        "imports the module, nothing spins the node, the run ends before, at another fault or in a loop, or the "
+        "imports the module, nothing spins the node, the run ends before, at another fault or in a loop, its "
+        "own text says that the program is not to be started, nothing starts it while others use its module, or the "
         "repository is for Dashing or older alone, which need no depth",
     },
     examples=(
@@ -77,7 +78,9 @@ def unknown_rclpy_name(calls: WrongRclpyCalls) -> Iterator[Hit]:
     that any class of the package has, in files that bind `rclpy` themselves or set names by `setattr`, for calls with
     `*` or `**` that may be right or whose TypeError is caught, and under what never holds on Linux. So is the type of a
     variable or member in a function, which Python does not evaluate, and every type where a file imports `annotations`
-    of `__future__`. A depth that is missing is an info where the repository names Dashing or older ones alone.
+    of `__future__`. A depth that is missing is an info where the repository names Dashing or older ones alone. So is
+    what only the `main` of a module meets that nothing starts, while the programs that are started import the module, a
+    base class for example, or of which a docstring or comment says `DO NOT RUN`.
 
     ## References
     The names of all branches of ros2/rclpy from Foxy on.
