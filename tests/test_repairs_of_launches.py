@@ -86,7 +86,12 @@ def blocks(key: str, more: str = "", cpp: str = CPP, setting: str = "rate: 2.0")
 @pytest.mark.parametrize(
     "key, more, found",
     [
-        ("speaker", "", "warning: no node is called `speaker`: the one that `launch/a.launch.xml` gives this file to"),
+        (
+            "speaker",
+            "",
+            "info: nothing here starts a node `speaker`: the one that `launch/a.launch.xml` gives this file",
+        ),
+        ("teller", "", "warning: no node is called `teller`: the one that `launch/a.launch.xml` gives this file to"),
         ("talker_node", "", ""),
         ("/**", "", ""),
         ("talker_node", ' name="other"', "warning: no node is called `talker_node`"),

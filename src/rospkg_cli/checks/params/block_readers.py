@@ -7,10 +7,11 @@ from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...ros.known_nodes import known_nodes
 from ...source import Span
 from ..yaml_elsewhere import is_named_elsewhere
-from .costmap_blocks import COSTMAPS, is_out_of_reach
+from .costmap_blocks import is_out_of_reach
 from .displaced_blocks import displaced_blocks
 from .handed_on import may_hand_on
 from .idle_nodes import may_start, start_of
+from .inner_nodes import COSTMAPS
 from .launch_parameters import LaunchParameters, NodeArguments
 from .mistyped_blocks import WILD, last
 from .parameter_file_use import ParameterFileUses

@@ -6,11 +6,10 @@ from collections.abc import Iterator
 
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...ros.known_nodes import default_of
+from .inner_nodes import COSTMAPS
 from .launch_parameters import LaunchParameters
 from .mistyped_blocks import last
 
-COSTMAPS = {"local_costmap": "controller_server", "global_costmap": "planner_server"}
-"""The node, and the one that makes it. (nav2_controller, nav2_planner)"""
 DEFAULTS = {
     "always_send_full_costmap": "false", "filters": "[]", "footprint": "[]", "footprint_padding": "0.01",
     "global_frame": "map", "height": "5", "lethal_cost_threshold": "100", "map_topic": "map",

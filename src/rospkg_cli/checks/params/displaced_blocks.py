@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...package.params.parameter_file import NodeBlock, ParameterFile
+from ..yaml_elsewhere import is_named_elsewhere
 from .launch_parameters import LaunchParameters, NodeArguments
 from .mistyped_blocks import last
 
@@ -34,13 +35,19 @@ def is_only_here(launched: LaunchParameters, file: ParameterFile) -> bool:
     return bool(given) and all(each.known_name for each in given) and not any(name in one.source.text for one in others)
 
 
-def is_chosen(file: ParameterFile, block: NodeBlock) -> bool:
-    """Return whether a file has the node's name in several namespaces: the launch file takes one."""
-    return any(last(each) == last(block) and each.name.strip("/") != block.name.strip("/") for each in file.blocks)
+def why_not(launched: LaunchParameters, file: ParameterFile, block: NodeBlock) -> str:
+    """Return how a node may read such a block all the same; "" where none can.
+
+    A file has the node's name in several namespaces, of which the launch file takes one, or another package starts it.
+    """
+    if any(last(each) == last(block) and each.name.strip("/") != block.name.strip("/") for each in file.blocks):
+        return ", unless another of the namespaces in this file is chosen"
+    stem = file.path.rpartition("/")[2].rpartition(".")[0]
+    is_elsewhere = is_named_elsewhere(stem, launched.package, launched.workspace)
+    return ", unless another package starts it elsewhere" if is_elsewhere else ""
 
 
-def told_of(block: NodeBlock, given: NodeArguments, *, is_chosen: bool) -> str:
+def told_of(block: NodeBlock, given: NodeArguments) -> str:
     """Return what is wrong with a block that a node does not read."""
     message = f"`{block.name}` is no node: the one that `{given.launch.path}` starts is `{given.full_name}`"
-    several = ", unless another of the namespaces in this file is chosen" if is_chosen else ""
-    return f"{message}, which never reads the block{several}"
+    return f"{message}, which never reads the block"

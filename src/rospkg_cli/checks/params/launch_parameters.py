@@ -23,7 +23,8 @@ from ..launch.ros1_syntax import is_refused
 from ..yaml_elsewhere import is_named_elsewhere
 from .declaring_packages import is_its_own
 from .handed_on import may_hand_on
-from .mistyped_blocks import WILD, MistypedBlock, last, mistyped_blocks
+from .inner_nodes import may_make
+from .mistyped_blocks import WILD, MistypedBlock, differing, last, mistyped_blocks
 
 MAX_DEPTH = 5
 ENDINGS = (".yaml", ".yml")
@@ -62,6 +63,11 @@ class NodeArguments:
         program = self.node.executable.literal if self.node.executable and self.node.name is None else None
         package = self.node.package.literal if self.node.package else None
         return self.known_name or (program if package in known_nodes().get(program or "", ()) else None)
+
+    @property
+    def likely_name(self) -> str | None:
+        """The same; where nothing tells it, that of the program, which is often the node's."""
+        return self.known_name or (self.node.executable.literal if self.node.executable else None)
 
     def starts(self, executable: str) -> bool:
         """Return whether the node has an executable of this name, which is often that of a node without `name=`."""
@@ -181,7 +187,7 @@ class LaunchParameters:
         Where the file goes to no other node, the names need not be alike: it has one block, be it for several nodes, or
         the code of the node declares what the block sets.
         """
-        started = {each.known_name for each in self.node_arguments}
+        started = {each.likely_name for each in self.node_arguments}
         for file in self.files:
             readers = [each for each in self.node_arguments if file in each.files and each.known_name]
             named = {last(block) for block in file.blocks}
@@ -190,7 +196,11 @@ class LaunchParameters:
                 key = last(block)
                 if key not in started and key not in WILD and "$" not in key:
                     found = [each for each in without_block if is_near(key, each.known_name or "") or each.starts(key)]
-                    if not found and self.is_only_for_named(file):
+                    if (
+                        not found
+                        and self.is_only_for_named(file)
+                        and not any(may_make(each.node, key) for each in readers)
+                    ):
                         is_only = len(file.blocks) == 1
                         found = [each for each in without_block if is_only or self.declares(each, block)]
                     is_alone = len(file.blocks) == 1 and found == readers and key not in known_nodes()
@@ -254,4 +264,4 @@ def default_name(launch: LaunchFile, node: LaunchedNode) -> str | None:
 
 def is_near(key: str, name: str) -> bool:
     short, long = sorted((key, name), key=len)
-    return long in (f"{short}_node", f"{short}node") or bool(near_names(key, [name], 1))
+    return long in (f"{short}_node", f"{short}node") or bool(differing(key, near_names(key, [name], 1)))

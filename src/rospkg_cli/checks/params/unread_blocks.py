@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from functools import cached_property
 
 from ...light_dataclasses import dataclass
 from ...package.params.parameter_file import NodeBlock, ParameterFile
@@ -15,6 +16,7 @@ from .known_given import controller_types
 from .launch_parameters import LaunchParameters, NodeArguments
 from .mistyped_blocks import WILD, MistypedBlock, last
 from .parameter_file_use import ParameterFileUses
+from .sure_blocks import SureBlocks
 from .unchanged_values import ONLY_DEFAULTS, defaults_in, holds_defaults
 
 NAMING = (".py", ".xml", ".launch", ".yaml", ".yml", ".sh", ".bash", ".cpp", ".hpp", ".md", ".rst", "Dockerfile")
@@ -48,6 +50,10 @@ class NodeBlocks:
                 if key not in WILD and re.fullmatch(r"\w+", key) and self.is_declared(block) and not self.has(key):
                     yield file, block, name
 
+    @cached_property
+    def sure(self) -> SureBlocks:
+        return SureBlocks(self.launched, self.uses.files)
+
     def lost_nothing(self, block: NodeBlock, meant: Iterable[NodeArguments]) -> str:
         """Return why nobody misses a block that is for some nodes; "" where something may differ."""
         packages = {each.node.package.literal for each in meant if each.node.package is not None}
@@ -74,6 +80,11 @@ class NodeBlocks:
         named = re.compile(rf"['\"/]{key}['\"]|name:=['\"]?{key}\b|__node:=['\"]?/?{key}\b|\bname:\s*['\"]?{key}\b")
         files = self.uses.files
         return any(named.search(files.readable_text(path)) for path in files.paths if path.endswith(NAMING))
+
+
+def shown_block(block: NodeBlock, may: str) -> str:
+    """Return that no node has a block's name, or that none is started where one may have it."""
+    return f"{'nothing here starts a node' if may else 'no node is called'} `{block.key.text}`"
 
 
 def shown_readers(given: NodeArguments, names: list[str]) -> str:

@@ -7,12 +7,11 @@ from collections.abc import Iterator
 from ...checks.params import displaced_blocks as displaced
 from ...checks.params.costmap_faults import costmap_faults
 from ...checks.params.spawn_faults import spawn_faults
-from ...checks.params.unread_blocks import NodeBlocks, shown_readers
+from ...checks.params.unread_blocks import NodeBlocks, shown_block, shown_readers
 from ...edits.fault_hits import hits
-from ...edits.plain_names import only_plain_names
+from ...edits.node_blocks import renaming
 from ...example import CMAKE, Example, manifest
-from ...finding import Edit, Fix, Hit, Related, Safety, Severity
-from ...package.params.parameter_file import NodeBlock, ParameterFile
+from ...finding import Hit, Related, Safety, Severity
 from ...rule import rule
 
 LAUNCH = """\
@@ -45,8 +44,8 @@ controller_manager:
     over=NodeBlocks,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "a default gives the node its name, nothing names the file, several nodes get it, the block "
-        "holds defaults alone, it is one of several namespaces, or the launch file is not installed or adds no node"
+        Severity.INFO: "a default gives the node its name, nothing names the file, several nodes get it, another one "
+        "may be meant, the block holds defaults alone, or the launch file is not installed or adds no node"
     },
     examples=(
         Example(
@@ -95,10 +94,13 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
 
     ## When it is quiet
     Blocks of nodes that any launch file here starts are left alone, and those of several whose name is like that of no
-    node which lacks one: nodes that other packages start may read them. So are names that a launch file here holds, and
-    those that differ by a number. Where the only launch files that give the file to a node are not installed, or
-    nothing adds the action that starts the node, it is an info; so is a block that holds no more than defaults (false,
-    0 or empty where they are not known), and one of several namespaces for a node's name: the launch file chooses.
+    node which lacks one: nodes that other packages start may read them. So are names that differ by a number, and nodes
+    inside of a process that is given the file: what a container or ros2_control_node loads, the costmap in a server of
+    nav2. It is an info where another node may be meant: code, or a launch file in a comment, names one so; the program
+    is of a package that is not here; several blocks or nodes are left over; another package names the file. It is one
+    where the only launch files that give the file to a node are not installed, or nothing adds the action that starts
+    the node; where a block holds no more than defaults (false, 0 or empty where they are not known); and for one of
+    several namespaces for a node's name: the launch file chooses.
 
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.
@@ -108,17 +110,18 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     for file, block, readers in launched.misnamed():
         names = sorted({each.known_name or "" for each in readers})
         is_named = len(names) == 1 and all(each.name or each.in_code for each in readers)
-        same = scope.lost_nothing(block, readers)
-        level = None if is_named and not same and any(map(scope.readers.is_met, readers)) else Severity.INFO
+        same, may = scope.lost_nothing(block, readers), scope.sure.why_not(file, block, readers)
+        is_sure = is_named and not same and not may
+        level = None if is_sure and any(map(scope.readers.is_met, readers)) else Severity.INFO
         where = tuple(Related(each.launch.path, each.node.span, "the node") for each in readers)
-        fix = renaming(file, block, names[0]) if len(names) == 1 else None
-        told = f"no node is called `{block.key.text}`: {shown_readers(readers[0], names)}{same}"
+        fix = renaming(file, block, names[0]) if len(names) == 1 and not may else None
+        told = f"{shown_block(block, may)}: {shown_readers(readers[0], names)}{may or same}"
         yield Hit(file.path, block.key.span, told, level, where, fix)
     for file, block, given in displaced.displaced_blocks(launched):
-        is_chosen, same = displaced.is_chosen(file, block), scope.lost_nothing(block, [given])
+        same, may = scope.lost_nothing(block, [given]), displaced.why_not(launched, file, block)
         where = (Related(given.launch.path, given.node.span, "the node"),)
-        level = None if scope.readers.is_met(given) and not (is_chosen or same) else Severity.INFO
-        yield Hit(file.path, block.key.span, displaced.told_of(block, given, is_chosen=is_chosen) + same, level, where)
+        level = None if scope.readers.is_met(given) and not (may or same) else Severity.INFO
+        yield Hit(file.path, block.key.span, displaced.told_of(block, given) + (may or same), level, where)
     for path, fault in (*spawn_faults(launched), *costmap_faults(scope.readers)):
         yield from hits(path, [fault])
     for file, wrong in launched.mistyped():
@@ -129,12 +132,3 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     for file, block, name in scope.unread():
         message = f"no node is called `{block.key.text}`: this package's is `{name}`, and never reads the block"
         yield Hit(file.path, block.key.span, message, Severity.INFO, fix=renaming(file, block, name))
-
-
-def renaming(file: ParameterFile, block: NodeBlock, name: str) -> Fix | None:
-    """Return the fix that writes another name of a node; None where the key is not just its name."""
-    key = block.key.text
-    if file.source.slice(block.key.span) != key or key != block.name.rpartition("/")[2]:
-        return None
-    fix = Fix(f"write `{name}`", (Edit(file.path, block.key.span, name),), Safety.UNSAFE)
-    return only_plain_names(fix, name)
