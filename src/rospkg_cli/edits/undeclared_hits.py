@@ -8,6 +8,7 @@ from ..checks.depends.brought_dependencies import Bringer
 from ..checks.depends.declared_dependencies import DeclaredDependencies
 from ..checks.depends.name_source import newer_distros, source_of
 from ..checks.depends.similar_names import SimilarNames
+from ..checks.depends.system_installs import TOLD
 from ..checks.depends.undeclared_includes import IncludeDependencies, IncludedPackage
 from ..checks.enumeration import enumerated, in_ticks
 from ..finding import Fix, Hit, Related, Safety, Severity
@@ -65,15 +66,16 @@ def where_absent(declared: DeclaredDependencies, *names: str, built: bool = Fals
     return "on a clean machine"
 
 
-def advice(declared: DeclaredDependencies, tag: str, name: str) -> str:
-    """Return what to do about a missing dependency."""
+def advice(declared: DeclaredDependencies, tag: str, name: str, *serving: str) -> str:
+    """Return what to do about a missing dependency, and where else its repository gets it, by any name that serves."""
     if name in declared.for_other_distributions:
         return "package.xml declares it for distributions alone that are supported no more: widen the condition"
     match source_of(declared, name):
         case "released":
             newer = newer_distros(declared, name)
             only = f", which only {enumerated(newer)} {'have' if newer[1:] else 'has'}" if newer else ""
-            return f"add {written(declared, tag, name)}{only}"
+            told = TOLD if declared.is_installed_otherwise((name, *serving)) else ""
+            return f"add {written(declared, tag, name)}{only}{told}"
         case "pip":
             return f"<{tag}>{name}</{tag}> installs it from PyPI, and prevents a release"
         case "unknown" if near := SimilarNames(declared.workspace).meant(name):

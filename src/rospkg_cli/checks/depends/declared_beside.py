@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Mapping
 
 from ...package.package_facts import PackageFacts
@@ -41,3 +42,20 @@ def is_in(here: frozenset[str] | None, facts: PackageFacts) -> bool:
 def needs_of(facts: PackageFacts) -> Iterator[str]:
     """Yield what rosdep installs for a package whatever the conditions."""
     return (need.name for need in facts.dependencies if need.certain and need.tag != NO_INSTALL)
+
+
+def repository_of(folder: str, workspace: Workspace) -> str:
+    """Return what all paths in the repository of a package begin with; "" where the run holds no other one."""
+    here = next((each for each in workspace.repositories if folder in each), frozenset[str]())
+    others = [each for one in workspace.repositories if one is not here for each in one]
+    if not here or not others:
+        return ""
+    start = posixpath.commonpath(here)
+    while start and not any(f"{each}/".startswith(above_of(start)) for each in others):
+        start = posixpath.dirname(start)
+    return f"{start}/" if start else ""
+
+
+def above_of(folder: str) -> str:
+    """Return what all paths beside a folder begin with."""
+    return f"{posixpath.dirname(folder)}/".lstrip("/")

@@ -30,6 +30,7 @@ from .brought_dependencies import (
 )
 from .declared_beside import brought_in, is_declared_by_others
 from .intended_names import intended_names, key_of_cmake_name
+from .system_installs import SystemInstalls
 
 MAX_DEPTH = 20
 
@@ -213,6 +214,17 @@ class DeclaredDependencies:
         """
         names = [*names]
         return not any(map(self.workspace.named, names)) and self.is_declared_beside(names)
+
+    def is_installed_otherwise(self, names: Iterable[str]) -> bool:
+        """Return whether the repository installs one of some names by lists or commands of its own.
+
+        They serve nobody who installs a release.
+        """
+        return self.installs.has(names) and not self.release.is_made
+
+    @cached_property
+    def installs(self) -> SystemInstalls:
+        return SystemInstalls(self.release.files, self.workspace)
 
     @cached_property
     def commented_out(self) -> frozenset[str]:

@@ -55,9 +55,11 @@ def is_left_out(declared: DeclaredDependencies, name: str) -> bool:
 def is_unmet(declared: DeclaredDependencies, name: str, serving: Iterable[str] = ()) -> bool:
     """Return whether nobody is known to meet the lack of a dependency, by its name and others that would do.
 
-    It is missing on purpose, or another package of the repository declares it, which nobody shows to be released.
+    It is missing on purpose, or another package of the repository declares it, which nobody shows to be released, or a
+    list or a command of the repository installs it.
     """
-    return is_left_out(declared, name) or is_lacked_by_nobody(declared, (name, *serving))
+    names = (name, *serving)
+    return is_left_out(declared, name) or is_lacked_by_nobody(declared, names) or declared.is_installed_otherwise(names)
 
 
 def is_lacked_by_nobody(declared: DeclaredDependencies, names: Collection[str]) -> bool:

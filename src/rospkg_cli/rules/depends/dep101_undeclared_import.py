@@ -31,10 +31,10 @@ OPTIONAL = "; this module is imported only where that may fail"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment or "
-        "for older distributions alone, where another package of an unreleased repository declares it, where only "
-        "PyPI has it or the repository has it installed by pip or by hand, where nothing but launch files, only "
-        "`try`, or nothing at all imports the module or starts the script, where nothing leads to the function, and "
-        "where another Python runs the file"
+        "for older distributions alone, where an unreleased repository declares it in another package or installs it "
+        "by apt, where only PyPI has it or the repository has it installed by pip or by hand, where nothing but "
+        "launch files, only `try`, or nothing at all imports the module or starts the script, where nothing leads to "
+        "the function, and where another Python runs the file"
     },
     examples=(
         Example(
@@ -127,7 +127,7 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
     shown = "" if missing.name == first.module.partition(".")[0] else f" here as `{first.module}`"
     where = where_absent(declared, *imports.serving(missing), built=ends == BUILD)
     what = ONLY_LAUNCH if is_launch else f"{where} {LACKS.get(where, '')}{ends}"
-    todo = advice(declared, kind, missing.name)
+    todo = advice(declared, kind, *imports.serving(missing))
     if not end:
         end = PIP if imports.is_for_pip(missing) else imports.why_seldom(missing.places)
         end = end or (BY_PAGE if imports.is_by_hand(missing) else imports.why_unmet(missing))

@@ -21,10 +21,10 @@ NEVER_RUN = "; `colcon test` does not run this file today"
     over=ImportDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a declared dependency or colcon brings or may bring it, another package of an "
-        "unreleased repository declares it, package.xml has it in a comment or for older distributions alone, a page "
-        "tells to install it by hand, setup.py does not ask for pytest, or `colcon test` does not run the file or "
-        "comes to the function"
+        Severity.INFO: "where a declared dependency or colcon brings or may bring it, an unreleased repository "
+        "declares it in another package or installs it by apt, package.xml has it in a comment or for older "
+        "distributions alone, a page tells to install it by hand, setup.py does not ask for pytest, or `colcon test` "
+        "does not run the file or comes to the function"
     },
     examples=(
         Example(
@@ -49,9 +49,9 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
     What a declared dependency certainly installs can't be missing, nor can pytest, which colcon needs itself: that is
     one info, which names who brings it. What may come with a declared one is another: with a package that is neither
     here nor in the table of what is installed with what, anything may come. It is an info, too, where setup.py does not
-    ask for pytest: `colcon test` runs unittest then; where another package of the repository declares it and nothing
-    shows a release; and for a launch test that CMake does not register, or whose name
-    pytest does not look for. Left out are optional imports, helpers that no test uses,
+    ask for pytest: `colcon test` runs unittest then; where another package of the repository declares it, or a list or
+    a command of it installs it (`apt install`), and nothing shows a release; and for a launch test that CMake does not
+    register, or whose name pytest does not look for. Left out are optional imports, helpers that no test uses,
     launch_ros and launch_testing where a declared dependency certainly brings them, and what installed code imports as
     well (DEP101).
 
@@ -73,9 +73,10 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
         others = f", which brings {brings} as well" if brings else ""
         where = where_absent(declared, *imports.serving(missing), built=True)
         fails = "`colcon test`" if imports.has_pytest else "pytest, which setup.py does not ask for,"
+        todo = advice(declared, "test_depend", *imports.serving(missing))
         message = (
             f"`{missing.name}` is imported by tests and not declared: {where} "
-            f"{fails} fails with ModuleNotFoundError; {advice(declared, 'test_depend', missing.name)}{others}"
+            f"{fails} fails with ModuleNotFoundError; {todo}{others}"
         )
         why = imports.why_seldom(missing.places) if imports.has_pytest else ""
         end = NEVER_RUN if imports.are_never_run(missing.places) else why

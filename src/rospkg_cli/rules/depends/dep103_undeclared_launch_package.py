@@ -10,14 +10,7 @@ from ...checks.depends.undeclared_launch_packages import LaunchDependencies
 from ...checks.launch.absent_package import ends_with
 from ...checks.launch.package_references import PackageReference
 from ...edits.launch_hits import described_nodes, no_launch
-from ...edits.undeclared_hits import (
-    BroughtUse,
-    advice,
-    declaration,
-    left_to_others,
-    related,
-    where_absent,
-)
+from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...ros.implied_dependencies import LAUNCH
@@ -47,9 +40,10 @@ BAD_XML = """\
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "for launch itself, which users of launch files have, where a declared dependency brings it, "
-        "where an argument must turn it on, for examples, for launch files that nothing installs or names, for what "
-        "no launch comes to, for nodes that other code describes, where another package of an unreleased repository "
-        "declares it, and where package.xml has it in a comment or for older distributions alone"
+        "where an argument must turn it on, for examples and debugging, for launch files that nothing installs or "
+        "names, for what no launch comes to, for nodes that other code describes, where an unreleased repository "
+        "declares it in another package or installs it by apt, and where package.xml has it in a comment or for older "
+        "distributions alone"
     },
     examples=(
         Example(
@@ -84,12 +78,13 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     What `ros2 launch` needs (launch, launch_ros, rclpy, PyYAML) is there. What a declared dependency certainly installs
     or may bring, as anything may come with a package that is not here, is one info, and so is a program before a node
     (`xterm -e`) of a launch file that stops without such a package; what only an argument turns on (`sim:=true`) is an
-    info that names the argument; so are packages for examples, what only launch files need that nothing installs and no
-    page or other file names, what stands in a function that nothing calls or behind `if="false"`, and unknown packages
-    where a `.repos` file lists repositories that are not here, or a README links to theirs, and what another package of
-    the repository declares where nothing shows a release. Left out are computed names, uses that catch
-    PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, actions that
-    nothing adds, and what a module imports too (DEP101).
+    info that names the argument; so are what watches a node (`valgrind`, `xterm -e gdb`), packages for examples and for
+    launch files called so (`debug.launch.py`), what only launch files need that nothing installs and no page or other
+    file names, what stands in a function that nothing calls or behind `if="false"`, and unknown packages where a
+    `.repos` file lists repositories that are not here, or a README links to theirs, and what another package of the
+    repository declares, or a list or a command of it installs (`apt install`), where nothing shows a release. Left out
+    are computed names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`),
+    files for ROS 1, actions that nothing adds, and what a module imports too (DEP101).
 
     ## Fix safety
     The fix is unsafe where no released package has the name, where a comment of package.xml leaves it out, or where

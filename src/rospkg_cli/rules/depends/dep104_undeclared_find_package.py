@@ -33,9 +33,9 @@ FOUND_IN_TESTS = CMAKE.replace(
     levels={
         Severity.WARNING: "for a package that is found, since it may be installed, and for commands in tests; an "
         "error is a command that nothing defines",
-        Severity.INFO: "where a declared dependency brings or may bring it, another package of an unreleased "
-        "repository declares it, package.xml has it in a comment or for older distributions alone, a page tells to "
-        "install it by hand, its key has no rule for a supported distribution, or no one here knows it",
+        Severity.INFO: "where a declared dependency brings or may bring it, an unreleased repository declares it in "
+        "another package or installs it by apt, package.xml has it in a comment or for older distributions alone, a "
+        "page tells to install it by hand, its key has no rule for a supported distribution, or no one here knows it",
     },
     examples=(
         Example(
@@ -77,9 +77,10 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
     ## When it is quiet
     What a declared dependency certainly installs, or may, as anything may come with a package that is not here, is one
     info, with what only C++ includes of the kind (DEP105). So is a library that a page tells to install by hand, what
-    another package of the repository declares where nothing shows a release, and a key of rosdep that no supported
-    distribution has a rule for, as vendor packages took the place of `gz-math7`. What is optional (QUIET, without use)
-    or under a condition that depends on the machine is left alone, and so is what comes with the build tools.
+    another package of the repository declares, or a list or a command of it installs (`apt install`), where nothing
+    shows a release, and a key of rosdep that no supported distribution has a rule for, as vendor packages took the
+    place of `gz-math7`. What is optional (QUIET, without use) or under a condition that depends on the machine is left
+    alone, and so is what comes with the build tools.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -120,7 +121,7 @@ def undeclared(includes: IncludeDependencies, missing: UndeclaredFindPackage, ki
     by_page = BY_PAGE if includes.are_by_hand(found.name, missing.names) else ""
     message = (
         f"CMake requires `{found.name}`{known}, and package.xml {what}: "
-        f"{consequence(includes, missing)}; {advice(declared, kind, name)}{by_page}"
+        f"{consequence(includes, missing)}; {advice(declared, kind, *missing.names)}{by_page}"
     )
     level = Severity.INFO if by_page or is_unmet(declared, name, missing.names) else Severity.WARNING
     return Hit(found.word.path, found.word.span, message, level, fix=declaration(declared, kind, name))

@@ -29,9 +29,9 @@ MAIN = "int main() {return 0;}\n"
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "where a dependency brings it, or may bring it, as an empty submodule may, a page tells to "
-        "install it by hand, another package of an unreleased repository declares it, package.xml has it in a "
-        "comment or for older distributions alone, or no file that includes it is compiled, or installed where a "
-        "package of the workspace builds against this one"
+        "install it by hand, an unreleased repository declares it in another package or installs it by apt, "
+        "package.xml has it in a comment or for older distributions alone, or no file that includes it is compiled, "
+        "or installed where a package of the workspace builds against this one"
     },
     examples=(
         Example(
@@ -68,9 +68,10 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     CMake looks for without need, where only what includes them waits for it, what is declared under a condition that
     does not hold (`$ROS_VERSION == 1`), where no build is sure to compile what includes it, and types whose package
     comes with another undeclared one. What an empty submodule that CMake looks into may hold is an info, and a library
-    that a page tells to install by hand, and what another package of the repository declares where nothing shows a
-    release. So is what only targets include that stop at a source of ROS 1 before. Headers of ROS 1
-    (`std_msgs/String.h`), and others that no package of interfaces has, come with no declaration: CMK201 tells of them.
+    that a page tells to install by hand, and what another package of the repository declares, or a list or a command of
+    it installs (`apt install`), where nothing shows a release. So is what only targets include that stop at a source of
+    ROS 1 before. Headers of ROS 1 (`std_msgs/String.h`), and others that no package of interfaces has, come with no
+    declaration: CMK201 tells of them.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -87,7 +88,7 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
         ends = CMAKE_STOPS if includes.are_required(each) else BUILD_ENDS
         message = (
             f"`{name}` is not declared, and `{first.header}` of it is {is_used}: {ends} where nothing else brings it; "
-            f"{advice(declared, kind, name)}"
+            f"{advice(declared, kind, *each.names)}"
         )
         places = related((use.path, use.span) for use in each.uses)
         is_mild = is_unmet(declared, name, each.names) or includes.are_optional(each) or includes.are_idle(each)

@@ -34,10 +34,10 @@ Visualization Manager:
     over=RobotUses,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "for plugins of robots and of RViz configs, in a package that launches nothing, in a file "
-        "that nothing opens, and where an argument must turn it on, a declared dependency brings or may bring it, "
-        "another package of an unreleased repository declares it, or package.xml has it in a comment or for older "
-        "distributions alone"
+        Severity.INFO: "for plugins of robots and of RViz configs, in a package that launches nothing, in a file that "
+        "nothing opens, and where an argument must turn it on, a declared dependency brings or may bring it, an "
+        "unreleased repository declares it in another package or installs it by apt, or package.xml has it in a "
+        "comment or for older distributions alone"
     },
     examples=(
         Example(
@@ -77,7 +77,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     all, one whose type is in a comment, a plugin that no list beside it names (`plugins: [static_layer]`), a type that
     comes with the node which loads it (`geometry_msgs` with joy_teleop), and what a robot needs that nothing opens, or
     only where an argument turns it on (`GAZEBO:=true`), what stands as `$(find …)` in SDF without a word of xacro, and
-    what another package of the repository declares where nothing shows a release.
+    what another package of the repository declares, or a list or a command of it installs (`apt install`), where
+    nothing shows a release.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. Where this

@@ -30,8 +30,8 @@ RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "no package has that name, and one has nearly it",
-        Severity.INFO: "where a declared dependency brings or may bring it, another package of an unreleased "
-        "repository declares it, or package.xml has it in a comment or for older distributions alone",
+        Severity.INFO: "where a declared dependency brings or may bring it, an unreleased repository declares it in "
+        "another package or installs it by apt, or package.xml has it in a comment or for older distributions alone",
     },
     examples=(
         Example(
@@ -62,7 +62,8 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
     Interface files that CMakeLists.txt does not generate are left alone (see IDL005). What a declared dependency
     certainly installs is one info, which names who brings it. What may come with a declared one is another: with a
     package that is neither here nor in the table of what is installed with what, anything may come. What another
-    package of the repository declares is an info where nothing shows a release: rosdep installs it for both.
+    package of the repository declares, or a list or a command of it installs (`apt install`), is an info where nothing
+    shows a release.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.depends.bare_libraries import BareLibraries
 from ...checks.depends.hand_installs import BY_PAGE
 from ...checks.depends.linked_libraries import LinkedLibraries
-from ...checks.depends.name_source import is_lacked_by_nobody, is_unmet
+from ...checks.depends.name_source import is_unmet
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
@@ -42,9 +42,9 @@ def example(lines: str, key: str, more: str = "") -> Example:
     over=LinkedLibraries,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a dependency brings it, or may bring it, another package of an unreleased repository "
-        "declares it, package.xml has it in a comment or for older distributions alone, or a page tells to install "
-        "it by hand"
+        Severity.INFO: "where a dependency brings it, or may bring it, an unreleased repository declares it in "
+        "another package or installs it by apt, package.xml has it in a comment or for older distributions alone, or "
+        "a page tells to install it by hand"
     },
     examples=(
         example(LINKS, "libmodbus-dev"),
@@ -67,10 +67,10 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
 
     ## When it is quiet
     What a declared dependency certainly installs is one info, which names who brings it, and what may come with one is
-    another, as is what another package of the repository declares where nothing shows a release, and what a page tells
-    to install by hand. Targets and library
-    files of the package are left alone, what CMake downloads or takes from a folder of its own (`link_directories()`,
-    `HINTS`), calls under a condition, and libraries that DEP104 or DEP105 tell of.
+    another, as is what another package of the repository declares, or a list or a command of it installs (`apt
+    install`), where nothing shows a release, and what a page tells to install by hand. Targets and library files of the
+    package are left alone, what CMake downloads or takes from a folder of its own (`link_directories()`, `HINTS`),
+    calls under a condition, and libraries that DEP104 or DEP105 tell of.
 
     ## Fix safety
     The fix is unsafe where a comment of package.xml leaves the library out.
@@ -87,7 +87,7 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
             continue
         message = (
             f"`{key}` is not declared, and CMake needs `{each.name}` of it: the build stops where nothing else "
-            f"brings it; {advice(declared, kind, key)}"
+            f"brings it; {advice(declared, kind, *each.keys)}"
         )
         by_page = BY_PAGE if libraries.includes.are_by_hand(each.name, each.keys) else ""
         level = Severity.INFO if by_page or is_unmet(declared, key, each.keys) else None
@@ -99,5 +99,5 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
             f"`{bare.key}` has neither headers nor what the linker reads, and the build needs `{bare.what}`: where "
             f"nothing else brings it, it stops here; {advice(declared, kind, bare.wanted)}"
         )
-        level = Severity.INFO if bare.may_be_brought or is_lacked_by_nobody(declared, [bare.wanted]) else None
+        level = Severity.INFO if bare.may_be_brought or is_unmet(declared, bare.wanted) else None
         yield Hit(bare.path, bare.span, message, level, fix=declaration(declared, kind, bare.wanted))

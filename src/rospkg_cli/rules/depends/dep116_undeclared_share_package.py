@@ -29,10 +29,10 @@ NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
     over=LookedUpPackages,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "a dependency brings or may bring it, another package of an unreleased repository declares "
-        "it, package.xml has it in a comment or for older distributions alone, an `if` chooses it, nothing leads to "
-        "the place, nothing starts the program, or only packages that have it, or none, use the library that looks "
-        "for it"
+        Severity.INFO: "a dependency brings or may bring it, an unreleased repository declares it in another package "
+        "or installs it by apt, package.xml has it in a comment or for older distributions alone, an `if` chooses it, "
+        "nothing leads to the place, nothing starts the program, or only packages that have it, or none, use the "
+        "library that looks for it"
     },
     examples=(
         Example(
@@ -59,10 +59,11 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     nothing installs are left alone. What an `if` chooses, whose other branch looks for another package, is an info, and
     so is what stands in a module that nothing starts or imports, in a program that nothing starts beside others that
     are started, in a function that nothing calls, or in a source that no target compiles, beside others, and what
-    another package of the repository declares where nothing shows a release. What a library without programs looks for
-    is an info where that package uses the library itself, where no package here uses it nor a page builds it by name or
-    imports it, or where each that calls the function or links the library declares what is looked for, or something
-    that brings it, or starts something of it. So is a package whose launch files start programs of this one.
+    another package of the repository declares, or a list or a command of it installs (`apt install`), where nothing
+    shows a release. What a library without programs looks for is an info where that package uses the library itself,
+    where no package here uses it nor a page builds it by name or imports it, or where each that calls the function or
+    links the library declares what is looked for, or something that brings it, or starts something of it. So is a
+    package whose launch files start programs of this one.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. There is none

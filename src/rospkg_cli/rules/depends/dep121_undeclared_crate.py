@@ -35,8 +35,8 @@ def example(table: str, tag: str) -> Example:
     over=CargoNeeds,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a declared dependency brings or may bring it, another package of an unreleased "
-        "repository declares it, or package.xml has it in a comment or for older distributions alone"
+        Severity.INFO: "where a declared dependency brings or may bring it, an unreleased repository declares it in "
+        "another package or installs it by apt, or package.xml has it in a comment or for older distributions alone"
     },
     examples=(example("", "depend"), example("dev-", "test_depend")),
 )
@@ -54,7 +54,8 @@ def undeclared_crate(needs: CargoNeeds) -> Iterator[Hit]:
     ## When it is quiet
     A crate with a path, a repository or a registry of its own is left alone, and so is one that is optional, that is
     asked for in a certain version, or that `.cargo/config.toml` or `[patch]` may point elsewhere. What another package
-    of the repository declares is an info where nothing shows a release.
+    of the repository declares, or a list or a command of it installs (`apt install`), is an info where nothing shows a
+    release.
 
     ## References
     - https://github.com/ros2-rust/ros2_rust

@@ -1,0 +1,119 @@
+"""Which packages of the system a repository installs by lists and commands of its own: of apt, conda, vcpkg or nix."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable, Mapping
+from functools import cached_property
+
+from ...files import PackageFiles
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
+from ...package.workspace import Workspace
+from ...ros.read_table import rows
+from ...tree import READABLE
+from .brought_dependencies import brought_by
+from .declared_beside import repository_of
+from .hand_installs import plain
+
+PAGE = regex(r"(?i)(?:^|/)(?:readme[^/]*|[^/]*\.(?:md|rst))$")
+"""What people read: of it only commands count."""
+READ = regex(
+    r"(?i)(?:^|/)(?:[^/]*(?:dockerfile|containerfile)[^/]*|[^/]*compose[^/]*\.ya?ml|devcontainer\.json|makefile|justfile"
+    r"|\.github/workflows/[^/]+\.ya?ml|\.gitlab-ci\.yml|snapcraft\.ya?ml|[^/]*\.(?:sh|bash)"
+    r"|(?:[^/]*[-_.])?(?:set-?up|install|bootstrap)(?:[-_.][^/.]*)?(?:\.py)?|(?:ansible|playbooks|roles)/.*\.ya?ml)$"
+)
+"""What containers, jobs and scripts are made by; a setup.py of Python is none."""
+LIST = regex(
+    r"(?i)(?:^|/)(?:aptfile|(?:[^/]*[-_.])?(?:apt|ubuntu|debian|system|packages|deps|dependencies)"
+    r"(?:[-_.][^/]*)?\.(?:txt|list|apt|lst))$"
+)
+"""Names of packages, one on a line."""
+OTHERS = regex(
+    r"(?i)(?:^|/)(?:[^/]*(?:environment|conda)[^/]*\.ya?ml|pixi\.toml|vcpkg\.json|brewfile|conanfile\.(?:txt|py)|[^/]*\.nix)$"
+)
+"""What lists packages for installers that have names of their own."""
+NO_LIST = ("CMakeLists.txt", "setup.py", "setup.cfg")
+COMMENT = regex(r"(?m)(?:^|[ \t])#.*$")
+COMMAND = regex(
+    r"\b(?:apt|apt-get|aptitude|nala|brew|dnf|pacman|conda|mamba|micromamba|pixi)\b(?:[ \t]+[^\s;&|]+){0,6}?"
+    r"[ \t]+(?:install|add|-S\w*)\b((?:[^\n&|;\\`]|\\\n?)*)"
+)
+WORD = regex(r"(?<![\w./:${}-])[A-Za-z][A-Za-z0-9.+_-]*[A-Za-z0-9+]")
+OF_ROS = regex(
+    r"\bros-(?!(?:noetic|melodic|kinetic|lunar|indigo|jade)-)"
+    r"(?:[a-z]+|\$\{?\{?[^}\n-]{0,40}\}{0,2}|\$\([^)\n]{0,40}\)|<[^>\n]{0,40}>|\[[^\]\n]{0,40}\]|\{+[^}\n]{0,40}\}+)"
+    r"-([a-z0-9][a-z0-9-]*)"
+)
+"""A released package, as apt calls it, whatever stands for the distribution."""
+TOLD = "; this repository installs it by a list or a command of its own"
+MIN_LETTERS = 3
+
+
+@dataclass(frozen=True)
+class SystemInstalls:
+    files: PackageFiles
+    workspace: Workspace
+
+    def has(self, names: Iterable[str]) -> bool:
+        """Return whether one of some packages or keys of rosdep is installed so."""
+        for name in names:
+            if name.replace("-", "_") in self.of_ros:
+                return True
+            if self.workspace.index.is_key(name) and (name in self.keys or spelt(name) in self.plain_names):
+                return True
+        return False
+
+    @cached_property
+    def of_ros(self) -> frozenset[str]:
+        """The packages of ROS, and the members of metapackages among them."""
+        found = {each.replace("-", "_") for text in self.texts.values() for each in OF_ROS.findall(text)}
+        return frozenset({*found, *(each for name in found for each in rows("metapackages.txt").get(name, ()))})
+
+    @cached_property
+    def keys(self) -> Mapping[str, str]:
+        """The keys that stand for packages which apt installs, and for what comes with these."""
+        index = self.workspace.index
+        first = {name for name in self.words if index.is_key(name)}
+        first |= {key for name in self.words for key in index.apt.get(name, ())}
+        return {**brought_by(sorted(first), self.workspace), **dict.fromkeys(first, "")}
+
+    @cached_property
+    def plain_names(self) -> frozenset[str]:
+        """What the packages are called without what Debian has around a name."""
+        return frozenset(map(spelt, self.words)) - {""}
+
+    @cached_property
+    def words(self) -> frozenset[str]:
+        return frozenset(word for text in self.texts.values() for word in WORD.findall(text))
+
+    @cached_property
+    def texts(self) -> dict[str, str]:
+        """What is installed, by the paths of the files that say so; a word of a script counts if it has a dash."""
+        whole = PackageFiles(self.files.whole) if self.files.whole is not None else self.files
+        root = repository_of(self.files.folder, self.workspace)
+        paths = (path for path, kind in whole.tree.files().items() if kind in READABLE and path.startswith(root))
+        return {path: text for path in paths if (text := told_in(path, whole))}
+
+
+def told_in(path: str, files: PackageFiles) -> str:
+    """Return the part of a file that names packages which are installed; "" for other files."""
+    if posixpath.basename(path) in NO_LIST:
+        return ""
+    if PAGE.search(path):
+        return " ".join(COMMAND.findall(files.readable_text(path)))
+    if LIST.search(path) or OTHERS.search(path):
+        return COMMENT.sub("", files.readable_text(path))
+    if not READ.search(path):
+        return ""
+    text = COMMENT.sub("", files.readable_text(path))
+    dashed = (word for word in WORD.findall(text) if "-" in word)
+    return " ".join([*COMMAND.findall(text), *dashed, *(found[0] for found in OF_ROS.finditer(text))])
+
+
+def spelt(name: str) -> str:
+    """Return a name without what Debian has around it; libraries of Python are others than those of C."""
+    found = plain(name)
+    if len(found) < MIN_LETTERS:
+        return ""
+    return f"python {found}" if name.startswith("python") else found

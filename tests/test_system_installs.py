@@ -1,0 +1,113 @@
+"""What a repository installs by apt, conda or vcpkg is there without package.xml: an info (DEP101 to DEP116)."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
+from rospkg_cli.testing import lint_files
+
+LINES = """\
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(SDL2 REQUIRED sdl2)
+add_executable(node src/node.cpp)
+target_link_libraries(node ${SDL2_LIBRARIES})
+install(TARGETS node DESTINATION lib/${PROJECT_NAME})
+"""
+INSTALLS = "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n"
+XACRO = "<launch><let name='a' value=\"$(command 'xacro a.xacro')\"/></launch>\n"
+WORLD = "<launch><include file='$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py'/></launch>\n"
+
+
+def launching(text: str) -> dict[str, str]:
+    cmake = CMAKE.replace("ament_package()", f"{INSTALLS}ament_package()")
+    return {"src/my_pkg/launch/a.launch.xml": text, "src/my_pkg/CMakeLists.txt": cmake}
+
+
+def level_with(code: str, name: str, files: dict[str, str], on: str = "ament_cmake") -> str:
+    package = {f"src/my_pkg/{path}": text for path, text in existing_files(BACKDROPS[on]).items()}
+    found = lint_files({**package, "src/my_pkg/package.xml": manifest("", on), **files}, [code]).findings
+    (only,) = (each for each in found if each.message.startswith(f"`{name}`") or f"requires `{name}`" in each.message)
+    assert ("this repository installs it" in only.message) == (only.severity.value == "info"), only.message
+    return only.severity.value
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "level"),
+    [
+        ("util/ubuntu-packages.txt", "# for the joystick\nlibsdl2-dev\n", "info"),
+        ("util/ubuntu-packages.txt", "# libsdl2-dev\n", "warning"),
+        ("docker/Dockerfile", "FROM ros:jazzy\nRUN apt-get update && apt-get install -y \\\n    libsdl2-dev\n", "info"),
+        (".github/workflows/ci.yml", "jobs:\n  a:\n    steps:\n      - run: sudo apt install libsdl2-dev\n", "info"),
+        ("README.md", "    sudo apt-get -y install libsdl2-dev\n", "info"),
+        ("README.md", "It needs no libsdl2-dev.\n", "warning"),
+        ("install.sh", "PACKAGES=(libsdl2-dev)\nsudo apt install ${PACKAGES[@]}\n", "info"),
+        ("install.sh", "# PACKAGES=(libsdl2-dev)\n", "warning"),
+        ("environment.yml", "dependencies:\n  - sdl2\n", "info"),
+        ("vcpkg.json", '{"dependencies": ["sdl2"]}\n', "info"),
+        ("shell.nix", "mkShell { buildInputs = [ SDL2 ]; }\n", "info"),
+        ("Brewfile", 'brew "sdl2"\n', "info"),
+        ("docs/notes.txt", "libsdl2-dev\n", "warning"),
+        ("src/my_pkg/src/node.hpp", "// apt install libsdl2-dev\n", "warning"),
+    ],
+)
+def test_libraries(path: str, text: str, level: str) -> None:
+    cmake = CMAKE.replace("ament_package()", f"{LINES}ament_package()")
+    node = {"src/my_pkg/src/node.cpp": "int main() {return 0;}\n", "src/my_pkg/CMakeLists.txt": cmake, path: text}
+    assert level_with("DEP115", "sdl2", node) == level
+
+
+@pytest.mark.parametrize(
+    ("text", "level"),
+    [
+        ("apt install libboost-all-dev\n", "info"),
+        ("apt install libboost-system-dev\n", "info"),
+        ("apt install libeigen3-dev\n", "warning"),
+    ],
+)
+def test_what_comes_with_them(text: str, level: str) -> None:
+    cmake = CMAKE.replace("ament_package()", "find_package(Boost REQUIRED COMPONENTS system)\nament_package()")
+    assert level_with("DEP104", "Boost", {"src/my_pkg/CMakeLists.txt": cmake, "README.md": text}) == level
+
+
+@pytest.mark.parametrize(
+    ("text", "level"),
+    [
+        ("sudo apt install ros-jazzy-xacro\n", "info"),
+        ("sudo apt install ros-${ROS_DISTRO}-xacro\n", "info"),
+        ("sudo apt install ros-<distro>-xacro\n", "info"),
+        ("sudo apt install ros-noetic-xacro\n", "warning"),
+        ("sudo apt install ros-jazzy-desktop\n", "warning"),
+        ("sudo apt install ros-jazzy-xacro-msgs\n", "warning"),
+    ],
+)
+def test_packages_of_ros(text: str, level: str) -> None:
+    files = {**launching(XACRO), "README.md": text}
+    assert level_with("DEP103", "xacro", files) == level
+
+
+@pytest.mark.parametrize(
+    ("text", "level"),
+    [("apt install python3-serial\n", "info"), ("apt install libserial-dev\n", "warning")],
+)
+def test_libraries_of_python(text: str, level: str) -> None:
+    files = {"src/my_pkg/my_pkg/node.py": "import serial\n", "README.md": text}
+    assert level_with("DEP101", "python3-serial", files, "ament_python") == level
+
+
+def test_members_of_a_metapackage() -> None:
+    files = {**launching(WORLD), "README.md": "apt install ros-jazzy-ros-gz\n"}
+    assert level_with("DEP103", "ros_gz_sim", files) == "info"
+
+
+def test_a_release_is_installed_without_them() -> None:
+    files = {**launching(XACRO), "README.md": "apt install ros-jazzy-xacro\n", "tracks.yaml": ""}
+    assert level_with("DEP103", "xacro", files) == "warning"
+
+
+def test_another_repository_beside_it() -> None:
+    other = {"other/.git/HEAD": "", "other/package.xml": manifest().replace("my_pkg", "other")}
+    files = {"src/.git/HEAD": "", **launching(XACRO), **other}
+    told = "apt install ros-jazzy-xacro\n"
+    assert level_with("DEP103", "xacro", {**files, "other/README.md": told}) == "warning"
+    assert level_with("DEP103", "xacro", {**files, "src/README.md": told}) == "info"
