@@ -805,6 +805,20 @@ def test_a_program_before_a_node_must_be_installed(attributes: str, says: bool) 
     assert prefixed(xml(f'<node pkg="my_pkg" exec="a" {attributes}/>'), body=line("xterm")) == []
 
 
+@pytest.mark.parametrize(
+    "prefix, level",
+    [
+        ("xterm -e", "warning"),
+        ("xterm -e gdb -ex run --args", "info"),
+        ("xterm -hold -e /usr/bin/valgrind", "info"),
+        ("xterm -e ./gdb.sh", "warning"),
+    ],
+)
+def test_who_watches_a_node_needs_no_declaration(prefix: str, level: str) -> None:
+    found = prefixed(xml(f'<node pkg="my_pkg" exec="a" launch-prefix="{prefix}"/>'))
+    assert [each for _, each in found] == [level]
+
+
 def told_of_xterm(other: str) -> list[str]:
     node = '<node pkg="my_pkg" exec="a" launch-prefix="xterm -e"/>'
     files = {**PYTHON, "package.xml": manifest(""), "launch/a.launch.xml": xml(f"{other}{node}")}

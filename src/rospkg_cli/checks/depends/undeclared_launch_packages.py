@@ -33,7 +33,7 @@ from .declared_dependencies import DeclaredDependencies, normalized
 from .import_provider import import_providers
 from .undeclared_imports import ImportDependencies
 
-EXAMPLE = regex(r"(?:^|[_.-])(?:example|demo|test)s?(?:[_.-]|$)")
+EXAMPLE = regex(r"(?:^|[_.-])(?:example|demo|test|debug(?:ging)?|gdb|valgrind|profiling|benchmark)s?(?:[_.-]|$)")
 FOR_DEMOS = regex(r"turtlesim|demo_nodes_\w+")
 """Packages that no one installs a robot for."""
 OF_VARIABLES = regex(r"_(?:dir|path|pkg|package|share)$")
@@ -67,7 +67,7 @@ class LaunchDependencies:
         return "launch" if path in {row.source for row in self.table.rows} else "aside"
 
     def is_example(self, path: str) -> bool:
-        """Return whether a launch file, or its folder, is called an example or a test, which not all users start.
+        """Return whether a launch file, or its folder, is called after examples, tests or debugging, which few start.
 
         MoveIt's `demo.launch.py` is none: it is the one that all users start.
         """

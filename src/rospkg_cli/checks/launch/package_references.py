@@ -30,6 +30,9 @@ FILES_OF = "looks for files of"
 PROGRAMS = {"xacro": "xacro", "rviz2": "rviz2", "rqt": "rqt_gui"}
 """Programs on the PATH that come with a package of ROS."""
 
+WATCHES = "watches a node with"
+"""What a file does with a tool of developers, or with the terminal that such a tool is started in."""
+
 STARTED_BY = ("executable", "node_executable", "plugin", "node_plugin")
 """Keywords that say which part of a package a node is."""
 
@@ -58,8 +61,10 @@ class PackageReference:
 
     @property
     def is_usual(self) -> bool:
-        """Whether any usual installation has it, or its name may be the user's own: it is said mildly."""
-        return self.fails in ("command", "controller")
+        """Whether any usual installation has it, or its name may be the user's own, or it is a tool of developers: it
+        is said mildly.
+        """
+        return self.fails in ("command", "controller") or self.does == WATCHES
 
 
 def package_references(file: LaunchFile) -> Iterator[PackageReference]:
@@ -86,8 +91,9 @@ def every_reference(file: LaunchFile) -> Iterator[PackageReference]:
     for command in file.commands:
         for use in run_by(file, list(command.words)):
             yield use if use.fails == "command" else replace(use, fails="process")
-    for program, span in program_prefixes(file):
-        yield PackageReference(program, file.path, span, "starts a node with", fails="process")
+    for prefix in program_prefixes(file):
+        does = WATCHES if prefix.is_to_watch else "starts a node with"
+        yield PackageReference(prefix.program, file.path, prefix.span, does, fails="process")
     for package, span in moveit_configs(file):
         yield PackageReference(package, file.path, span, "reads the MoveIt configuration of", is_late=False)
     for controller, span in spawned_controllers(file):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...lazy_regex import regex
+from ...light_dataclasses import dataclass
 from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.python_to_text import text_of
@@ -17,12 +19,26 @@ PROGRAMS = frozenset({
 PROCESSES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer", "ExecuteProcess", "ExecuteLocal"})
 
 
-def program_prefixes(file: LaunchFile) -> Iterator[tuple[str, Span]]:
+WATCHERS = regex(
+    r"(?:^|[\s/])(?:gdb(?:server)?|lldb|rr|valgrind|perf|heaptrack|[lms]trace|kcachegrind|hotspot|py-spy|i?pdb|pdb3)(?=\s|$)"
+)
+"""Debuggers and profilers: nobody needs one to use a program."""
+
+
+@dataclass(frozen=True, slots=True)
+class ProgramPrefix:
+    program: str
+    span: Span
+    is_to_watch: bool
+    """Whether the process is to be debugged or measured."""
+
+
+def program_prefixes(file: LaunchFile) -> Iterator[ProgramPrefix]:
     """Yield each program that is named before the command of a process, in plain text and under no condition."""
     for text, span in (*of_entities(file), *of_calls(file)):
         program = text.split(" ")[0].rpartition("/")[2]
         if program in PROGRAMS:
-            yield program, span
+            yield ProgramPrefix(program, span, WATCHERS.search(text) is not None)
 
 
 def of_entities(file: LaunchFile) -> Iterator[tuple[str, Span]]:
