@@ -61,6 +61,8 @@ class PluginUse:
     are spawned, and this one is not: nothing loads it."""
     kind: str = ""
     """What RViz loads it as, by the list of its config that it is in: `Panel`, `Display`, `Tool`, `ViewController`."""
+    is_plain_type: bool = False
+    """Whether its key is `type`, of a node that is no controller manager: it may be a name of anything."""
 
 
 @dataclass(frozen=True, slots=True)

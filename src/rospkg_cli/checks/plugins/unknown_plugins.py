@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterable, Iterator
 from functools import cached_property
 
-from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts, Plugin, PluginUse
@@ -18,8 +17,8 @@ from ...ros.well_known import WrongName, plugins_of_class, wrong_plugin
 from ...suggest import near_names
 from ..yaml_elsewhere import is_named_yaml
 from .exported_classes import tail
+from .plugin_names import SEPARATOR, are_related, is_brought, is_something_else, plain
 
-SEPARATOR = regex(r"/|::")
 YAML, ROBOTS = (".yaml", ".yml"), (".urdf", ".xacro")
 BY_MOVEIT = frozenset({"ros2_controllers.yaml", "moveit_controllers.yaml"})
 """What moveit_configs_utils opens by its usual name."""
@@ -34,6 +33,8 @@ class UnknownPlugin:
     owner: PackageFacts
     """The package that describes the suggested plugin, or should describe this one."""
     suggestion: Plugin | None
+    is_guess: bool = False
+    """Whether only the class is the same: a package that is not here may have the plugin of that first name."""
 
 
 @dataclass(frozen=True)
@@ -123,7 +124,7 @@ class PluginReferences:
         names = near_names(first, {each.name for each in user.dependencies}, 1)
         near = [each for each in names if re.sub(r"\d", "", each) != re.sub(r"\d", "", first)]
         if rest and len(near) == 1:
-            yield WrongPlugin(user, use, WrongName(f"{near[0]}/{rest}", False))
+            yield WrongPlugin(user, use, WrongName(f"{near[0]}/{rest}", False), is_guess=use.is_plain_type)
             return
         same = plugins_of_class(use.name)
         found = [each for each in same if ("::" in each) == ("::" in use.name)] or same
@@ -142,11 +143,12 @@ class PluginReferences:
         if owner is not None:
             if self.is_certain(owner) and not is_something_else(owner, use.name):
                 yield UnknownPlugin(user, use, owner, self.suggestion(owner, use))
-        elif self.is_nowhere(name):
+        elif self.is_nowhere(name) and not is_brought(use.name, user):
             named = self.with_word(tail(use.name))
             alike = [each for each in named if tail(each[1].name) == tail(use.name) and may_be_loaded(each[1], use)]
             if len(alike) == 1:
-                yield UnknownPlugin(user, use, *alike[0])
+                is_guess = not are_related(name, SEPARATOR.split(alike[0][1].name)[0])
+                yield UnknownPlugin(user, use, *alike[0], is_guess)
 
     def is_nowhere(self, package: str) -> bool:
         """Return whether there certainly is no such package."""
@@ -154,7 +156,7 @@ class PluginReferences:
             NameKind.PACKAGE,
             NameKind.KEY,
         )
-        return self.workspace.is_complete and not known
+        return self.workspace.is_complete and not known and not self.workspace.may_lack(package)
 
     def is_certain(self, owner: PackageFacts) -> bool:
         """Return whether a package has plugins in C++, and all of them are known."""
@@ -202,15 +204,3 @@ def is_opened(path: str, user: PackageFacts, workspace: Workspace) -> bool:
 def may_be_loaded(plugin: Plugin, use: PluginUse) -> bool:
     """Return whether a plugin is of the kind that RViz loads at a place; all are where that is of none."""
     return not use.kind or tail(plugin.base) == use.kind
-
-
-def plain(name: str) -> str:
-    """Return the class of a name, without what people forget: blanks, underscores, capitals."""
-    return re.sub(r"[\s_]", "", tail(name)).lower()
-
-
-def is_something_else(owner: PackageFacts, name: str) -> bool:
-    """Return whether a name is that of a component or of an interface."""
-    kinds = {f"{kind}/{tail(name)}" for kind in ("msg", "srv", "action")}
-    unsure = not (owner.knows("components") and owner.knows("interfaces"))
-    return unsure or name in owner.components or bool(kinds & owner.interfaces)

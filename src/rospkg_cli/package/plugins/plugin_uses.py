@@ -18,7 +18,7 @@ from ..file_role import role_of
 from ..package_facts import PluginUse
 from .nested_blocks import reading_of
 from .unlisted_blocks import is_unlisted
-from .unspawned_controllers import SpawnedNames
+from .unspawned_controllers import SpawnedNames, is_of_something
 
 NAME = r"(?P<name>[A-Za-z_]\w*(?:/|::)\w+(?:(?:/|::)\w+)*)"
 KEY = r"""(["']?)(?:\w*plugin(?:_name)?|plugin_type|(?:[\w/]+\.)*type|Class)\1"""
@@ -56,7 +56,8 @@ def uses_in(files: PackageFiles, path: str, spawned: SpawnedNames) -> Iterator[P
         kind = kind_at(text, match.start()) if pattern is RVIZ else ""
         if reading != "unread":
             span = Span(*match.span(group))
-            yield PluginUse(match[group], path, span, reading == "read" and not is_idle, kind)
+            is_plain = pattern is YAML and is_of_something(text, at)
+            yield PluginUse(match[group], path, span, reading == "read" and not is_idle, kind, is_plain)
 
 
 def kind_at(text: str, start: int) -> str:

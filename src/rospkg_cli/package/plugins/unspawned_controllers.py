@@ -53,6 +53,16 @@ def controller_at(text: str, at: int) -> str:
     return block.name if own is not None and own.name == TYPE and block is not None else ""
 
 
+def is_of_something(text: str, at: int) -> bool:
+    """Return whether the `type` at an offset is that of anything, as nothing says that it is a controller's.
+
+    A controller manager alone surely takes it for a plugin; other nodes may make what they have themselves.
+    """
+    own, *around = [each.name for each in ancestors(text, at)] or [""]
+    is_type = own.rpartition(".")[2] == TYPE
+    return is_type and not any(each.rpartition("/")[2].endswith("controller_manager") for each in around)
+
+
 def controllers(text: str) -> Iterable[str]:
     """Return the keys right above each `type`."""
     lines = text.splitlines()

@@ -52,9 +52,10 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
     over=Workspace,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "an old distribution had the plugin, none has it and another package may, or no list of plugins "
-        "names its block, it is in the block of another plugin that may not read it, nothing spawns the controller "
-        "beside others, or nothing names the file: nothing loads it, or it is a panel of RViz, which goes on without it"
+        Severity.INFO: "an old distribution had the plugin, none has it and another package may, it is the `type` of "
+        "what may be no plugin, no list of plugins names its block, it is in the block of another plugin that may not "
+        "read it, nothing spawns the controller beside others, or nothing names the file: nothing loads it, or it is a "
+        "panel of RViz, which goes on without it"
     },
     examples=(
         Example(
@@ -70,10 +71,11 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     ## What it does
     Finds plugin names in parameters, RViz configs and robots that no plugin description has.
     For a name such as `plugin: my_pkg/Planner` a package of the workspace should have it: the one that the name begins
-    with, or, where that is no package, the one that has a plugin of the same class. Components and interfaces, whose
-    names may be alike, are left alone. Where only the package with the description is checked, it is reported there.
-    Of packages that everybody uses it knows the plugins: it says what is a letter or two away from one, what differs by
-    words such as `Plugin` and `Layer`, what only distributions had that are no longer supported, and what none has.
+    with, or, where that is no package, the one that has a plugin of the same class: an info where both names have no
+    word in common. Components and interfaces, whose names may be alike, are left alone. Where only the package with the
+    description is checked, it is reported there. Of packages that everybody uses it knows the plugins: it says what is
+    a letter or two away from one, what differs by words such as `Plugin` and `Layer`, what only distributions had that
+    are no longer supported, and what none has.
 
     ## Why is this bad?
     A plugin is found by its exact name; `my_pkg/Planner` and `my_pkg::Planner` are two names. The server that should
@@ -81,11 +83,11 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
 
     ## When it is quiet
     Packages whose plugins are not all known, plugins in Python, and names of components and interfaces, are left alone;
-    so are names of packages that exist but are not here, and a `plugin` in the block of a well-known plugin that reads
-    no such key: DWB knows its critics by `class`. It is an info for a controller that no other file names, where
-    one beside it is named, in a parameter file or robot that nothing names, though nodes are launched, and for a panel
-    of an RViz config: RViz goes on without it. What is offered there is of the same kind: a panel, a display, a tool or
-    a view.
+    so are names of packages that exist or are declared but are not here, and a `plugin` in the block of a well-known
+    plugin that reads no such key: DWB knows its critics by `class`. It is an info for a controller that no other file
+    names, where one beside it is named, in a parameter file or robot that nothing names, though nodes are launched, and
+    for a panel of an RViz config: RViz goes on without it. What is offered there is of the same kind: a panel, a
+    display, a tool or a view.
 
     ## Fix safety
     The name is changed only with `--unsafe-fixes`: the description may be what is wrong.
@@ -110,14 +112,16 @@ def same_names(found: Iterable[UnknownPlugin]) -> Iterable[list[UnknownPlugin]]:
 def at_use(unknown: UnknownPlugin, others: Iterable[UnknownPlugin]) -> Hit:
     use, owner, meant = unknown.use, unknown.owner, unknown.suggestion
     path = unknown.user.at(use.path)
-    level = None if any(each.use.is_listed for each in (unknown, *others)) else Severity.INFO
+    is_unsure = unknown.is_guess or (meant is None and use.is_plain_type)
+    level = None if any(each.use.is_listed for each in (unknown, *others)) and not is_unsure else Severity.INFO
     again = [(unknown.user.at(other.use.path), other.use.span) for other in others]
     places = tuple(Related(*place, "here too") for place in again)
     if meant is None:
         known = ", ".join(f"`{plugin.name}`" for plugin in owner.plugins[:5])
         message = f"`{owner.name}` describes no plugin `{use.name}`: loading it fails; it has {known}"
         return Hit(path, use.span, message, level, places)
-    message = f"no plugin is called `{use.name}`: loading it fails; write `{meant.name}`, as `{owner.name}` has it"
+    fails = f"loading it fails{', unless a package elsewhere has it' if unknown.is_guess else ''}"
+    message = f"no plugin is called `{use.name}`: {fails}; write `{meant.name}`, as `{owner.name}` has it"
     related = (Related(owner.at(meant.path), meant.span, "described here"), *places)
     edits = tuple(Edit(*place, meant.name) for place in ((path, use.span), *again))
     fix = Fix(f"write `{meant.name}`", edits, Safety.UNSAFE)
@@ -131,5 +135,6 @@ def at_description(unknown: UnknownPlugin) -> Hit:
         f"`{unknown.user.name}` uses the plugin `{use.name}`, and this one is called `{meant.name}`: it is not found; "
         f"rename one of them"
     )
+    level = None if use.is_listed and not unknown.is_guess else Severity.INFO
     related = (Related(unknown.user.at(use.path), use.span, "used here"),)
-    return Hit(unknown.owner.at(meant.path), meant.span, message, related=related)
+    return Hit(unknown.owner.at(meant.path), meant.span, message, level, related)
