@@ -78,7 +78,9 @@ class InstalledModules:
         expected = self.files.absent.is_expected
         if expected(f"{folder}/{name}.py") or expected(f"{folder}/{name}/__init__.py"):
             return True
-        if f"{folder}/{name}" in self.files.folders:
+        inside = f"{folder}/{name}/"
+        is_made = any(each.startswith(inside) for each in self.files.absent.empty_submodules)
+        if is_made or f"{folder}/{name}" in self.files.folders:
             return True
         return any(path.startswith(f"{folder}/{name}.") for path in self.files.every)
 

@@ -1,0 +1,21 @@
+"""What lies in a submodule that is not checked out may be imported, and so may the folders around it."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.example import BACKDROPS, existing_files, scripts, setup_py
+from rospkg_cli.testing import lint_files
+
+
+@pytest.mark.parametrize(
+    ("place", "expected"), [("my_pkg/third_party/arm", []), ("my_pkg/third", ["error"]), ("other", ["error"])]
+)
+def test_the_folder_around_a_submodule(place: str, expected: list[str]) -> None:
+    files = {
+        **existing_files(BACKDROPS["ament_python"]),
+        "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+        "my_pkg/talker.py": "from my_pkg.third_party.arm import Arm\n\n\ndef main():\n    print(Arm)\n",
+        ".gitmodules": f'[submodule "arm"]\n\tpath = {place}\n\turl = https://example.org/arm.git\n',
+    }
+    assert [each.severity.value for each in lint_files(files, ["DEP109"]).findings] == expected
