@@ -131,3 +131,37 @@ def test_what_a_refused_call_leaves_by_its_exception(lines: str) -> None:
 
 
 SWITCHES = "ON = True\nOFF = False\nOTHER = input()\n"
+
+
+NESTED = """\
+class Outer:
+    def __init__(self):
+        self.stop(1)
+
+    def stop(self, why):
+        class Handler:
+            def stop(self):
+                pass
+
+            def handle(self):
+                self.stop()
+                self.creat_timer()
+
+        def turn(self):
+            self.stop()
+
+        print(why, Handler().handle(), turn)
+
+    class Inner:
+        def stop(self, one, two):
+            pass
+
+        def __init__(self):
+            self.stop(1, 2)
+"""
+
+
+def test_self_of_an_inner_class_is_no_object_of_the_outer_one() -> None:
+    assert found("DEP120", "print(Outer().stop(1), Outer.Inner())", top=NESTED) == []
+    assert found("DEP120", "print(Outer())", top=NESTED.replace("Outer:", "Outer(Robot):")) == []
+    assert len(found("DEP120", "print(Outer())", top=NESTED.replace("self.stop(1)", "self.stop()"))) == 1

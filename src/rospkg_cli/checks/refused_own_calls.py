@@ -6,10 +6,9 @@ import ast
 from collections.abc import Collection, Iterator
 from functools import cached_property
 
-from ..languages.python.attributes import is_of_self
 from ..languages.python.class_members import attributes_set, members_bound
 from ..languages.python.file import PythonFile
-from ..languages.python.nodes import nodes_of_kind
+from ..languages.python.own_reads import own_calls
 from ..light_dataclasses import dataclass
 from ..ros.rclpy_names import members_of_nodes
 from ..source import Span
@@ -47,9 +46,8 @@ class RefusedOwnCalls:
                 continue
             heirs = (one for each in self.classes.heirs(owner.node.name) for one in members_bound(each.node.body))
             others = self.stored.union(heirs)
-            for call in nodes_of_kind(owner.node, ast.Call):
-                if is_of_self(call.func):
-                    yield from refused(call, call.func.attr, line, others)
+            for call, method in own_calls(owner.node):
+                yield from refused(call, method.attr, line, others)
 
     @cached_property
     def classes(self) -> OwnClasses:

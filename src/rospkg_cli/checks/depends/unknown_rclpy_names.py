@@ -6,10 +6,11 @@ import ast
 from collections.abc import Iterator
 from functools import cached_property
 
-from ...languages.python.attributes import attribute_span, is_of_self
+from ...languages.python.attributes import attribute_span
 from ...languages.python.branches import is_under_condition
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.own_reads import own_calls, own_nodes
 from ...languages.python.unreached_places import is_unreached
 from ...languages.python.unread_types import told_types
 from ...light_dataclasses import dataclass
@@ -74,14 +75,12 @@ class UnknownRclpyNames:
         """Yield calls of methods that a class of a node does not have, and nearly has."""
         known = members_of_nodes()
         for owner in self.node_classes(file):
-            for call in nodes_of_kind(owner, ast.Call):
-                method = call.func
-                if is_of_self(method):
-                    name = method.attr
-                    is_known = name in known or name.startswith("_") or name in self.defined
-                    near = [] if is_known or len(name) <= FAR * 3 else near_names(name, public(known), FAR)
-                    if near:
-                        yield method, "self", OF_ROSPY.get(name, f"self.{near[0]}")
+            for _, method in own_calls(owner):
+                name = method.attr
+                is_known = name in known or name.startswith("_") or name in self.defined
+                near = [] if is_known or len(name) <= FAR * 3 else near_names(name, public(known), FAR)
+                if near:
+                    yield method, "self", OF_ROSPY.get(name, f"self.{near[0]}")
             yield from self.uncalled(owner)
 
     def node_classes(self, file: PythonFile) -> Iterator[ast.ClassDef]:
@@ -95,7 +94,9 @@ class UnknownRclpyNames:
 
     def uncalled(self, owner: ast.ClassDef) -> Iterator[tuple[ast.Attribute, str, str]]:
         """Yield what a class takes from a method of nodes as if that were no method: `self.get_logger.info`."""
-        for attribute in nodes_of_kind(owner, ast.Attribute):
+        for attribute in own_nodes(owner):
+            if not isinstance(attribute, ast.Attribute):
+                continue
             method = ast.unparse(attribute.value) if isinstance(attribute.value, ast.Attribute) else ""
             if method in UNCALLED and UNCALLED[method] not in self.defined and not attribute.attr.startswith("_"):
                 yield attribute, method, f"{method}().{attribute.attr}"

@@ -5,10 +5,10 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from ...languages.python.attributes import is_of_self
 from ...languages.python.file import PythonFile
 from ...languages.python.guarded_nodes import guarded_nodes
 from ...languages.python.nodes import nodes_of_kind
+from ...languages.python.own_reads import own_calls
 from ...languages.python.unreached_places import is_unreached
 from ...light_dataclasses import dataclass
 from ...ros.python_calls import OF_NODES, OF_RCLPY
@@ -57,9 +57,8 @@ class WrongRclpyCalls:
 
     def of_nodes(self, file: PythonFile) -> Iterator[tuple[ast.Call, ast.Attribute, str]]:
         for owner in self.names.node_classes(file):
-            for call in nodes_of_kind(owner, ast.Call):
-                method = call.func
-                if is_of_self(method) and method.attr in OF_NODES and method.attr not in self.names.defined:
+            for call, method in own_calls(owner):
+                if method.attr in OF_NODES and method.attr not in self.names.defined:
                     yield call, method, wrong_call(call, OF_NODES[method.attr])
 
     def of_own(self, file: PythonFile) -> Iterator[tuple[ast.Call, Called, str]]:
