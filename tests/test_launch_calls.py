@@ -285,6 +285,24 @@ def test_imports_from_the_wrong_module() -> None:
 
 
 @pytest.mark.parametrize(
+    ("module", "name", "meant"),
+    [
+        ("substitutions", "StringJoinSubstitution", ""),
+        ("substitutions", "BooleanSubstitution", ""),
+        ("substitutions", "LongPathJoinSubstitution", ""),
+        ("substitutions", "PathJoinSubstitutions", "PathJoinSubstitution"),
+        ("substitutions", "PathJionSubstituton", "PathJoinSubstitution"),
+        ("actions", "ForEach", ""),
+        ("actions", "LogWarning", ""),
+    ],
+)
+def test_what_a_newer_launch_exports_is_no_slip(module: str, name: str, meant: str) -> None:
+    file = read(f"from launch.{module} import {name}\ndef generate_launch_description(): ...\n").python
+    assert file is not None
+    assert [each.near for each in wrong_imports(file)] == ([meant] if meant else [])
+
+
+@pytest.mark.parametrize(
     "value, spans",
     [
         ("Command(['xacro ', a])", ["Command(['xacro ', a])"]),

@@ -76,6 +76,10 @@ def siblings(module: str) -> list[str]:
 
 
 def meant_by(module: str, name: str) -> tuple[str, str]:
-    """Return the module that exports a name, and else the name of this module that is nearest; "" for none."""
+    """Return the module that exports a name, and else the name of this module that it is a slip of; "" for none.
+
+    A newer launch may export what only resembles a known name.
+    """
     home = exporting_module(name)
-    return home, "" if home or name.islower() else nearest(name, EXPORTS[module], 1) or ""
+    near = [] if home or name.islower() else near_names(name, EXPORTS[module])
+    return home, near[0] if len(near) == 1 else ""
