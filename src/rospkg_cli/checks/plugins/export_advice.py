@@ -70,6 +70,8 @@ class PluginExports:
         )
         if self.package.exported and not self.named.is_asked([each.plugin for each in entries]):
             return f"{message}; nothing here names {them}", "info"
+        if not any(map(self.package.library, {each.library for each in entries})):
+            return f"{message}; no target here makes the library, another package may", "info"
         return self.weighed(message, level, [each.plugin for each in entries])
 
     @property

@@ -41,6 +41,11 @@ def exported_classes(files: Iterable[CppFile]) -> Iterator[ExportedClass]:
                 yield ExportedClass(kind.text, base.text, file.path, kind.span, call.is_conditional)
 
 
+def wraps_export(file: CppFile) -> bool:
+    """Return whether a file defines a macro that exports classes, of whatever names it puts together."""
+    return any(name in each.body for each in file.defines for name in MACROS)
+
+
 def is_plain(name: str) -> bool:
     """Return whether a name is that of a class, and not of a macro for one."""
     return CLASS.fullmatch(name) is not None and not any(MACRO_NAME.fullmatch(part) for part in name.split("::"))

@@ -15,8 +15,16 @@ from ...package.cmake.meant_paths import meant_paths
 from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts
 from ...package.plugins.description import PluginClass, PluginDescription
+from ...package.plugins.other_exports import may_export
 from ..cmake.source_targets import SourceTargets
-from .exported_classes import ExportedClass, exported_classes, is_plain, is_registered_otherwise, tail
+from .exported_classes import (
+    ExportedClass,
+    exported_classes,
+    is_plain,
+    is_registered_otherwise,
+    tail,
+    wraps_export,
+)
 
 PREBUILT = (".so", ".a", ".dylib", ".dll")
 COMPONENTS = frozenset({"rclcpp::Node", "rclcpp_components::NodeFactory"})
@@ -81,8 +89,11 @@ class PluginPackage:
         return self.cmake.is_complete and len(self.sources) == paths
 
     def without_source(self) -> Iterator[DescribedPlugin]:
-        """Yield the described plugins whose class no source exports, as far as that is known."""
-        if self.is_readable:
+        """Yield the described plugins whose class no source exports, as far as that is known.
+
+        What a macro exports that the package defines of pluginlib's is not.
+        """
+        if self.is_readable and not any(map(wraps_export, self.sources)):
             for entry in self.entries:
                 exported = spaceless(entry.type) in self._types
                 if not exported and self.is_own(entry) and not is_registered_otherwise(self.sources, entry.type):
@@ -160,7 +171,8 @@ class PluginPackage:
             for description in () if found else descriptions:
                 if description.file not in seen and description.file not in meant_paths(self.cmake):
                     seen.add(description.file)
-                    yield description, each
+                    if not may_export(self.cmake, description.file):
+                        yield description, each
 
     def libraries_of(self, exported: ExportedClass) -> list[str]:
         """Return the libraries that the source of an exported class is compiled into, under any build option."""
