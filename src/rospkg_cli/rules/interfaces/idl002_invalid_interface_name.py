@@ -21,9 +21,9 @@ TOP = Span(0, 0)
     over=PackageInterfaces,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the folder is none of `msg`, `srv`, `action`; or rosidl may read the file, "
-        "under a condition or from a list that is not known",
-        Severity.INFO: "several folders hold a file of that name, of which CMake chooses one",
+        Severity.WARNING: "rosidl may read the file, under a condition or from a list that is not known",
+        Severity.INFO: "the folder is none of `msg`, `srv`, `action`, so that the build takes it; or several folders "
+        "hold a file of that name, of which CMake chooses one",
     },
     examples=(
         Example(
@@ -68,7 +68,8 @@ def invalid_interface_name(package: PackageInterfaces) -> Iterator[Hit]:
 
     ## When it is quiet
     Where nothing reads the file: it is not in `rosidl_generate_interfaces`, or setup.py builds the package. Files of
-    one name in several folders, of which CMake chooses one, can't lie in `msg/` together: that is an info.
+    one name in several folders, of which CMake chooses one, can't lie in `msg/` together: that is an info. So is a
+    folder such as `srvs/` or `msg/detection/`: the types are built as ever, and only the command misses the file.
     """
     folders: dict[str, list[InterfaceFile]] = {}
     for interface in package.read():
@@ -87,9 +88,9 @@ def invalid_interface_name(package: PackageInterfaces) -> Iterator[Hit]:
             folders.setdefault("*" if package.is_variant(interface) else interface.folder, []).append(interface)
     for first, *others in folders.values():
         folder = first.folder
-        sure = folder.rpartition("/")[2] in KINDS and package.generation.surely_reads(first.path)
-        level = None if sure else Severity.WARNING
-        level = Severity.INFO if package.is_variant(first) else level
+        level = None if package.generation.surely_reads(first.path) else Severity.WARNING
+        is_built = folder.rpartition("/")[2] not in KINDS
+        level = Severity.INFO if is_built or package.is_variant(first) else level
         related = tuple(Related(each.path, TOP, "and this file") for each in others)
         yield Hit(first.path, TOP, misplaced(folder, first), level, related=related)
 
