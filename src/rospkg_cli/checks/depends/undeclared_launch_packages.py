@@ -274,8 +274,8 @@ def with_conditions(file: LaunchFile) -> Iterator[PackageReference]:
     for use in package_references(file):
         if use.is_late and any(each.contains(use.span) for each in idle):
             continue
-        inside = (part.argument for part in off if part.span.holds(use.span))
-        yield replace(use, only_with=next(inside, "")) if use.is_late else use
+        inside = (part.argument for part in off if part.span.holds(use.span) and (use.is_late or part.is_branch))
+        yield replace(use, only_with=next(inside, ""))
 
 
 class ThereToLaunch:

@@ -10,9 +10,10 @@ from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.argument_defaults import literal_defaults
-from ...package.launch.default_conditions import spans_of, value_of
+from ...package.launch.default_conditions import spans_of
 from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile
+from ...package.launch.plain_values import truth_of_text
 from ...package.launch.python_to_text import text_of
 from ...package.launch.text import LaunchText, Substitution
 from ...package.launch.uncalled_functions import uncalled_bodies
@@ -117,7 +118,7 @@ def truth(text: LaunchText, defaults: Mapping[str, str]) -> bool | None:
         case (Substitution(name="eval", arguments=(expression,)),):
             names = (each.arguments[0].literal for each in expression.substitutions("var") if each.arguments)
             known = all(name in defaults for name in names) and not any(expression.substitutions("?", "env"))
-            return value_of(filled(expression, None, defaults)) if known else None
+            return truth_of_text(filled(expression, None, defaults)) if known else None
         case (Substitution(name="var", arguments=(name,)),):
             return TRUTHS.get(defaults.get(name.literal or "", "").lower())
     return TRUTHS.get((text.literal or "").lower())

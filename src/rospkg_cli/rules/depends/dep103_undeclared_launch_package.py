@@ -77,14 +77,15 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     ## When it is quiet
     What `ros2 launch` needs (launch, launch_ros, rclpy, PyYAML) is there. What a declared dependency certainly installs
     or may bring, as anything may come with a package that is not here, is one info, and so is a program before a node
-    (`xterm -e`) of a launch file that stops without such a package; what only an argument turns on (`sim:=true`) is an
-    info that names the argument; so are what watches a node (`valgrind`, `xterm -e gdb`), packages for examples and for
-    launch files called so (`debug.launch.py`), what only launch files need that nothing installs and no page or other
-    file names, what stands in a function that nothing calls or behind `if="false"`, and unknown packages where a
-    `.repos` file lists repositories that are not here, or a README links to theirs, and what another package of the
-    repository declares, or a list or a command of it installs (`apt install`), where nothing shows a release. Left out
-    are computed names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`),
-    files for ROS 1, actions that nothing adds, and what a module imports too (DEP101).
+    (`xterm -e`) of a launch file that stops without such a package; what only an argument turns on (`sim:=true`), or a
+    variable (`SIM=true`), by a condition or in a branch of Python, is an info that names it; so are what watches a node
+    (`valgrind`, `xterm -e gdb`), packages for examples and for launch files called so (`debug.launch.py`), what only
+    launch files need that nothing installs and no page or other file names, what stands in a function that nothing
+    calls or behind `if="false"`, and unknown packages where a `.repos` file lists repositories that are not here, or a
+    README links to theirs, and what another package of the repository declares, or a list or a command of it installs
+    (`apt install`), where nothing shows a release. Left out are computed names, uses that catch PackageNotFoundError or
+    ask first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, actions that nothing adds, and what a
+    module imports too (DEP101).
 
     ## Fix safety
     The fix is unsafe where no released package has the name, where a comment of package.xml leaves it out, or where
