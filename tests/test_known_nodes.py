@@ -85,6 +85,8 @@ def test_nothing_is_said_of_a_package_whose_sources_are_here() -> None:
         (MANAGER + "arm:\n  ros__parameters:\n    constraints: {goal_time: 0.5, tip: {trajectory: 1}}\n",
          ["PRM006 `constraints.tip.trajectory` is declared as double by `joint_trajectory_controller`: an int stops "
           "the controller when it starts; write a double"]),
+        (MANAGER + "arm:\n  ros__parameters:\n    interpolation_method: [none, splines]\n",
+         ["PRM006 `interpolation_method` is declared as string by `joint_trajectory_controller`: a list of string"]),
         ("arm:\n  ros__parameters:\n    constraints: {goal_time: 0.5, tip: {trajectory: 1}}\n", []),
         ("map_saver:\n  ros__parameters:\n    save_map_timeout: 5000\n", ["PRM006 `save_map_timeout` is declared"]),
         ("/robot/map_saver:\n  ros__parameters:\n    save_map_timeout: <TIMEOUT>\n", []),

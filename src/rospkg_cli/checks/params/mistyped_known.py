@@ -53,7 +53,7 @@ class MistypedValues:
 
 def mistyped_known(nodes: KnownNodes) -> Iterator[MistypedValue]:
     """Yield the values whose type differs from that of all declarations of the name; each place once."""
-    return iter(hardest(((each.path, each.value), each) for each in all_mistyped(nodes)))
+    return iter(hardest(((each.path, each.value.value), each) for each in all_mistyped(nodes)))
 
 
 def all_mistyped(nodes: KnownNodes) -> Iterator[MistypedValue]:
