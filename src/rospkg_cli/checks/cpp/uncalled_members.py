@@ -3,23 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
+from ...languages.cpp.enclosing import NAME, OVERRIDES, heads
 from ...languages.cpp.file import CppFile
 from ...languages.cpp.lexer import TOKEN
 from ...lazy_regex import regex
 from ...source import Span
 
-BRACE = regex(r"[{}]")
-END = regex(r"[;{}]")
-NAME = regex(r"([A-Za-z_]\w*)\s*\(")
 PLAIN = regex(r":\s*(?:public\s+)?(?:rclcpp::)?Node\s*\{")
 """A class whose one base is the node of rclcpp, which calls no function of it."""
 TYPES = regex(r"[\w:<>,&*~ \t]*[\w>&*][ \t&*]*[ \t](?:\w+::)*|[ \t]*(?:\w+::)+")
 """What stands before a name in the line where it is declared or defined."""
 NO_TYPE = frozenset({"return", "else", "co_return", "co_await", "throw", "delete", "new", "case"})
-KEYWORDS = frozenset({"if", "for", "while", "switch", "catch"})
-OVERRIDES = regex(r"\b(?:override|final|virtual)\b")
 
 
 def is_in_uncalled(file: CppFile, place: Span, files: Sequence[CppFile]) -> bool:
@@ -35,21 +31,6 @@ def is_in_uncalled(file: CppFile, place: Span, files: Sequence[CppFile]) -> bool
     word = re.compile(rf"(?<![\w~]){found[1]}(?!\w)")
     is_class = any(re.search(rf"\b(?:class|struct)\s+{found[1]}\b", code) for code in codes)
     return not is_class and found[1] != "main" and not any(mentions(word, code) for code in codes)
-
-
-def heads(code: str, at: int) -> Iterator[str]:
-    """Yield what stands before each brace that is open at a place, from the outermost function on."""
-    opened: list[int] = []
-    for found in BRACE.finditer(code, 0, at):
-        if found[0] == "{":
-            opened.append(found.start())
-        elif opened:
-            opened.pop()
-    for brace in opened:
-        start = max((each.end() for each in END.finditer(code, max(0, brace - 1000), brace)), default=0)
-        name = NAME.search(code, start, brace)
-        if name is not None and name[1] not in KEYWORDS:
-            yield code[start:brace]
 
 
 def mentions(word: re.Pattern[str], code: str) -> bool:

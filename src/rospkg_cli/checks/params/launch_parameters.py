@@ -22,6 +22,7 @@ from ...unreadable import READABLE, Unreadable
 from ..launch.ros1_syntax import is_refused
 from ..yaml_elsewhere import is_named_elsewhere
 from .declaring_packages import is_its_own
+from .given_otherwise import may_be_set
 from .handed_on import may_hand_on
 from .inner_nodes import may_make
 from .mistyped_blocks import WILD, MistypedBlock, differing, last, mistyped_blocks
@@ -248,7 +249,8 @@ class LaunchParameters:
             if code is not None:
                 needed = [one for one in facts.parameters if one.required and not one.tail and one.path in code.paths]
                 names = each.names()
-                if missing := [one for one in needed if one.name not in names]:
+                missing = [one for one in needed if one.name not in names]
+                if missing and not may_be_set(each.node, {one.name for one in missing}, self.launches):
                     yield each, missing
 
 

@@ -2,28 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-from ...lazy_regex import regex
+from ...package.launch.launch_file import LaunchFile
 from ...ros.needed_parameters import NEEDED, Needed
 from ..fault import Fault
 from ..launch.who_meets import level_met
+from .given_otherwise import may_be_set
 from .launch_parameters import LaunchParameters, NodeArguments
-
-SETS = regex(r"[sS]et_?[pP]arameters?(?:_?[fF]rom_?[fF]ile)?\b")
-"""Actions and entities that give parameters to every node behind them."""
 
 
 def needed_faults(scope: LaunchParameters) -> Iterator[tuple[str, Fault]]:
-    """Yield where each node is started; none where a launch file here gives parameters to all nodes."""
-    if any(SETS.search(launch.source.text) for launch in scope.launches):
-        return
+    """Yield where each node is started."""
     for each in scope.started:
         needed = needed_by(each, scope) if each.has_all and each.launch.has_entry_point else None
         started = each.node.executable or each.node.plugin
         if needed is None or started is None or {needed.name, needed.instead} & each.names():
             continue
-        if not may_be_given(each, needed):
+        if not may_be_given(each, needed, scope.launches):
             level, why = level_met(each.launch, started.span, scope.workspace)
             level = "info" if scope.is_left_out(each.launch) else level
             message = f"this node is not given `{needed.name}`: `{started.literal}` {needed.harm}"
@@ -39,9 +35,7 @@ def needed_by(each: NodeArguments, scope: LaunchParameters) -> Needed | None:
     return NEEDED.get((package, name)) if package and name and scope.workspace.named(package) is None else None
 
 
-def may_be_given(each: NodeArguments, needed: Needed) -> bool:
-    """Return whether the command line may hold it."""
-    words = [argument.literal for argument in each.node.arguments]
-    if None in words or (words and needed.takes_file):
-        return True
-    return any(part in (word or "") for word in words for part in (":=", "-p", "param"))
+def may_be_given(each: NodeArguments, needed: Needed, launches: Iterable[LaunchFile]) -> bool:
+    """Return whether the command line may hold it, or a launch file gives it to all nodes."""
+    takes_words = bool(each.node.arguments) and needed.takes_file
+    return takes_words or may_be_set(each.node, {needed.name, needed.instead}, launches)

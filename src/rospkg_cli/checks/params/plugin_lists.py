@@ -26,6 +26,12 @@ WITH_TYPES = frozenset({
     "drive_on_heading", "assisted_teleop", "static_layer", "obstacle_layer", "inflation_layer",
 })  # fmt: skip
 """Names of their default lists, which have types without parameters."""
+DEFAULT_LISTS = frozenset({
+    ("FollowPath",), ("GridBased",), ("goal_checker",), ("progress_checker",), ("simple_smoother",),
+    ("spin", "backup", "drive_on_heading", "wait"), ("spin", "backup", "drive_on_heading", "assisted_teleop", "wait"),
+    ("static_layer", "obstacle_layer", "inflation_layer"),
+})  # fmt: skip
+"""These lists: of such a one the server gives each name its type itself."""
 
 
 def unfound_plugins(block: NodeBlock) -> Iterator[tuple[ScalarNode, str]]:
@@ -35,11 +41,22 @@ def unfound_plugins(block: NodeBlock) -> Iterator[tuple[ScalarNode, str]]:
     """
     used = {each.name.partition(".")[0] for each in block.parameters if "." in each.name}
     unlisted = unlisted_groups(block)
-    unmatched = [item for _, item in listed_names(block) if item.text not in used]
-    for item in unmatched:
-        found = list(unlisted) if len(unlisted) == len(unmatched) == 1 else near_names(item.text, unlisted)
+    unmatched = [(name, item) for name, item in listed_names(block) if item.text not in used]
+    for name, item in unmatched:
+        is_only = len(unlisted) == len(unmatched) == 1 and not is_default(block, name)
+        found = list(unlisted) if is_only else near_names(item.text, unlisted)
         if len(found) == 1:
             yield item, found[0]
+
+
+def is_default(block: NodeBlock, name: str) -> bool:
+    """Return whether a list of plugins is as it is by default: its plugins have types without parameters."""
+    lists = (each.value for each in block.parameters if each.name == name)
+    return any(isinstance(each, SequenceNode) and texts_of(each) in DEFAULT_LISTS for each in lists)
+
+
+def texts_of(items: SequenceNode) -> tuple[str, ...]:
+    return tuple(item.text for item in items.items if isinstance(item, ScalarNode))
 
 
 def listed_names(block: NodeBlock) -> list[tuple[str, ScalarNode]]:

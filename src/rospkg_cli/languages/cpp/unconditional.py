@@ -50,8 +50,11 @@ class BracketStack:
         self.conditions += by * (level.brace and level.control)
 
 
-def unconditional(text: str, places: Iterable[int]) -> set[int]:
-    """Return the offsets that are directly in the body of a function, in one pass over the text."""
+def unconditional(text: str, places: Iterable[int], control: frozenset[str] = CONTROL) -> set[int]:
+    """Return the offsets that are directly in the body of a function, in one pass over the text.
+
+    `control` are the words before blocks that count as conditions.
+    """
     waiting, found = sorted(places, reverse=True), set()
     levels = BracketStack()
     statement, closed = 0, Bracket(False, False)
@@ -68,7 +71,7 @@ def unconditional(text: str, places: Iterable[int]) -> set[int]:
             head = "]" if before.endswith("]") else last_word(before)
             if char == "{":
                 behind = closed.head if before.endswith(")") else head
-                levels.open(Bracket(True, behind in CONTROL or behind == "]"))
+                levels.open(Bracket(True, behind in control or behind == "]"))
                 statement = match.end()
             else:
                 levels.open(Bracket(False, False, head))

@@ -7,8 +7,9 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import cast
 
 from ...languages.cpp.call import CppArgument, CppCall
+from ...languages.cpp.enclosing import always_called
 from ...languages.cpp.file import CppFile
-from ...languages.cpp.unconditional import last_word, unconditional
+from ...languages.cpp.unconditional import CONTROL, last_word, unconditional
 from ...lazy_regex import regex
 from ...source import Source
 from .declared_parameter import DeclaredParameter
@@ -19,6 +20,10 @@ NAMED = regex(
 """Functions of rclcpp, nav2 and autoware that declare one parameter."""
 OF_LAYER = "declareParameter"
 """A function of nav2_costmap_2d::Layer: it puts the name of the layer before that of the parameter."""
+FREE = 2
+"""Arguments of a free function that declares a parameter without a default: the node, and the name."""
+OVERRIDDEN = regex(r"\b(?:append_parameter_override|parameter_overrides)\s*\(")
+"""How a program gives its own node values."""
 SEVERAL = "declare_parameters"
 PAIR = regex(r'\{\s*"(?P<name>[^"\\]+)"\s*,')
 NODE = regex("node|parent|shared_from_this", re.IGNORECASE)
@@ -103,11 +108,15 @@ def several(call: CppCall, path: str) -> Iterator[DeclaredParameter]:
 
 
 def unconditional_calls(file: CppFile) -> set[int]:
-    """Return where calls with a template argument begin that every run of their function makes; found out once."""
-    known = vars(file)
+    """Return where calls with a template argument begin that every run of their function makes; found out once.
+
+    What is tried may be caught.
+    """
+    known, text = vars(file), file.source.text
     if "unconditional_calls" not in known:
-        starts = [call.span.start for call in file.calls if call.template]
-        known["unconditional_calls"] = unconditional(file.source.text, starts) if starts else set()
+        starts = [call.span.start for call in file.calls if call.template and len(call.arguments or ()) <= FREE]
+        found = unconditional(text, starts, CONTROL | {"try"}) if starts and not OVERRIDDEN.search(text) else set()
+        known["unconditional_calls"] = {each for each in found if always_called(text, each)}
     return cast("set[int]", known["unconditional_calls"])
 
 

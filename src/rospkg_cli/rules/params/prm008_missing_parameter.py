@@ -100,9 +100,11 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
     The node stops when it starts: "Statically typed parameter 'rate' must be initialized".
 
     ## When it is quiet
-    A node that is given values which can't be evaluated, or a file that is not here, may have all that it needs. So may
-    one whose declaration lies behind a condition, or has a default. A launch file that ROS 2 refuses for what it has of
-    ROS 1 starts no node (LCH006). Lists of plugins in a file that is called as being for Foxy or another unsupported
+    A node that is given values which can't be evaluated, or a file that is not here, may have all that it needs; so may
+    one with parameters on its command line, or behind a SetParameter. So may one whose declaration has a default, lies
+    behind a condition or in a `try`, or in a function that is called so, and one whose program gives itself values. In
+    nav2, a list that is the default one brings its types. A launch file that ROS 2 refuses for what it has of ROS 1
+    starts no node (LCH006). Lists of plugins in a file that is called as being for Foxy or another unsupported
     distribution had other names there; in a repository for such alone what they lack is an info. Where nobody starts
     the node, or no node that is started reads the block, it is an info; so it is behind the place where every launch
     ends, as it looks for a package that is neither here, nor released, nor in a repository that is listed.
@@ -124,7 +126,7 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
         place = left.block.key.span
         level = Severity.INFO if scope.level_at(left.file.path, place) else None
         yield Hit(left.file.path, place, f"{message}: the node stops when it starts; give a value here", level)
-    for path, fault in plugin_faults(scope.code.files):
+    for path, fault in plugin_faults(scope.code.files, scope.launched.launches):
         yield from hits(path, [replace(fault, level=scope.level_of_plugin(path, fault.span))])
 
 
