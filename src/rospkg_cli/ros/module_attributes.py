@@ -35,6 +35,9 @@ MEANT: Mapping[str, str] = {
 }
 """Names that no version of Python 3 that ROS 2 runs on has, and what is meant."""
 
+IN_FOXY = frozenset({"fractions.gcd", *(name for name in MEANT if name.startswith("collections."))})
+"""Those that Python 3.8 still has, which Foxy and Galactic run on."""
+
 OPEN = frozenset({"sys"})
 """Modules to which programs add names; only misspelt ones are wrong there."""
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from ...suggest import nearest
+from .own_members import is_own_member
+from .undefined_uses import UndefinedUse
 from .unset_members import UnsetMember
 from .unwritten_parts import UNWRITTEN
 
@@ -19,6 +22,17 @@ ENDS = {
 }
 OF_TYPE = "before Python 3.14, which Lyrical has, importing the module raises NameError"
 CAUGHT = "NameError is raised each time, which the `except` around it takes for another failure"
+
+
+def advice(use: UndefinedUse, line: str) -> str:
+    """Return what is told to do about a name; `line` imports it from the standard library, "" where none does."""
+    name = use.found.name
+    if line or use.home:
+        return f"; add `{line or use.home}`"
+    if is_own_member(use.file, name, use.found.span):
+        return f"; did you mean `self.{name}`?"
+    near = nearest(name, use.found.known)
+    return f"; did you mean `{near}`?" if near else ""
 
 
 def of_member(member: UnsetMember) -> str:

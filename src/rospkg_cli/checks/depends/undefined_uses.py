@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Collection, Iterator
 from functools import cached_property
 from typing import Literal, get_args
 
 from ...languages.python.branches import is_under_condition
 from ...languages.python.file import PythonFile
+from ...languages.python.nodes import nodes_of_kind
 from ...languages.python.undefined_names import UndefinedName, is_in_branch, undefined_names
 from ...languages.python.unreached_places import is_unreached
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role, is_set_aside, role_of
+from ...ros.module_attributes import IN_FOXY
 from ...source import Span
 from ..installed_modules import InstalledModules
 from ..module_attributes import AbsentAttribute, absent_attributes
+from ..older_distribution import OlderDistribution
 from ..reached_places import ReachedPlaces
 from ..run_imports import RunImports
 
@@ -47,7 +51,7 @@ class UndefinedUse:
     others: tuple[UndefinedName, ...]
     when: When
     home: str
-    """The module that the file imports and that has the name: `.qos`; "" where none is known."""
+    """The line that imports the name as a module that the file imports does, or from it; "" where none is known."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +59,7 @@ class UndefinedUses:
     run: RunImports
     installed: InstalledModules
     places: ReachedPlaces
+    distribution: OlderDistribution
 
     @property
     def files(self) -> Iterator[tuple[Role, PythonFile]]:
@@ -81,6 +86,10 @@ class UndefinedUses:
                 found = UndefinedName(each.name, each.root, frozenset())
                 if not is_unreached(file, found.span):
                     yield file, each, self.when_in(role, file, found, self.places.certain_spans(file))
+
+    def is_for_older(self, file: PythonFile, each: AbsentAttribute) -> bool:
+        """Return whether a name is meant for distributions alone whose Python still has it."""
+        return f"{each.module}.{each.name}" in IN_FOXY and self.distribution.is_for_unsupported(file.path)
 
     def of(self, file: PythonFile, role: Role) -> Iterator[UndefinedUse]:
         uses: dict[str, list[UndefinedName]] = {}
@@ -124,10 +133,21 @@ class UndefinedUses:
         return "branch" if when == "maybe" and is_under_condition(file, found.span) else when
 
     def home(self, file: PythonFile, name: str) -> str:
-        """Return the own module, as a file imports it, in which a name is defined."""
+        """Return the line that imports a name from an own module of which a file imports other names."""
         for each in file.imports:
             source = self.installed.sources.get(self.installed.absolute(each, file.path), "")
             other = self.run.modules.at(source) if source and each.names else None
             if other is not None and name in other.definitions:
-                return "." * each.level + each.module
+                return imported_as(other, name) or f"from {'.' * each.level}{each.module} import {name}"
         return ""
+
+
+def imported_as(file: PythonFile, name: str) -> str:
+    """Return the line by which a file itself imports a name from elsewhere; "" where it does not."""
+    every: list[ast.Import | ast.ImportFrom] = [*nodes_of_kind(file.tree, ast.Import)]
+    for node in (*every, *nodes_of_kind(file.tree, ast.ImportFrom)):
+        for alias in node.names:
+            if (alias.asname or alias.name) == name and not getattr(node, "level", 0):
+                start = f"from {node.module} " if isinstance(node, ast.ImportFrom) else ""
+                return f"{start}import {ast.unparse(alias)}"
+    return ""

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.own_members import is_own_member
-from ...checks.depends.undefined_sentences import CAUGHT, ENDS, OF_TYPE, of_member
-from ...checks.depends.undefined_uses import UndefinedUse, UndefinedUses
+from ...checks.depends.undefined_sentences import CAUGHT, ENDS, OF_TYPE, advice, of_member
+from ...checks.depends.undefined_uses import UndefinedUses
 from ...checks.depends.unset_members import UnsetMembers
 from ...checks.depends.unwritten_parts import why_unwritten
+from ...checks.depends.wrong_rclpy_calls import FOR_OLDER
 from ...edits.python_imports import import_module
 from ...example import Example, manifest, scripts, setup_py
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...ros.imports import STANDARD
 from ...rule import rule
-from ...suggest import nearest
 
 FILES = {
     "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"),
@@ -60,7 +59,8 @@ WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
         Severity.INFO: "no program is shown to come to it, or under several conditions alone, nothing in the package "
         "calls the function, imports the module, or installs the file, a switch turns it off that nothing throws, it "
         "stands behind `rclpy.spin`, an attribute is read under a condition, nothing spins the node, a comment says "
-        "that it is still to be written, or the run ends before, at another fault or in a loop",
+        "that it is still to be written, the run ends before, at another fault or in a loop, or Python 3.8 has the "
+        "name, and the repository is for Galactic or older alone",
     },
     examples=(
         Example(
@@ -113,8 +113,9 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
         places = tuple(Related(file.path, each.span, "here too") for each in use.others)
         yield Hit(file.path, use.found.span, message, Severity.INFO if left else LEVELS[use.when], places, fix)
     for file, each, when in uses.absent():
-        ends = ENDS[when].replace("NameError", each.raised)
-        yield Hit(file.path, each.span, f"`{each.module}` has no `{each.name}`: {ends}{each.advice}", LEVELS[when])
+        ends, older = ENDS[when].replace("NameError", each.raised), FOR_OLDER if uses.is_for_older(file, each) else ""
+        message = f"`{each.module}` has no `{each.name}`: {ends}{each.advice}{older}"
+        yield Hit(file.path, each.span, message, Severity.INFO if older else LEVELS[when])
     for member in UnsetMembers(uses).all():
         places = tuple(Related(member.file.path, span, "here too") for span in member.others)
         level = Severity.INFO if member.is_unwritten else LEVELS[member.when]
@@ -126,15 +127,3 @@ LEVELS = {
     "maybe": Severity.WARNING,
     **dict.fromkeys(("branch", "late", "ended", "unspun", "seldom", "unshown", "never", "aside"), Severity.INFO),
 }
-
-
-def advice(use: UndefinedUse, line: str) -> str:
-    name = use.found.name
-    if line:
-        return f"; add `{line}`"
-    if use.home:
-        return f"; add `from {use.home} import {name}`"
-    if is_own_member(use.file, name, use.found.span):
-        return f"; did you mean `self.{name}`?"
-    near = nearest(name, use.found.known)
-    return f"; did you mean `{near}`?" if near else ""
