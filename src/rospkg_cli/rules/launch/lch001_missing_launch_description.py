@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from ...checks.launch.launch_modules import describes_nothing, is_imported, makes_its_own
+from ...checks.launch.missing_references import LaunchContext
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...lazy_regex import regex
 from ...package.file_role import role_of
-from ...package.launch.launch_file import LaunchFile
 from ...rule import rule
 from ...source import Span
 
@@ -30,9 +31,9 @@ IN_LAUNCH = regex(r"(?:^|/)launch(?:es)?/")
 @rule(
     "LCH001",
     "missing-launch-description",
-    over=LaunchFile,
+    over=LaunchContext,
     severity=Severity.ERROR,
-    levels={Severity.INFO: "the file holds no statement, only comments"},
+    levels={Severity.INFO: "the file has only comments, or imports nothing of launch"},
     examples=(
         Example(
             bad={
@@ -43,7 +44,7 @@ IN_LAUNCH = regex(r"(?:^|/)launch(?:es)?/")
         ),
     ),
 )
-def missing_launch_description(file: LaunchFile) -> Iterator[Hit]:
+def missing_launch_description(scope: LaunchContext) -> Iterator[Hit]:
     """
     ## What it does
     Finds Python launch files without a function `generate_launch_description`.
@@ -55,16 +56,21 @@ def missing_launch_description(file: LaunchFile) -> Iterator[Hit]:
 
     ## When it is quiet
     Files whose name does not end in `launch.py`, modules such as `my_pkg/gen_launch.py` in no folder for launch files,
-    tests, files that are programs of their own, and files that import `*`, are left alone. A function that is imported
-    or assigned counts. A file whose every line is a comment is an info.
+    tests, files that are programs of their own (`__main__`, `LaunchService`), that import `*`, or that another Python
+    file of the package imports or loads, are left alone, and so is one with a function that a decorator of another
+    package gets, which may make the entry point (`@launch_this`). A function that is imported or assigned counts. A
+    file whose every line is a comment is an info, and one that imports nothing of `launch`, which describes nothing.
     """
+    file = scope.file
     name = file.path.rpartition("/")[2]
     is_module = name.endswith("_launch.py") and not IN_LAUNCH.search(file.path)
     installed = role_of(file.path) == "launch" and not is_module
-    if file.frontend == "python" and not file.has_entry_point and installed and STARTABLE.fullmatch(name):
-        message = (
-            f"`{name}` defines no `generate_launch_description`: `ros2 launch` refuses it; define it, "
-            f"or give a file that others import another ending"
-        )
-        is_empty = file.python is not None and not file.python.tree.body
-        yield Hit(file.path, Span(0, 0), message, Severity.INFO if is_empty else None)
+    if file.python is None or file.has_entry_point or not installed or not STARTABLE.fullmatch(name):
+        return
+    if makes_its_own(file.python) or is_imported(file.path, scope.files):
+        return
+    message = (
+        f"`{name}` defines no `generate_launch_description`: `ros2 launch` refuses it; define it, "
+        f"or give a file that others import another ending"
+    )
+    yield Hit(file.path, Span(0, 0), message, Severity.INFO if describes_nothing(file.python) else None)
