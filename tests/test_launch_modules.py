@@ -9,7 +9,14 @@ from rospkg_cli.testing import lint_files
 
 PYTHON = existing_files(BACKDROPS["ament_python"])
 CAMERA = "from launch_ros.actions import Node\n\n\ndef camera():\n    return Node(package='a', executable='b')\n"
-USER = "from launch import LaunchDescription\n{}\n\n\ndef generate_launch_description():\n    return LaunchDescription([])\n"
+USER = """\
+from launch import LaunchDescription
+{}
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
 
 
 def levels(text: str, **others: str) -> list[str]:

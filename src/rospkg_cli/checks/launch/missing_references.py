@@ -24,6 +24,7 @@ from ...suggest import slips
 from ...unreadable import UnreadableError
 from ..closest_path import closest_path
 from .open_paths import fits_nothing, meant
+from .outputs_of_commands import is_written
 
 DOUBLED = regex(r"((?:\.[a-z][a-z0-9]*)+)\1(?=(?:\.[a-z]+)?$)")
 """An extension, or a part before one, that stands twice, which no file is given on purpose."""
@@ -90,8 +91,11 @@ class LaunchContext:
         return test and is_known and self.cmake is not None and not self.cmake.mentions_file(self.file.path)
 
     def is_made_here(self, missing: MissingReference) -> bool:
-        """Return whether it is a robot that the launch file itself may write, with xacro's `open_output`."""
-        return missing.path.endswith((".urdf", ".sdf")) and "open_output(" in self.file.source.text
+        """Return whether the launch file writes it: a robot by xacro's `open_output`, an output of a command."""
+        if missing.path.endswith((".urdf", ".sdf")) and "open_output(" in self.file.source.text:
+            return True
+        is_read = missing.use == "include"
+        return not is_read and is_written(self.file.source, (missing.span, *missing.other_spans))
 
     @property
     def is_ros1_leftover(self) -> bool:

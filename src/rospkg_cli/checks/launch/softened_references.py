@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from ..fault import Level
 from ..left_to_people import files_of, why_left
-from .idle_actions import level_at
+from .idle_actions import OFF, level_at
 from .include_arguments import IncludeContext
 from .missing_references import LaunchContext, MissingReference
+from .read_when_off import ReadWhenOff
 from .relative_parameter_files import has_others_beside, is_for_nodes
 from .undeclared_files import undeclared_for
 from .unmet_lookups import package_lacked
@@ -36,6 +37,8 @@ def unmet_by_all(scope: LaunchContext, each: MissingReference) -> str:
     """Return why nothing opens a file that a launch file names; "" where something may."""
     if UnreadValues(scope).has(each):
         return "but nothing uses the argument" if each.use == "default" else "but nothing uses the value"
+    if ReadWhenOff(scope).has(each):
+        return OFF
     if scope.is_overwritten(each):
         return "but the launch file gives the argument another value"
     if IncludeContext(scope).is_untaken(each):

@@ -8,6 +8,8 @@ from collections.abc import Iterator
 
 from ...lazy_regex import regex
 from ...package.file_role import role_of
+from ...source import Span
+from ..written_paths import WORD
 from .missing_references import LaunchContext, MissingReference
 from .undeclared_files import names_at
 
@@ -16,13 +18,17 @@ KEPT = regex(
 )
 """A variable that holds a parameter."""
 WRITE_MODE = r"\s*,\s*(?:mode\s*=\s*)?[\"'][bt+]*[wxa]"
+SAVERS = regex(r"(?i)(?:^|[_-])(?:saver|recorder|writer|exporter)(?:$|[_.-])")
+"""Programs whose work it is to write a file."""
+OUTPUT = regex(rf"(?i)(?!.*conf){WORD}")
 UNTIL_WRITTEN = "until `{}` has written it"
 
 
 def written_for(scope: LaunchContext, missing: MissingReference) -> str:
-    """Return that a program of the package writes a missing file, which launch hands to nodes; "" where none does.
+    """Return that a program writes a missing file, which launch hands to nodes; "" where none does.
 
-    It is the program of the launch file itself, or one that another launch file gives a file of that name.
+    It is a program of the package that the launch file starts itself, or that another one gives a file of that name; or
+    one that is called after such work, as `octomap_saver_node` is, or whose parameter is (`log_file`).
     """
     if missing.package != scope.package.name or missing.use in ("include", "open"):
         return ""
@@ -32,6 +38,17 @@ def written_for(scope: LaunchContext, missing: MissingReference) -> str:
         program = posixpath.basename(path).removesuffix(".py")
         if any(is_given(scope, each, program, missing) for each in scope.files.paths if role_of(each) == "launch"):
             return UNTIL_WRITTEN.format(path)
+    program = saver_of(scope, places)
+    return UNTIL_WRITTEN.format(program) if program else ""
+
+
+def saver_of(scope: LaunchContext, places: tuple[Span, ...]) -> str:
+    """Return a program that is called after what it writes, and gets the path at a place as a parameter; else ""."""
+    for node in scope.file.nodes:
+        program = node.executable.literal or "" if node.executable is not None else ""
+        names = {name for place in places for name in names_at(node, place)} - {""}
+        if program and ((names and SAVERS.search(program)) or any(map(OUTPUT.fullmatch, names))):
+            return program
     return ""
 
 

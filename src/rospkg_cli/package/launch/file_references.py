@@ -27,7 +27,7 @@ PATTERN = regex(r"[*?\[\]{}<>$%]")
 
 OUTPUT_FILE = regex(
     r"(^|.*[/_.-])(logs?|out|output|save|saved|record|recorded|results?|tmp|cache)([/_.-].*|$)"
-    r"|.*\.(log|csv|bag|db3|mcap|pid|tmp|engine|onnx|trt|plan|pt|pth|tflite|weights)"
+    r"|.*\.(log|csv|bag|db|db3|sqlite3?|mcap|tlog|pid|tmp|engine|onnx|trt|plan|pt|pth|tflite|weights)"
 )
 """What is likely written or fetched when the launch runs."""
 
