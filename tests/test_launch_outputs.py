@@ -63,7 +63,7 @@ def test_a_robot_that_the_launch_file_makes_first(line: str, expected: list[str]
     ],
 )
 def test_what_a_node_writes(program: str, name: str, path: str, expected: list[str]) -> None:
-    node = f"Node(package='others', executable='{program}', parameters=[{{'{name}': {at(path)}}}])"
+    node = f"Node(package='other_pkg', executable='{program}', parameters=[{{'{name}': {at(path)}}}])"
     assert levels(f"return LaunchDescription([{node}])") == expected
 
 

@@ -28,7 +28,7 @@ def written_for(scope: LaunchContext, missing: MissingReference) -> str:
     """Return that a program writes a missing file, which launch hands to nodes; "" where none does.
 
     It is a program of the package that the launch file starts itself, or that another one gives a file of that name; or
-    one that is called after such work, as `octomap_saver_node` is, or whose parameter is (`log_file`).
+    one whose code is not here and that is called after such work (`octomap_saver_node`), or whose parameter is.
     """
     if missing.package != scope.package.name or missing.use in ("include", "open"):
         return ""
@@ -43,8 +43,11 @@ def written_for(scope: LaunchContext, missing: MissingReference) -> str:
 
 
 def saver_of(scope: LaunchContext, places: tuple[Span, ...]) -> str:
-    """Return a program that is called after what it writes, and gets the path at a place as a parameter; else ""."""
+    """Return a program of elsewhere that is called after its writing, and gets the path as a parameter; else ""."""
     for node in scope.file.nodes:
+        package = node.package.literal or "" if node.package is not None else ""
+        if package == scope.package.name or scope.workspace.named(package) is not None:
+            continue  # its code says what it writes
         program = node.executable.literal or "" if node.executable is not None else ""
         names = {name for place in places for name in names_at(node, place)} - {""}
         if program and ((names and SAVERS.search(program)) or any(map(OUTPUT.fullmatch, names))):
