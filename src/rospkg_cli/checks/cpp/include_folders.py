@@ -55,9 +55,11 @@ class IncludeFolders:
         """Return whether an argument is the folder, or may be it."""
         built = BUILT.fullmatch(word.text)
         text = built[1] if built else word.text
-        if text in KEYWORDS or text.startswith(BINARY) or INSTALLED.fullmatch(text) or self.is_foreign(word):
+        if text in KEYWORDS or INSTALLED.fullmatch(text) or self.is_foreign(word):
             return False
-        return path_in_package(text, call.folder) == folder if built or word.is_known else True
+        if not built and not word.is_known:
+            return not text.startswith(BINARY)
+        return folder in (path_in_package(each, call.folder) for each in text.split(";"))
 
     def is_foreign(self, word: Word) -> bool:
         """Return whether an argument is a variable of another package, which has none of these folders."""

@@ -19,7 +19,8 @@ from .include_folders import IncludeFolders
 from .missing_headers import MissingHeaders
 
 OTHERWISE = regex(
-    r"\bINCLUDE_DIRECTORIES\b|INCLUDE_CURRENT_DIR|FILE_SET|ament_auto_|(?<!\w)-I|isystem|(?i:(?<![a-z_])link_libraries\s*\()"
+    r"\b(?:INTERFACE_(?:SYSTEM_)?|CMAKE_\w+_STANDARD_)?INCLUDE_DIRECTORIES\b|INCLUDE_CURRENT_DIR|FILE_SET|ament_auto_"
+    r"|(?<!\w)-I|isystem|(?i:(?<![a-z_])link_libraries\s*\()"
 )
 """What a CMake file holds that tells the compiler of a folder in another way, or may do so."""
 
