@@ -17,6 +17,8 @@ OPERAND = regex(r"\$(ENV)?\{(\w+)\}")
 ENVIRONMENT = "ros_environment"
 OF_ROS = frozenset({"ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION"})
 """Variables of every shell that is set up for ROS, and of the build farm where `ros_environment` is declared."""
+SET_UP = OF_ROS | {"AMENT_PREFIX_PATH", "LD_LIBRARY_PATH", "PYTHONPATH", "PATH", "HOME", "PWD"}
+"""These, and others that no shell lacks in which a package for ROS is built."""
 OFTEN_EMPTY = frozenset({"CMAKE_BUILD_TYPE", "ROS_DISTRO", "ROS_VERSION"})
 """Variables of CMake that only its user sets, if anyone does."""
 ELSEWHERE = regex(r"WIN32|MSVC|APPLE|ANDROID|catkin|CATKIN|ROS1")
@@ -46,7 +48,7 @@ class EmptyOperands:
                     if found and following.text in BINARY and argument.text not in seen:
                         seen.add(argument.text)
                         if self.may_be_empty(found[2], bool(found[1])):
-                            is_mostly_set = bool(found[1]) and found[2] in OF_ROS
+                            is_mostly_set = bool(found[1]) and found[2] in SET_UP
                             yield EmptyOperand(file.path, argument, is_mostly_set, is_inner)
 
     def may_be_empty(self, name: str, is_of_environment: bool) -> bool:
