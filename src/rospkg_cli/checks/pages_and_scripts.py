@@ -9,7 +9,7 @@ from functools import cached_property
 from ..files import PackageFiles
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
-from .setup.linked_build import build_texts
+from .setup.linked_build import build_files, build_texts
 
 TEXTS = (".md", ".rst", ".txt", ".sh", ".bash", "Makefile")
 FETCHES = regex(
@@ -42,6 +42,12 @@ def pages_above(files: PackageFiles) -> tuple[str, ...]:
     """Return what those say that build the repository and are no pages of the package."""
     own = own_pages(files)
     return tuple(text for text in build_texts(files) if text not in own)
+
+
+def texts_above(files: PackageFiles, endings: tuple[str, ...]) -> tuple[str, ...]:
+    """Return what the files of some endings say that tell how the repository is built."""
+    paths = ((whole, path) for whole, path in build_files(files) if path.endswith(endings))
+    return tuple(whole.readable_text(path) for whole, path in paths if whole.has_file(path))
 
 
 @dataclass(frozen=True)

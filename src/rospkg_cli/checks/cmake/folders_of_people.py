@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import posixpath
 import re
+from functools import cached_property
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
-from ..left_to_people import UNTIL_MADE, is_of_people
-from ..pages_and_scripts import own_pages, pages_above
+from ..left_to_people import is_of_people
+from ..pages_and_scripts import own_pages, pages_above, texts_above
 
 MAKES = r"(?im)^.*\bmkdir\b[^\n]*[ \t\"'{1}]{0}(?![\w.-])"
 BRINGS = (
@@ -16,8 +17,17 @@ BRINGS = (
     r"[ \t\"'{1}]{0}(?:/[^\s\"'`]*)?[\"'`]?[ \t]*$"
 )
 """What is brought to a folder has it as the last word."""
+TELLS = (
+    r"(?im)^.*\b(?:create|make|put|place|copy|store|save|add|extract|unpack|download\w*)\b[^\n]*"
+    r"(?:[`\"'*]{0}/?[`\"'*]|[ \t]{0}/?[ \t](?:folder|directory)\b)"
+)
+"""What a page says in words."""
+START = r"(?:(?:\.{1,2}|\$\{?\w+\}?|\$\([^)\n]*\))/)*"
+"""What may stand before a folder of the package: `../`, `$HERE/`."""
 TELLS_OF_CREATING = "ros2 pkg create"
 """A page with it tells how the package came to be, and not what to do with it."""
+RUN = (".sh", ".bash", ".yml", ".yaml", ".json", "Makefile", "Dockerfile", "justfile")
+"""Files that make folders themselves."""
 
 
 @dataclass(frozen=True)
@@ -26,19 +36,35 @@ class FoldersOfPeople:
     names: frozenset[str]
     """How pages outside may call the folder of the package."""
 
-    def why_left(self, paths: list[str]) -> str:
-        """Return why nobody who does as a page says misses some folders; "" where somebody may."""
-        return UNTIL_MADE if paths and all(is_of_people(each) and self.is_made(each) for each in paths) else ""
+    def is_left(self, path: str) -> bool:
+        """Return whether a script makes or fills a folder, or a page has people do so with one of theirs."""
+        if self.is_in(self.scripts, path, (MAKES, BRINGS)):
+            return True
+        return is_of_people(path) and self.is_in(self.pages, path, (MAKES, BRINGS, TELLS))
 
-    def is_made(self, path: str) -> bool:
-        """Return whether a page or script makes or fills a folder, named from that of the package or from above it."""
+    def is_in(self, texts: tuple[tuple[str, ...], tuple[str, ...]], path: str, patterns: tuple[str, ...]) -> bool:
+        """Return whether a text names a folder, from that of the package or from above it."""
+        own, above = texts
         whole = re.escape(posixpath.normpath(path))
-        above = [f"{re.escape(name)}/{whole}" for name in sorted(self.names)]
-        own = has_line(own_pages(self.files), rf"(?:\./)?{whole}", "")
-        texts = (*own_pages(self.files), *pages_above(self.files))
-        return own or any(has_line(texts, each, "/") for each in above)
+        named = [f"{re.escape(name)}/{whole}" for name in sorted(self.names)]
+        return has_line(own, f"{START}{whole}", "", patterns) or any(
+            has_line((*own, *above), each, "/", patterns) for each in named
+        )
+
+    @cached_property
+    def pages(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """The pages of the package, or of a repository that is one, and those above it."""
+        own, above = own_pages(self.files), pages_above(self.files)
+        return (own, above) if self.files.folder else ((*own, *above), ())
+
+    @cached_property
+    def scripts(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """The scripts of the package, or of a repository that is one, and those above it."""
+        own = tuple(self.files.readable_text(each) for each in self.files.paths if each.endswith(RUN))
+        above = texts_above(self.files, RUN)
+        return (own, above) if self.files.folder else ((*own, *above), ())
 
 
-def has_line(texts: tuple[str, ...], folder: str, before: str) -> bool:
-    patterns = [re.compile(each.replace("{0}", folder).replace("{1}", before)) for each in (MAKES, BRINGS)]
+def has_line(texts: tuple[str, ...], folder: str, before: str, given: tuple[str, ...]) -> bool:
+    patterns = [re.compile(each.replace("{0}", folder).replace("{1}", before)) for each in given]
     return any(each.search(text) for text in texts if TELLS_OF_CREATING not in text for each in patterns)

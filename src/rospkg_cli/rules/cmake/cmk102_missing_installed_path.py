@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from posixpath import basename
 
+from ...checks.cmake.brought_paths import BroughtPaths
 from ...checks.cmake.built_for_ros1 import is_built_for_ros1
-from ...checks.cmake.folders_of_people import FoldersOfPeople
 from ...checks.cmake.missing_path_sentences import PLURAL, consequence
 from ...checks.cmake.missing_paths import MissingPaths
 from ...checks.enumeration import in_ticks
@@ -43,7 +43,7 @@ EXTRAS = CMAKE.replace("ament_package()", "ament_package(CONFIG_EXTRAS «cmake/m
         Severity.WARNING: "it is named in a branch that is taken only for some; or CMake runs a program in the "
         "package's folder, which may write what is installed",
         Severity.INFO: "FILES_MATCHING keeps CMake silent about the folder, git ignores a folder that people fill, a "
-        "page has them make one for maps, data or the like, or all sources are of ROS 1, or it is named for "
+        "script makes it, a page has people make, copy or clone it, or all sources are of ROS 1, or it is named for "
         "another system than Linux",
     },
     examples=(
@@ -93,11 +93,13 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     folder with FILES_MATCHING stops nothing: an info, or a warning where another one is called nearly so. Where CMake
     chooses between ament and catkin and all sources are of ROS 1, it is an info; so is what is named inside
     `if(WIN32)` or the like, and inside a branch that asks for a switch which is off: an option without `ON`, or a
-    variable that nothing sets, and that no page or script of the repository has.
+    variable that nothing sets, and that no page or script of the repository has. So is a folder that a script makes
+    (`mkdir -p generated`), or a page has people make or fill for maps, data or the like, a file that one has them copy,
+    and what lies in a repository that they clone (`git clone … third_party/sdk`) or that a `.repos` file lists.
     """
     missing = MissingPaths(package.cmake)
     names = frozenset({package.facts.name, basename(package.facts.folder)} - {""})
-    left = FoldersOfPeople(package.cmake.package_files, names)
+    left = BroughtPaths(package.cmake.package_files, names)
     for (named, for_everyone), *others in together(package.cmake, missing.all()):
         paths = list(dict.fromkeys([named.path, *(each.path for each, _ in others)]))
         near = f" (did you mean `{meant}`?)" if (meant := meant_path(package.cmake, named)) else ""
@@ -109,7 +111,7 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
             level = Severity.WARNING if near else Severity.INFO
         is_idle = is_built_for_ros1(package.cmake) or missing.is_elsewhere(named) or missing.off.has(named.call)
         level = Severity.INFO if is_idle else level
-        if named.use == "folder" and level is not Severity.INFO and (why := left.why_left(paths)):
+        if level is not Severity.INFO and (why := left.why_left(named.use, paths)):
             fault, between, advice = message.rpartition("; ")
             level, message = Severity.INFO, f"{fault}, {why}{between}{advice}"
         yield Hit(named.word.path, named.word.span, message, level, related=related)
