@@ -23,6 +23,8 @@ ament_package()
 
 MACRO = regex(r"(?!ament_|find_|configure_|write_|catkin_|cpm|install|extract_|autoware_package$)\w*package\w*")
 """What may be a macro around ament_package(), such as `my_team_package`; `autoware_package` only looks for packages."""
+INSTALLS = regex(r"rosidl_|pluginlib_|rclcpp_components_|ament_python_|ament_index_|ament_auto_|generate_parameter")
+"""How commands begin that install or register something."""
 
 
 @rule(
@@ -30,6 +32,7 @@ MACRO = regex(r"(?!ament_|find_|configure_|write_|catkin_|cpm|install|extract_|a
     "missing-ament-package",
     over=CMakePackage,
     severity=Severity.ERROR,
+    levels={Severity.INFO: "targets are built, and nothing is installed or exported: they run where they are built"},
     examples=(
         Example(
             bad={
@@ -56,7 +59,8 @@ def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
     ## When it is quiet
     Where all that is built is for tests. Where a file that can't be read is included, and where a macro of another
     package whose name has `package` in it is called: both may call `ament_package()`. (`autoware_package()` does not.)
-    Where its name is misspelt, which CMK114 reports.
+    Where its name is misspelt, which CMK114 reports. It is an info where targets are built and nothing is installed,
+    exported or registered, as for tests that are run in the build folder.
     """
     cmake = package.cmake
     if not package.is_ament or not cmake.is_complete or cmake.ends_a_package or cmake.only_tests:
@@ -68,10 +72,17 @@ def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
     if any(near in PACKAGE_ENDS for _, near in UnknownCommands(cmake).all()):
         return
     place = projects[0].span if projects else root.source.line_span(1)
-    message = (
-        "CMakeLists.txt never calls `ament_package()`: the build is green, but "
-        f"`ros2 run {package.facts.name}` and `find_package({package.facts.name})` don't find the package; call it last"
-    )
+    is_idle, name = has_only_built(package), package.facts.name
+    found = f"`ros2 run {name}` and `find_package({name})` don't find the package"
+    found = "nobody finds the package, of which nothing is installed either" if is_idle else found
+    message = f"CMakeLists.txt never calls `ament_package()`: the build is green, but {found}; call it last"
     knows_ament = any(each.name.startswith("ament_cmake") for each in cmake.packages)
     fix = Fix("call `ament_package()` at the end", (add_at_end(root, "ament_package()"),)) if knows_ament else None
-    yield Hit(root.path, place, message, fix=fix)
+    yield Hit(root.path, place, message, Severity.INFO if is_idle else None, fix=fix)
+
+
+def has_only_built(package: CMakePackage) -> bool:
+    """Return whether targets are made, and CMake is told to hand on nothing: they are run where they are built."""
+    cmake = package.cmake
+    hands_on = cmake.installs or any("export" in each.name or INSTALLS.match(each.name) for each in cmake.calls)
+    return bool(cmake.targets) and not hands_on and not package.facts.executables
