@@ -19,6 +19,8 @@ from .share_references import references_folder
 BY_PATH = regex(r"\b(?:ros2[ \t]+launch|python3?)[ \t]+([^\s`\"']+)")
 """A launch file that is started where it lies: behind `ros2 launch` stands no package."""
 
+EXAMPLE = regex(r"(?i)(?<![a-z])(?:examples?|samples?|templates?)(?![a-z])")
+"""A word in the name of a file that people copy into a package of their own."""
 REACH = 200
 """The most characters of a path before the name of a folder."""
 
@@ -101,8 +103,11 @@ class ShareUses:
         """
         if self.opens(folder):
             return None if folder == "rviz" else "error"
-        needed = folder == "launch" or self.may_be_opened(folder)
+        needed = (folder == "launch" and not self.holds_examples(folder)) or self.may_be_opened(folder)
         return None if needed and not self.opens_in_source(folder) else "info"
+
+    def holds_examples(self, folder: str) -> bool:
+        return all(EXAMPLE.search(path.rpartition("/")[2]) for path in self.files.below(folder))
 
     def may_be_opened(self, folder: str) -> bool:
         """Return whether another package of the workspace opens the folder or a file in it.
