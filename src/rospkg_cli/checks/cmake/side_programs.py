@@ -7,6 +7,7 @@ import re
 from ...languages.cmake.targets import Target
 from ...lazy_regex import regex
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.target_folders import folders_of
 from ...package.workspace import Workspace
 from ..pages_and_scripts import pages_and_scripts
 from .node_programs import NodePrograms
@@ -18,17 +19,23 @@ WORDS = regex(r"[A-Z]?[a-z]+")
 
 
 def is_side_program(programs: NodePrograms, target: Target, workspace: Workspace) -> bool:
-    """Return whether a program is a test or a demonstration by its name, and no launch file or page starts it.
+    """Return whether a program is for tests or demonstrations, or a tool, and no launch file or page starts it.
 
     Another program of the package has to be installed: where none is, they were all forgotten.
     """
     package, name = programs.package, target.name
-    is_side = target.is_executable and has_side_name(name) and name not in programs.started
+    is_side = target.is_executable and name not in programs.started and (has_side_name(name) or is_in_tools(target))
     if not is_side or not has_installed(package, name):
         return False
     is_launched = bool(workspace.having("started_nodes", package.facts.name, target.name))
     run = re.compile(rf"\bros2[ \t]+run[ \t]+{re.escape(package.facts.name)}[ \t]+{re.escape(target.name)}(?![\w-])")
     return not is_launched and not any(map(run.search, pages_and_scripts(package.cmake.package_files)))
+
+
+def is_in_tools(target: Target) -> bool:
+    """Return whether all sources of a program lie in folders of tools."""
+    folders = folders_of(target)
+    return bool(folders) and all(not SIDE.isdisjoint(folder.split("/")) for folder in folders)
 
 
 def has_side_name(name: str) -> bool:

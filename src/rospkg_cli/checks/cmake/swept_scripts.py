@@ -14,14 +14,17 @@ COMMENT = r"^[ \t]*#[^\n]*(?<![\w.-])"
 
 
 def is_swept_along(scripts: InstalledScripts, script: BrokenScript) -> bool:
-    """Return whether a script only came with its folder: it is imported, has no word of ROS, or a comment names it.
+    """Return whether a script only came with its folder, or by a pattern (`file(GLOB …)`).
+
+    It is imported, has no word of ROS, or a comment names it.
 
     What a launch file, a page or a rule names by itself is meant to be run.
     """
-    path = script.copy.source
-    if script.copy.rule.kind != "DIRECTORY" or scripts.is_wanted(path):
+    path, cmake = script.copy.source, scripts.package.cmake
+    is_globbed = "*" in cmake.source_text(script.copy.item)
+    if not (script.copy.rule.kind == "DIRECTORY" or is_globbed) or scripts.is_wanted(path):
         return False
-    text = scripts.package.cmake.package_files.readable_text(path)
+    text = cmake.package_files.readable_text(path)
     return USES_ROS.search(text) is None or is_imported(scripts, path) or is_left_out(scripts, path)
 
 

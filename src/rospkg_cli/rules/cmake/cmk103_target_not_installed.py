@@ -63,8 +63,8 @@ def cmake(lines: str) -> str:
         Severity.ERROR: "an exported target needs it: CMake stops",
         Severity.INFO: "an executable is no node: its sources leave ROS alone, and nothing starts it by `ros2 run`; or "
         "a comment has its `install()`, a page starts it where it is built, or it is a test or demonstration by its "
-        "name beside programs that are installed; or it is not certain that a program needs a library, or no package "
-        "here looks for this one, which exports it; or a source of ROS 1 ends its build",
+        "name or folder beside programs that are installed; or it is not certain that a program needs a library, or "
+        "no package here looks for this one, which exports it; or a source of ROS 1 ends its build",
     },
     examples=(
         Example(

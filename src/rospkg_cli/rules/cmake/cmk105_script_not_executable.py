@@ -36,8 +36,8 @@ def cmake(lines: str) -> str:
         Severity.WARNING: "only the bit of its source is missing: it can't be run after `colcon build "
         "--symlink-install`; or it is no node, and nothing starts it",
         Severity.INFO: "only its bit is missing, which a copy may have lost, and nothing starts it; or it has no bit, "
-        "and another file of its folder imports it; or it came with its folder, nothing starts it, and a file imports "
-        "it, a comment names it, or it has no word of ROS",
+        "and another file of its folder imports it; or it came with its folder or by a pattern, nothing starts it, and "
+        "a file imports it, a comment names it, or it has no word of ROS",
     },
     examples=(
         Example(
@@ -79,9 +79,9 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     of its folder imports may be a module: an info, unless a launch file names it or a README starts it.
     What only lacks its bit here is an info where neither does so: archives and some file systems lose it. A file
     without `#!` that has no word of ROS, and a script that is no node (it uses rclpy and asks for `__name__`), are
-    warnings there. What a rule takes along with its
-    folder is an info where neither does so and any file of the package imports it, a comment of CMake names it (its
-    line was taken out), or it has no word of ROS.
+    warnings there. What a rule takes along with its folder, or by a pattern (`file(GLOB scripts scripts/*.py)`), is an
+    info where neither does so and any file of the package imports it, a comment of CMake names it (its line was taken
+    out), or it has no word of ROS.
     """
     if not scripts.package.is_ament:
         return
