@@ -25,6 +25,11 @@ TEST_COMMANDS = frozenset("""
     ament_copyright ament_cpplint ament_cppcheck ament_uncrustify ament_lint_cmake ament_flake8 ament_pep257
     ament_xmllint ament_clang_format
 """.split())  # fmt: skip
+OF_ROS_CORE = frozenset("""
+    ament_lint_auto ament_lint_common ament_cmake_gtest ament_cmake_gmock ament_cmake_pytest launch_testing
+    launch_testing_ament_cmake
+""".split())  # fmt: skip
+"""Those that come with `ros_core`, so with every installation of binaries that is not made for one package."""
 FOR_TESTS = ("test_depend",)
 OF_TARGETS = frozenset("""
     target_link_libraries target_include_directories target_compile_definitions target_compile_options target_sources
@@ -50,13 +55,14 @@ class UnguardedTests:
         return unguarded(self.package)
 
     def are_met(self, found: Iterable[UnguardedTest]) -> bool:
-        """Return whether somebody builds without tests, or a package that is looked for is not declared at all.
+        """Return whether somebody builds without tests, or what is looked for is neither declared nor there anyway.
 
         `rosdep install` installs test dependencies, too, and colcon builds tests unless it is told not to.
         """
         looked_for = [each.what for each in found if each.call.name == "find_package"]
-        is_declared = all(self.package.manifest.depends_on(name, DEPENDENCY_TAGS) for name in looked_for)
-        return self.told.are_tests_left_out or not is_declared
+        depends_on = self.package.manifest.depends_on
+        is_there = all(name in OF_ROS_CORE or depends_on(name, DEPENDENCY_TAGS) for name in looked_for)
+        return self.told.are_tests_left_out or not is_there
 
 
 def unguarded(package: CMakePackage) -> Iterator[UnguardedTest]:

@@ -31,7 +31,10 @@ GUARDED = (
     "unguarded-test",
     over=UnguardedTests,
     severity=Severity.WARNING,
-    levels={Severity.INFO: "where what is looked for is declared, and nothing shows that anybody builds without tests"},
+    levels={
+        Severity.INFO: "where what is looked for is declared or comes with ros_core, and nothing shows that anybody "
+        "builds without tests"
+    },
     examples=(
         Example(
             bad={
@@ -61,7 +64,7 @@ def unguarded_test(tests: UnguardedTests) -> Iterator[Hit]:
     `rosdep install` installs test dependencies, and colcon builds tests unless it is told not to. It is a warning where
     the repository is visibly released (bloom's files, a job for it, or a CHANGELOG.rst of this name among packages that
     all have one), where a page, a script or a workflow installs only some tags or sets `BUILD_TESTING=OFF`, and where a
-    package that is looked for is not declared; an info elsewhere.
+    package that is looked for is neither declared nor a part of ros_core, as ament_lint_auto is; an info elsewhere.
 
     ## Fix safety
     Neighbouring commands that are only for tests are put into one `if(BUILD_TESTING)`; what they set is then no longer
