@@ -19,6 +19,7 @@ BEFORE_ELOQUENT = (*BEFORE_DASHING, "dashing")
 OLDER = (*BEFORE_ELOQUENT, "eloquent", "foxy")
 UNSUPPORTED = (*OLDER, "galactic")
 BEFORE_JAZZY = (*UNSUPPORTED, "humble", "iron")
+BEFORE_LYRICAL = (*BEFORE_JAZZY, "jazzy", "kilted")
 EVERY = "|".join(("dashing", "eloquent", "foxy", "galactic", "iron", *(each.name for each in DISTROS)))
 NAMES = regex(rf"(?<![a-z])({EVERY})(?![a-z])")
 EARLY = regex(rf"\bros[ _-]?2?(?:_?distro)?[\s:=/_-]{{0,3}}[\"']?({'|'.join(BEFORE_DASHING)})\b")
@@ -92,6 +93,11 @@ class OlderDistribution:
     def is_before_jazzy(self) -> bool:
         """Whether one before Jazzy is named, and none after it."""
         return bool(self.named) and self.named.issubset(BEFORE_JAZZY)
+
+    @property
+    def is_before_lyrical(self) -> bool:
+        """Whether no distribution is asked for, and all that are meant have CMake 3, as those before Lyrical do."""
+        return not self.targets.names and bool(self.meant) and self.meant.issubset(BEFORE_LYRICAL)
 
     @property
     def reaches_jazzy(self) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.unknown_commands import UnknownCommands
+from ...checks.older_distribution import OlderDistribution
 from ...edits.cmake_commands import literal_span
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -26,7 +27,8 @@ VERSION = regex(r"(?:[\d.]+?\.\.\.)?(\d{1,9})\.(\d{1,9})(?:\.\d+)*")
     over=CMakeForTargets,
     severity=Severity.INFO,
     levels={
-        Severity.WARNING: "a named target has CMake 4, which warns; or the version is below 3.5",
+        Severity.WARNING: "a named target has CMake 4, which warns; or the version is below 3.5, and the repository is "
+        "not for distributions with CMake 3 alone",
         Severity.ERROR: "the version is below 3.5 and a named target has CMake 4, which refuses it",
     },
     examples=(
@@ -57,7 +59,8 @@ def old_cmake_minimum(checked: CMakeForTargets) -> Iterator[Hit]:
 
     ## When it is quiet
     In packages of catkin, and where the version can't be evaluated. A range (`3.5...3.27`) counts by its upper end. All
-    places of a package are one finding, at the oldest version.
+    places of a package are one finding, at the oldest version. It is an info where all distributions that the pages,
+    scripts and workflows of the repository name are older than Lyrical.
     """
     if checked.package.facts.build_type == "catkin":
         return
@@ -73,6 +76,8 @@ def old_cmake_minimum(checked: CMakeForTargets) -> Iterator[Hit]:
     fix = Fix(f"ask for CMake {WANTED}", edits) if edits else None
     related = tuple(Related(old.path, old.span, f"and version {old.text} here") for old, _ in others)
     level = severity(version, checked.targets)
+    if level is Severity.WARNING and OlderDistribution(cmake.package_files, checked.targets).is_before_lyrical:
+        level = Severity.INFO
     yield Hit(word.path, word.span, message(word.text, version), level, related=related, fix=fix)
 
 
