@@ -18,7 +18,10 @@ COLCON = "colcon"
 WITH_COLCON = {"python3-pytest": COLCON}
 """What is installed wherever `colcon test` can run."""
 ROSDEP = "rosdep"
-WITH_ROSDEP = dict.fromkeys(("python3-yaml", "python3-catkin-pkg", "python3-catkin-pkg-modules"), ROSDEP)
+WITH_ROSDEP = dict.fromkeys((
+    "python3-yaml", "python3-catkin-pkg", "python3-catkin-pkg-modules", "python3-rosdep", "python3-rosdep-modules",
+    "python3-rosdistro-modules", "python3-rospkg", "python3-rospkg-modules",
+), ROSDEP)  # fmt: skip
 """What is installed wherever `rosdep install` can run, which every other dependency needs."""
 
 RUNTIME, EXPORTS, DEBIAN = "runtime_dependencies.txt", "exported_dependencies.txt", "debian_dependencies.txt"

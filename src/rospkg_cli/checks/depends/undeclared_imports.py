@@ -13,7 +13,7 @@ from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_TESTS, LAUNCH, implied_by
 from ...source import Span
 from ..reached_modules import ReachedModules
-from ..reached_places import ReachedPlaces
+from ..reached_places import AT_TIMES, ReachedPlaces
 from ..ros1_import import ROS1, ros1_import
 from ..unrun_tests import is_never_run
 from ..unstarted_programs import UnstartedPrograms
@@ -110,8 +110,15 @@ class ImportDependencies:
 
     def why_seldom(self, uses: Iterable[ImportUse]) -> str:
         """Return what is said where all places seldom or never run, beside what is said of modules; "" for others."""
-        found = {self.places.why_seldom(each.path, each.span) if self.places is not None else "" for each in uses}
+        found = {self.why_seldom_there(each) for each in uses}
         return "" if "" in found else min(found, default="")
+
+    def why_seldom_there(self, use: ImportUse) -> str:
+        """Return what is said of a place that seldom runs: who imports under a condition needs it there alone."""
+        if self.places is None:
+            return ""
+        why = self.places.why_seldom(use.path, use.span)
+        return why or (AT_TIMES if self.places.is_conditional(use.path, use.span) else "")
 
     def are_optional(self, places: Iterable[ImportUse]) -> bool:
         """Return whether all places are in modules that others import only where that may fail."""

@@ -69,21 +69,22 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     ## When it is quiet
     Of a file that imports `rospy` only that is said, for nothing behind it runs, and of several such files once. What a
     declared dependency certainly installs, be it for tests or the build, can't be missing where `rosdep install` ran,
-    nor can what rosdep itself needs (PyYAML): that is one info, which names who brings it. What may come with a
+    nor can what rosdep itself needs (PyYAML, rospkg): that is one info, which names who brings it. What may come with a
     declared one is another: with a package that is neither here nor in the table of what is installed with what,
     anything may come. A module that no entry point and no other file of the package names or imports, beside others
     that start, is an info, as is a script that nothing starts or names beside programs that are started, unless the
     build names it, what lies in a folder of tools (`benchmarks/`) and is no part of a program, and one that others
-    import under `try` … `except ImportError` alone; so is an import in a function that no program leads to, behind
-    `rclpy.spin`, or under the `__main__` of an entry point's module, what `ros2 launch` brings, where only launch files
-    import the module, and a library that a requirements.txt, an environment of conda, a Pipfile, a pyproject.toml, a
-    Dockerfile, a script or a page of the repository has pip install, or a page tells to install by hand, or what
-    Blender, Isaac Sim, Webots or a microcontroller runs. So is a library in programs that all import what these bring,
-    or where a page that builds or starts the package enters an environment (`conda activate`, `uv run`, `python3 -m
-    venv` without `--system-site-packages`): that Python sees no library of rosdep. Left out are optional imports: under
-    `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if
-    'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, the
-    package's own modules, and libraries that rosdep has for older releases of Ubuntu alone.
+    import under `try` … `except ImportError` alone; so is an import under a condition (`if self.plot:`), in a function
+    that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's module, what `ros2
+    launch` brings, where only launch files import the module, and a library that a requirements.txt, an environment of
+    conda, a Pipfile, a pyproject.toml, a Dockerfile, a script or a page of the repository has pip install, or a page
+    tells to install by hand, or what Blender, Isaac Sim, Webots or a microcontroller runs. So is a library in programs
+    that all import what these bring, or where a page that builds or starts the package enters an environment (`conda
+    activate`, `uv run`, `python3 -m venv` without `--system-site-packages`): that Python sees no library of rosdep.
+    Left out are optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or
+    one that asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are
+    files that nothing installs, the package's own modules, and libraries that rosdep has for older releases of Ubuntu
+    alone.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, no released package has the name, or a comment leaves it out.
