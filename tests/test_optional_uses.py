@@ -130,7 +130,7 @@ def conditional(condition: str, default: str = "false") -> str:
         ("LaunchConfigurationEquals('sim', 'gazebo')", "none", "sim:=gazebo"),
         ("IfCondition(PythonExpression([\"'\", sim, \"' == 'gazebo'\"]))", "none", "sim:=gazebo"),
         ("IfCondition(PythonExpression([\"'\", sim, \"' != 'none'\"]))", "none", "sim:=…"),
-        ("IfCondition(PythonExpression(['not ', sim]))", "True", "sim:=…"),
+        ("IfCondition(PythonExpression(['not ', sim]))", "True", "sim:=false"),
         ("UnlessCondition(PythonExpression([\"'\", sim, \"' == 'none'\"]))", "none", "sim:=…"),
     ],
 )
