@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator
 from functools import cached_property
 
-from ...languages.xml.parser import Element
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.file_role import LAUNCH, role_of
@@ -19,12 +18,13 @@ from ...ros.plugins import PLUGIN_PACKAGES, TOOLS
 from ...source import Span
 from ..launch.package_references import every_reference
 from ..urdf.opened_robots import OpenedRobots
-from ..urdf.xacro_calls import CONDITIONS, ancestors
+from ..urdf.xacro_calls import XacroCalls
 from .brought_dependencies import brought_by
 from .declared_dependencies import DeclaredDependencies
 from .found_by_parameters import found_by_parameters, named_by_parameters, typed_by_parameters
 from .opened_parameters import OpenedParameters
 from .spawned_blocks import block_of, is_commented_out, types_beside
+from .switched_off_robots import RobotDefaults
 from .undeclared_launch_packages import LaunchDependencies
 
 INTERFACES = regex(r".*_(?:msgs|srvs|interfaces|actions)")
@@ -32,7 +32,6 @@ LOADS_PLUGINS = regex(
     r"controller_manager$|gz_ros2_control|ign_ros2_control|gazebo_ros2_control|nav2_|moveit|navigation2$|.*_bringup$"
 )
 """Packages that load plugins by the names in parameter files, or whose launch files start such."""
-ARGUMENT = regex(r"\s*\$\(arg\s+(\w+)\s*\)\s*")
 LOADED_BY_OWN = frozenset({"slam_toolbox"})
 """Packages whose plugins their own node alone loads: where that is not installed, nothing looks for them."""
 LOADS_TYPES = frozenset({"joy_teleop"})
@@ -41,6 +40,7 @@ GENERATED = frozenset({"msg", "srv", "action"})
 RUN = frozenset({"depend", "exec_depend"})
 OF_GAZEBO = (".sdf", ".world")
 UNFILLED = "; Gazebo takes `$(find …)` as it stands, where no xacro is run on it"
+SWITCHED_OFF = "; xacro comes to it only where an argument asks for it"
 UNOPENED = "; nothing here opens this file"
 
 
@@ -67,6 +67,7 @@ class RobotUses:
     robots: tuple[RobotFile, ...]
     table: InstallTable | None
     opened: OpenedRobots
+    calls: XacroCalls
 
     def missing(self) -> dict[str, list[RobotUse]]:
         """Return each package that is named and not declared, but for those that launch files use as well."""
@@ -94,7 +95,7 @@ class RobotUses:
         for robot in self.robots:
             for each in robot.references if self.is_used(robot.path) else ():
                 if not self.declared.has([each.package]):
-                    is_off = self.is_off(robot.path) or is_switched_off(robot.document.root, each.span)
+                    is_off = self.is_off(robot.path) or self.is_switched_off(robot, each.span)
                     use = reference_use(robot, each, is_off=is_off)
                     yield each.package, use if self.opened.has(robot.path) else unopened(use)
 
@@ -136,8 +137,16 @@ class RobotUses:
             named = (each for each in robot.references if each.use == "include")
             own = [(each.path, each.span) for each in named if each.package == self.declared.facts.name]
             own += [(each.path, each.span) for each in robot.includes]
-            found += [is_switched_off(robot.document.root, span) for included, span in own if included == path]
+            found += [self.is_switched_off(robot, span) for included, span in own if included == path]
         return bool(found) and all(found)
+
+    def is_switched_off(self, robot: RobotFile, place: Span) -> bool:
+        """Return whether a place lies in a condition that the defaults of its file switch off, or in a macro that
+        nothing calls.
+        """
+        defaults = RobotDefaults(robot.document.root)
+        is_uncalled = any(not self.calls.is_called(each) for each in defaults.macros_around(place))
+        return is_uncalled or defaults.leaves_out(place)
 
     def renamed(self, name: str) -> tuple[str, list[str]]:
         """Return who has each file that robots name in a package that is not known, and the files; "" for nobody.
@@ -252,24 +261,14 @@ class RobotUses:
         return frozenset(row.source for row in self.table.rows) if self.table else frozenset()
 
 
-def is_switched_off(root: Element, place: Span) -> bool:
-    """Return whether a place lies in a condition on an argument of the same file, which its default switches off."""
-    defaults = {each.get("name"): each.get("default") for each in root.walk() if each.tag == "xacro:arg"}
-    for around in ancestors(root, place):
-        asked = ARGUMENT.fullmatch(around.get("value") or "") if around.tag in CONDITIONS else None
-        default = (defaults.get(asked[1]) or "").lower() if asked else ""
-        if default in (("false", "0") if around.tag == "xacro:if" else ("true", "1")):
-            return True
-    return False
-
-
 def reference_use(robot: RobotFile, reference: ResourceReference, *, is_off: bool) -> RobotUse:
     """xacro fills in `$(find …)` wherever it stands; what shows a robot looks for `package://…`."""
     is_filled_in = reference.use == "include" or robot.source.text.startswith("$(find", reference.span.start)
     if is_filled_in and robot.path.endswith(OF_GAZEBO) and "xacro" not in robot.source.text:
         return RobotUse(robot.path, reference.span, "and its files are used here", "it is not found", True, UNFILLED)
     consequence = "xacro stops" if is_filled_in else "it is missing wherever this is shown"
-    return RobotUse(robot.path, reference.span, "and its files are used here", consequence, is_off)
+    why = SWITCHED_OFF if is_off else ""
+    return RobotUse(robot.path, reference.span, "and its files are used here", consequence, is_off, why)
 
 
 def unopened(use: RobotUse) -> RobotUse:
