@@ -49,7 +49,7 @@ class ForgottenDeclarations:
         """Yield what files that make their nodes get into variables or by name."""
         files = self.reads.cpp
         is_open = any(allows_any(each.source) or HELPERS.search(each.source.text) for each in files)
-        if is_open or any(map(has_computed_cpp_names, files)):
+        if is_open or any(map(has_computed_cpp_names, files)) or self.reads.own.is_handed_out:
             return
         for file in files:
             if self.is_closed(file) and not OTHERS.search(file.source.text):
@@ -70,6 +70,7 @@ class ForgottenDeclarations:
         seen: set[str] = set()
         for read, call in read_in(file):
             is_free = read.tail or call.name != "get_parameter" or read.name in seen
+            is_free = is_free or self.reads.own.is_of_others(file, call) or self.reads.own.may_inherit(file, call)
             if not is_free and self.cpp_reads.get(read.name) == self.cpp_texts.get(read.name):
                 seen.add(read.name)
                 if not is_declared(self.reads, read):

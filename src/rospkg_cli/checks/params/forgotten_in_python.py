@@ -13,6 +13,7 @@ from ...package.params.declared_parameter import DeclaredParameter
 from ...package.params.python_parameters import has_computed_names, read_in
 from ...ros.known_nodes import known_parameters
 from .declaring_packages import is_its_own
+from .own_python_reads import hands_itself, modules_of
 from .unknown_reads import MILD, ParameterReads, UnknownRead, allows_any
 from .unread_variables import is_dropped_in_python
 
@@ -32,7 +33,12 @@ class ForgottenInPython:
             return
         for file in self.modules if any("rclpy" in text for text in texts) else ():
             seen: set[str] = set()
-            own = {span for each in classes(file) for span in own_reads(file, each)}
+            own = {
+                span
+                for each in classes(file)
+                if not hands_itself(file, each, self.own_modules)
+                for span in own_reads(file, each)
+            }
             for read, span, throws in read_in(file):
                 is_lone = self.counts.get(read.name) == self.texts.get(read.name)
                 if throws and span.start in own and is_lone and read.name not in seen:
@@ -45,6 +51,10 @@ class ForgottenInPython:
     @cached_property
     def modules(self) -> tuple[PythonFile, ...]:
         return tuple(self.reads.run_files)
+
+    @cached_property
+    def own_modules(self) -> frozenset[str]:
+        return modules_of(self.reads.modules.files.paths)
 
     @cached_property
     def counts(self) -> dict[str, int]:

@@ -53,6 +53,8 @@ class UnknownParameters:
         """Return the level of what code gets and nothing declares, and what is said of it."""
         if self.distribution.is_before_dashing:
             return "info", f"{undeclared(read)}; before Dashing, which the pages name, none need be declared"
+        if read.unless:
+            return "info", f"{undeclared(read)}{read.unless}"
         if read.is_dropped:
             return "info", f"{undeclared(read)}; nothing reads what it is got into"
         if self.is_unmet(read):
@@ -102,7 +104,8 @@ class UnknownParameters:
 def undeclared(read: UnknownRead) -> str:
     """Return what comes of a parameter that nothing declares, and what may be meant."""
     are = "variables are" if read.more else "variable is"
-    lost = "the value that is set for it is never seen" if read.is_python else f"the {are} never set"
+    is_kept = read.is_python or read.has_other
+    lost = "the value that is set for it is never seen" if is_kept else f"the {are} never set"
     ends = "the node stops with ParameterNotDeclaredException" if read.throws else lost
     known = f"this file declares `{read.suggestion}` and never gets it"
     hint = known if read.suggestion else "declare it, as the others here" if read.has_others else "declare it"

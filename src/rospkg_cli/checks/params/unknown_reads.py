@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 from functools import cached_property
 
@@ -22,6 +23,8 @@ from ...source import Source, Span
 from ...suggest import near_names, nearest, slips
 from .declaring_packages import is_its_own
 from .on_request import parts_on_request
+from .own_python_reads import OwnPythonReads
+from .own_reads import OwnReads
 from .unread_variables import is_dropped_in_cpp, is_dropped_in_python
 
 ALLOWED = ("allow_undeclared_parameters", "automatically_declare_parameters_from_overrides")
@@ -31,6 +34,7 @@ OTHERS = regex(r"PLUGINLIB_EXPORT_CLASS|ParametersClient|undeclare_parameter")
 """Code of a plugin, whose node others make, or of a client, which asks other nodes."""
 MAIN = regex(r"\bint\s+main\s*\(")
 ENOUGH_READS = 3
+BASE, ASKED = "; unless its base class does", "; unless others do, for which it asks first"
 Read = tuple[DeclaredParameter, CppCall]
 MILD = regex(r"\bcatch\b|\bhas_parameter\b|\bexcept\s*(?::|.*\b(?:Base)?Exception\b|.*\bParameter)")
 """What may catch the exception, or ask before."""
@@ -52,6 +56,10 @@ class UnknownRead:
     """Whether only a request to a service or an action comes to it."""
     is_dropped: bool = False
     """Whether nothing reads the variable that it is got into."""
+    unless: str = ""
+    """What else may declare it: a base class that is not here, or whoever is asked first whether it is there."""
+    has_other: bool = False
+    """Whether the variable is set to an alternative."""
     more: tuple[tuple[str, Span], ...] = ()
     """Other names of the file of which the same is true, and where they stand."""
 
@@ -76,15 +84,14 @@ class ParameterReads:
             unread = self.unread(file.path, reads)
             found = list(read_in(file))
             unread_here = self.unread(file.path, [read for read, _ in found])
-            unmatched = [
-                pair for pair in found if is_its_own(pair[0].name) and not self.is_declared(pair[0], file.path)
-            ]
+            unmatched = [pair for pair in found if self.is_unmatched(file, *pair)]
             slipped = any(slips(read.name, unread_here) for read, _ in unmatched)
             if not unread and not slipped and self.is_stray(file, unmatched, found):
                 read, call = unmatched[0]
                 place = (call.arguments or ())[0].span
                 dropped = is_dropped_in_cpp(call, self.cpp)
-                yield UnknownRead(file.path, place, read.name, "", False, has_others=True, is_dropped=dropped)
+                found_here = UnknownRead(file.path, place, read.name, "", False, has_others=True, is_dropped=dropped)
+                yield self.told_more(found_here, file, call)
             for read, call in unmatched if unread_here else ():
                 only = len(unread) == 1 and len({read.name for read, _ in unmatched}) == 1
                 suggestion = next(iter(unread)) if only else nearest(read.name, unread)
@@ -94,7 +101,26 @@ class ParameterReads:
                 if suggestion is not None and call.arguments:
                     throws = len(call.arguments) == 1 and not MILD.search(file.source.text)
                     dropped, place = is_dropped_in_cpp(call, self.cpp), call.arguments[0].span
-                    yield UnknownRead(file.path, place, read.name, suggestion, throws, is_dropped=dropped)
+                    found_one = UnknownRead(file.path, place, read.name, suggestion, throws, is_dropped=dropped)
+                    yield self.told_more(found_one, file, call)
+
+    def is_unmatched(self, file: CppFile, read: DeclaredParameter, call: CppCall) -> bool:
+        """Return whether nothing declares what a node gets of its own."""
+        is_own = is_its_own(read.name) and not self.is_declared(read, file.path)
+        return is_own and not self.own.is_of_others(file, call)
+
+    def told_more(self, read: UnknownRead, file: CppFile, call: CppCall) -> UnknownRead:
+        has_other = call.name == "get_parameter_or" or len(call.arguments or ()) > 2
+        unless = BASE if self.own.may_inherit(file, call) else ASKED if is_asked_for(file.source, read.name) else ""
+        return replace(read, unless=unless, has_other=has_other)
+
+    @cached_property
+    def own(self) -> OwnReads:
+        return OwnReads(self.cpp)
+
+    @cached_property
+    def own_python(self) -> OwnPythonReads:
+        return OwnPythonReads(tuple(self.run_files))
 
     def is_stray(self, file: CppFile, unmatched: Sequence[Read], found: Sequence[Read]) -> bool:
         """Return whether the one name that is got and not declared has been forgotten.
@@ -123,14 +149,17 @@ class ParameterReads:
             unread = self.unread(file.source.path, reads)
             unread_here = self.unread(file.source.path, [read for read, _, _ in found])
             for read, span, throws in found if unread_here else ():
-                if is_its_own(read.name) and not self.is_declared(read):
+                is_of_others = self.own_python.is_of_others(file, span.start)
+                if is_its_own(read.name) and not self.is_declared(read) and not is_of_others:
                     suggestion = nearest(read.name, unread) or next(iter(slips(read.name, unread_here)), None)
                     if suggestion is not None:
-                        is_asked_for = any(each.holds(span) for each in parts_on_request(file))
+                        on_request = any(each.holds(span) for each in parts_on_request(file))
                         throws = throws and not MILD.search(file.source.text)
                         dropped = not throws and is_dropped_in_python(file, span, self.every_python)
                         found_here = UnknownRead(file.source.path, span, read.name, suggestion, throws, True)
-                        yield replace(found_here, on_request=is_asked_for, is_dropped=dropped)
+                        unless = BASE if self.own_python.may_inherit(file, span.start) else ""
+                        unless = ASKED if is_asked_for(file.source, read.name) else unless
+                        yield replace(found_here, on_request=on_request, is_dropped=dropped, unless=unless)
 
     @property
     def run_files(self) -> Iterator[PythonFile]:
@@ -167,6 +196,11 @@ class ParameterReads:
 def allows_any(source: Source) -> bool:
     """Return whether a node of a file may have parameters that no code declares."""
     return any(word in source.text for word in ALLOWED)
+
+
+def is_asked_for(source: Source, name: str) -> bool:
+    """Return whether a file asks whether there is a parameter."""
+    return re.search(rf"has_parameter\s*\(\s*['\"]{re.escape(name)}['\"]", source.text) is not None
 
 
 def same(declared: DeclaredParameter, read: DeclaredParameter) -> bool:
