@@ -79,6 +79,7 @@ CASES = {
             )
         ),
         below(BESIDE, {"README.md": LINKS}),
+        below(NODES, {"README.md": LINKS, "src/a/Dockerfile": "RUN colcon build\n"}),
     ),
     "SET301": (
         *(importing(files, SETUP) for files in IMPORTING),

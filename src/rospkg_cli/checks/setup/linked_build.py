@@ -6,6 +6,7 @@ import posixpath
 from collections.abc import Iterator
 
 from ...files import PackageFiles
+from ...lazy_regex import regex
 from ...tree import READABLE
 
 LINKS, MERGES = b"symlink-install", b"merge-install"
@@ -20,12 +21,27 @@ FILES = (*PAGES, *SCRIPTS, "Makefile", "justfile", "Dockerfile", "docker-compose
 """Files that say how a repository is built, in each folder from the package's up to the root."""
 FOLDERS = (".github/workflows", ".vscode", ".devcontainer", ".docker", "docker", "scripts")
 """Folders of files of any name that build it."""
+BUILD = regex(r"(?m)^(?![ \t]*#).*?\b(colcon build\b(?:[^`\n\\]|\\.|\\\n)*)")
+CHOSEN = regex(r"--packages-(?:select|up-to|above)((?:[ \t\\\n]+[\w.${}-]+)+)")
+CLEANS = regex(r"--cmake-(?:target[ =]+|clean-)|--help\b")
 TEXTS = (".md", ".sh", ".bash", ".yml", ".yaml", ".json", "Dockerfile")
 
 
 def linking_file(files: PackageFiles) -> str:
     """Return the file, in the package's folder or above it, that builds it with links to its sources; "" for none."""
     return first_with(files, LINKS)
+
+
+def is_always_linked(files: PackageFiles, package: str) -> bool:
+    """Return whether the files tell how a package is built, and each command that does so links to its sources."""
+    commands = [each for text in build_texts(files) for each in BUILD.findall(text) if builds(each, package)]
+    return bool(commands) and all(LINKS.decode() in each for each in commands)
+
+
+def builds(command: str, package: str) -> bool:
+    """Return whether a `colcon build` builds a package: it names it, or none."""
+    chosen = CHOSEN.search(command)
+    return not CLEANS.search(command) and (chosen is None or package in chosen[1].split())
 
 
 def merging_file(files: PackageFiles) -> str:

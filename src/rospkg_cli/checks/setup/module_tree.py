@@ -11,7 +11,7 @@ from ...package.file_role import is_set_aside, role_of
 from ...package.setup.entry_points import EntryPoint
 from ...package.setup.setup_py import SetupPy
 from ...package.setup.setup_text import SetupText
-from .linked_build import linking_file
+from .linked_build import is_always_linked, linking_file
 from .module_exports import absolute
 from .python_package import PythonPackage
 from .started_imports import StartedImports
@@ -76,6 +76,10 @@ class ModuleTree:
         listed = {said.text for said in self.setup.packages}
         is_reached = bool(packages) and all(each.partition(".")[0] in listed for each in packages)
         return self.linking if is_reached else ""
+
+    @cached_property
+    def is_always_linked(self) -> bool:
+        return is_always_linked(self.package.files, self.package.name)
 
     @cached_property
     def missing_inits(self) -> tuple[str, ...]:

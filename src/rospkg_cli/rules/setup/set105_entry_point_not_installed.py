@@ -26,7 +26,8 @@ GOOD = LISTED.replace("«", "").replace("»", "").replace("[package_name]", "[pa
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "the workspace is built with `--symlink-install`, or nothing here starts the program, beside "
-        "others of the package that are started"
+        "others of the package that are started",
+        Severity.INFO: "each command that tells to build it has `--symlink-install`",
     },
     examples=(Example(bad={**FILES, "setup.py": LISTED}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),),
 )
@@ -43,8 +44,9 @@ def entry_point_not_installed(entries: EntryPointTree) -> Iterator[Hit]:
     ## When it is quiet
     Where `packages`, `py_modules` or `package_dir` can't be evaluated, where setup.py may write files, and where a
     folder lacks its `__init__.py` (SET301). A package that is listed and not there stops the build first (SET302).
-    Where a file above the package builds with `--symlink-install`, it is a warning, and so it is where nothing in the
-    workspace starts or names any of the programs, while another one of the package is started.
+    Where a file above the package builds with `--symlink-install`, it is a warning, and an info where all commands that
+    pages, scripts and containers build it with do. It is a warning, too, where nothing in the workspace starts or names
+    any of the programs, while another one of the package is started.
 
     ## Fix safety
     The module may belong elsewhere instead.
@@ -74,4 +76,5 @@ def hit(checked: EntryPointTree, names: Sequence[str], entries: Sequence[tuple[E
     related = tuple(Related(entry.path, entry.module_span, f"`{entry.name}` too") for entry, _ in others)
     fix = Fix(f"add {in_ticks(names)} to `packages`", edits, Safety.UNSAFE) if edits else None
     level = Severity.WARNING if link or left else None
+    level = Severity.INFO if link and tree.is_always_linked else level
     return Hit(first.path, first.module_span, message, level, related, fix)
