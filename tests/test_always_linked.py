@@ -29,6 +29,8 @@ LINKED = "    colcon build --symlink-install\n"
         ({"README.md": LINKED + "    colcon build --packages-select other\n"}, "info"),
         ({"README.md": LINKED + "    colcon build\n"}, "warning"),
         ({"README.md": LINKED, "Dockerfile": "RUN colcon build --packages-select my_pkg other\n"}, "warning"),
+        ({".github/workflows/ci.yml": f"run: {LINKED}"}, "warning"),
+        ({".github/workflows/ci.yml": "run: colcon build\n", "README.md": LINKED}, "warning"),
         ({"README.md": "Build with --symlink-install\n"}, "warning"),
         ({"README.md": "    colcon build\n"}, "error"),
         ({}, "error"),

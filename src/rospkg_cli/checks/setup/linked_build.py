@@ -19,6 +19,7 @@ SCRIPTS = tuple(f"{name}.sh" for name in "build setup install compile run start 
 FILES = (*PAGES, *SCRIPTS, "Makefile", "justfile", "Dockerfile", "docker-compose.yml", "docker-compose.yaml",
          "colcon_defaults.yaml", ".gitlab-ci.yml")  # fmt: skip
 """Files that say how a repository is built, in each folder from the package's up to the root."""
+WORKFLOWS = ".github/"
 FOLDERS = (".github/workflows", ".vscode", ".devcontainer", ".docker", "docker", "scripts")
 """Folders of files of any name that build it."""
 BUILD = regex(r"(?m)^(?![ \t]*#).*?\b(colcon build\b(?:[^`\n\\]|\\.|\\\n)*)")
@@ -33,9 +34,14 @@ def linking_file(files: PackageFiles) -> str:
 
 
 def is_always_linked(files: PackageFiles, package: str) -> bool:
-    """Return whether the files tell how a package is built, and each command that does so links to its sources."""
-    commands = [each for text in build_texts(files) for each in BUILD.findall(text) if builds(each, package)]
-    return bool(commands) and all(LINKS.decode() in each for each in commands)
+    """Return whether files tell people how to build a package, and each command that does so links to its sources.
+
+    A workflow builds with links for itself.
+    """
+    places = [(whole.readable_text(path), path) for whole, path in build_files(files) if whole.has_file(path)]
+    commands = [(each, path) for text, path in places for each in BUILD.findall(text) if builds(each, package)]
+    is_told = any(WORKFLOWS not in path for _, path in commands)
+    return is_told and all(LINKS.decode() in each for each, _ in commands)
 
 
 def builds(command: str, package: str) -> bool:
