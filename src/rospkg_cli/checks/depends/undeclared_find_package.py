@@ -18,6 +18,7 @@ from ...ros.rosdep import NOT_THERE
 from ...suggest import near_names
 from .brought_dependencies import Bringer
 from .declared_dependencies import DeclaredDependencies
+from .own_places import looks_elsewhere
 
 REPORTED_ELSEWHERE = frozenset({"ament_cmake"})
 """Packages whose absence from package.xml other rules report."""
@@ -170,6 +171,12 @@ class FindPackageDependencies:
         index = self.declared.workspace.index
         is_bare = key in BARE or key.startswith("lib")
         return is_bare and index.is_key(f"{key}-dev") and not index.is_package(key)
+
+    def is_elsewhere(self, found: FoundPackage, names: Iterable[str]) -> bool:
+        """Return whether it is a library of the system that CMake looks for in a folder of its own."""
+        index = self.declared.workspace.index
+        is_library = any(index.is_key(each) and not index.is_package(each) for each in names)
+        return is_library and looks_elsewhere(found, self.cmake)
 
     def for_run_time(self, found: FoundPackage) -> str:
         """Return what package.xml declares of a library without its headers; "" for nothing."""

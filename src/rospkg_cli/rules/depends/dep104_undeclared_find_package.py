@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ...checks.depends.find_package_sentences import not_installable, unknown_command
 from ...checks.depends.hand_installs import BY_PAGE
 from ...checks.depends.name_source import is_unmet
+from ...checks.depends.own_places import ELSEWHERE
 from ...checks.depends.required_by_cmake import stops_with
 from ...checks.depends.strange_packages import StrangePackages
 from ...checks.depends.undeclared_find_package import UndeclaredFindPackage
@@ -35,7 +36,8 @@ FOUND_IN_TESTS = CMAKE.replace(
         "error is a command that nothing defines",
         Severity.INFO: "where a declared dependency brings or may bring it, an unreleased repository declares it in "
         "another package or installs it by apt, package.xml has it in a comment or for older distributions alone, a "
-        "page tells to install it by hand, its key has no rule for a supported distribution, or no one here knows it",
+        "page tells to install it by hand, CMake looks into a folder of its own, its key has no rule for a supported "
+        "distribution, or no one here knows it",
     },
     examples=(
         Example(
@@ -76,11 +78,12 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
 
     ## When it is quiet
     What a declared dependency certainly installs, or may, as anything may come with a package that is not here, is one
-    info, with what only C++ includes of the kind (DEP105). So is a library that a page tells to install by hand, what
-    another package of the repository declares, or a list or a command of it installs (`apt install`), where nothing
-    shows a release, and a key of rosdep that no supported distribution has a rule for, as vendor packages took the
-    place of `gz-math7`. What is optional (QUIET, without use) or under a condition that depends on the machine is left
-    alone, and so is what comes with the build tools.
+    info, with what only C++ includes of the kind (DEP105). So is a library that a page tells to install by hand, or
+    that CMake looks for in a folder that is named here (`HINTS`, `set(OpenCV_DIR …)`, CMAKE_PREFIX_PATH, a Find module
+    that names folders of the package), what another package of the repository declares, or a list or a command of it
+    installs (`apt install`), where nothing shows a release, and a key of rosdep that no supported distribution has a
+    rule for, as vendor packages took the place of `gz-math7`. What is optional (QUIET, without use) or under a
+    condition that depends on the machine is left alone, and so is what comes with the build tools.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -118,12 +121,13 @@ def undeclared(includes: IncludeDependencies, missing: UndeclaredFindPackage, ki
     known = "" if name == found.name else f" (`{name}` for rosdep)"
     library = includes.find_packages.for_run_time(found)
     what = f"declares `{library}` alone, which has no headers" if library else "does not declare it"
-    by_page = BY_PAGE if includes.are_by_hand(found.name, missing.names) else ""
+    aside = BY_PAGE if includes.are_by_hand(found.name, missing.names) else ""
+    aside = aside or (ELSEWHERE if includes.find_packages.is_elsewhere(found, missing.names) else "")
     message = (
         f"CMake requires `{found.name}`{known}, and package.xml {what}: "
-        f"{consequence(includes, missing)}; {advice(declared, kind, *missing.names)}{by_page}"
+        f"{consequence(includes, missing)}; {advice(declared, kind, *missing.names)}{aside}"
     )
-    level = Severity.INFO if by_page or is_unmet(declared, name, missing.names) else Severity.WARNING
+    level = Severity.INFO if aside or is_unmet(declared, name, missing.names) else Severity.WARNING
     return Hit(found.word.path, found.word.span, message, level, fix=declaration(declared, kind, name))
 
 
