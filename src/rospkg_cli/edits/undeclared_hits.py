@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ..checks.depends.brought_dependencies import Bringer
 from ..checks.depends.declared_dependencies import DeclaredDependencies
-from ..checks.depends.name_source import newer_distros, source_of
+from ..checks.depends.name_source import is_of_family, newer_distros, source_of
 from ..checks.depends.similar_names import SimilarNames
 from ..checks.depends.system_installs import TOLD
 from ..checks.depends.undeclared_includes import IncludeDependencies, IncludedPackage
@@ -82,6 +82,8 @@ def advice(declared: DeclaredDependencies, tag: str, name: str, *serving: str) -
             return f"did you mean `{near}`?"
         case "unknown" if not declared.workspace.is_complete:
             return "a repository that is listed and not checked out may have it"
+        case "unknown" if is_of_family(declared, name):
+            return "another repository of its family may have it: list that in a .repos file"
         case "unknown":
             return "no supported distribution has it: correct the name, or list its repository in a .repos file"
 

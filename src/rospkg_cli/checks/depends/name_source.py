@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from typing import Literal
 
+from ...package.missing_repositories import COMMON
 from ...ros.distros import DISTROS, Targets
 from ...ros.names import NameKind
+from ...suggest import near_names
 from .declared_dependencies import DeclaredDependencies
+from .similar_names import SimilarNames
 
 NameSource = Literal["released", "pip", "unknown"]
 
@@ -44,12 +47,28 @@ def is_left_out(declared: DeclaredDependencies, name: str) -> bool:
     """Return whether a dependency is missing on purpose: package.xml has it in a comment or for older distributions
     alone, or it may come otherwise.
 
-    A package that no distribution has may lie in a repository that a `.repos` file lists, or in an empty submodule.
+    A package that no distribution has may lie in a repository that a `.repos` file lists, in an empty submodule, or in
+    another one of the same family.
     What only PyPI has is left to pip, since a key of pip keeps a package from being released.
     """
     source = source_of(declared, name)
     is_elsewhere = source == "pip" or (source == "unknown" and not declared.workspace.is_complete)
+    is_elsewhere = is_elsewhere or (source == "unknown" and is_of_family(declared, name))
     return is_elsewhere or name in declared.commented_out or name in declared.for_other_distributions
+
+
+def is_of_family(declared: DeclaredDependencies, name: str) -> bool:
+    """Return whether an unknown package begins like the one that needs it, and like no other one here.
+
+    Its makers have a repository for each, and build them in one workspace.
+    """
+    own = declared.facts.name
+    family = own.partition("_")[0]
+    if family == own or family.rstrip("0123456789") in COMMON or not name.startswith(f"{family}_"):
+        return False
+    others = declared.workspace.names - {own}
+    is_alone = not any(each.startswith(f"{family}_") for each in others)
+    return is_alone and not near_names(name, [own]) and SimilarNames(declared.workspace).meant(name) is None
 
 
 def is_unmet(declared: DeclaredDependencies, name: str, serving: Iterable[str] = ()) -> bool:
