@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...languages.xml.parser import Element
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.install_table import InstallTable
@@ -97,7 +98,7 @@ class RobotInWorkspace:
                 return softer(fault, "info", f"where no `{name}:=` is given, which each launch file here gives")
             if around.tag == "xacro:arg" and not self.reached.reads(self.robot.path, name):
                 return softer(fault, "info", f"as soon as something reads `$(arg {name})`")
-            if around.tag in CONDITIONS and self.reached.off.has(around):
+            if around.tag in CONDITIONS and self.is_off(around):
                 return softer(fault, "info", "where the condition around it holds, which nothing here makes true")
             if around.tag in ("gazebo", "plugin"):
                 return softer(fault, "warning", "in Gazebo alone")
@@ -109,6 +110,14 @@ class RobotInWorkspace:
         if found.level is None and self.reached.is_off(self.robot.path):
             return softer(found, "warning", "where the condition around its include holds")
         return found
+
+    def is_off(self, condition: Element) -> bool:
+        """Return whether a condition holds for nobody: by its argument's default, or by what all launch files give."""
+        off = self.reached.off
+        if off.has(condition):
+            return True
+        is_given = self.opened.is_always_given(self.robot.path, off.argument_of(condition))
+        return is_given and off.is_given_so(condition)
 
     def missing(self) -> Iterator[MissingResource]:
         """Yield each file, or folder, that is referenced and does not exist, once, as far as that is known."""

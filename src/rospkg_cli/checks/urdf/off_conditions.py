@@ -21,6 +21,11 @@ HOLDS = {"xacro:if": frozenset(("false", "False", "0")), "xacro:unless": frozens
 READ = regex(r"\$\(arg\s+(?P<argument>\w+)\s*\)|\$\{\s*(?P<property>\w+)\s*\}")
 ELEMENT = regex(r"<xacro:(arg|property|macro)\b([^>]*)>")
 ATTRIBUTE = regex(r"\b(name|default|value|params)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
+GIVEN = (
+    r"[\"']{0}[\"']\s*[,:]\s*(?:default_value\s*=\s*)?[\"'](\w+)[\"']|\b{0}:=[\"']?(\w+)"
+    r"|\bname=\"{0}\"\s+(?:default|value)=\"(\w+)\""
+)
+"""How Python, a command and XML give an argument a literal value, or declare one of its name with it."""
 STEPS = 3
 """How many names stand for each other: a property that is an argument, say."""
 
@@ -34,6 +39,21 @@ class OffConditions:
     def has(self, condition: Element) -> bool:
         """Return whether nobody comes to what is in a condition."""
         return self.value_of(condition.get("value") or "") in HOLDS.get(condition.tag, ())
+
+    def argument_of(self, condition: Element) -> str:
+        """Return the argument that a condition asks for alone; "" for others."""
+        found = READ.fullmatch((condition.get("value") or "").strip())
+        return (found["argument"] or "") if found is not None else ""
+
+    def is_given_so(self, condition: Element) -> bool:
+        """Return whether all literal values that launch files here give its argument, or its own there, turn it off."""
+        argument = self.argument_of(condition)
+        others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
+        if not argument or any(argument in words for facts in others for words in facts.robot_words):
+            return False
+        ways = re.compile(GIVEN.format(re.escape(argument)))
+        given = {next(filter(None, each.groups()), "") for text in self.givers for each in ways.finditer(text)}
+        return bool(given) and given <= HOLDS.get(condition.tag, frozenset())
 
     def value_of(self, text: str) -> str:
         """Return what a value is for all, as far as one name stands for another; the text itself of others."""
