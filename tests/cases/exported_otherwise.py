@@ -29,10 +29,17 @@ def on_cmake(**more: str) -> Example:
     )
 
 
+IN_HEADER = {
+    "src__planner_DOT_cpp": '#include "my_pkg/all.hpp"\n',
+    "include__my_pkg__planner_DOT_hpp": plg002.SOURCE.replace("my_pkg::Planner", "our_pkg::Planner"),
+    "include__my_pkg__all_DOT_hpp": '#include "planner.hpp"\n',
+}
 CASES = {
     "PLG002": (
         *(on_cmake(CMakeLists_DOT_txt=plg002.PACKAGE.replace(plg002.EXPORT, text)) for text in REGISTERS),
         on_cmake(src__planner_DOT_cpp=WRAPPED),
+        on_cmake(**IN_HEADER),
+        on_cmake(**{**IN_HEADER, "src__planner_DOT_cpp": "int planner() {return 1;}\n"}),
         *(on_cmake(plugins_DOT_xml=ELSEWHERE.format(name), src__planner_DOT_cpp="") for name in ("our", "my_planner")),
     ),
 }

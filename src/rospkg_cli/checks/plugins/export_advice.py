@@ -12,6 +12,7 @@ from ...package.plugins.description import PluginClass
 from ...package.workspace import Workspace
 from ..enumeration import in_ticks
 from ..fault import WORST_FIRST, Level
+from .compiled_files import HEADERS, is_compiled
 from .exported_classes import ExportedClass, tail
 from .named_plugins import NamedPlugins
 from .plugin_package import DescribedPlugin, PluginPackage
@@ -39,7 +40,7 @@ class PluginExports:
         """
         start = f"no source exports `{entry.type}`: loading the plugin `{entry.plugin.lookup_name}` fails"
         macro = f"add `PLUGINLIB_EXPORT_CLASS({entry.type}, {entry.plugin.base.value})`"
-        sources = (path for path in self.defining(entry) if not path.endswith((".h", ".hpp", ".hh")))
+        sources = (path for path in self.defining(entry) if not path.endswith(HEADERS))
         source = next(sources, "")
         if source and not self.is_compiled(source):
             return f"{start}; {macro} to `{source}`, which no target compiles, and compile it in", "warning"
@@ -90,8 +91,7 @@ class PluginExports:
         )
 
     def is_compiled(self, source: str) -> bool:
-        """Return whether a target has a source, as far as that is known."""
-        return bool(self.package.compiled.targets_of(source))
+        return is_compiled(self.package.compiled, self.package.sources, source)
 
     def of_that_name(self, entry: DescribedPlugin) -> list[str]:
         """Return the described plugins of other packages whose class has the same name."""
