@@ -21,7 +21,8 @@ from ..fault import Level
 from ..interfaces.known_interfaces import KnownInterfaces, base_name
 from .installed_headers import is_installed_header
 
-HEADER = regex(r"([a-z]\w*)/(msg|srv|action)/(\w+)\.(?:hpp|h)")
+HEADER = regex(r"([a-z]\w*)/(msg|srv|action)/(?!rosidl_)(\w+)\.(?:hpp|h)")
+"""Of one interface; rosidl's own, which begin with its name, are beside them."""
 TYPE = regex(r"(?<!\w)(?<!\w::)([a-z]\w*)::(msg|srv|action)::([A-Z]\w*)")
 # Linear: each looks at two or three letters; these are the two steps of rosidl's own conversion.
 NAME = regex(r"[/:]")
@@ -116,6 +117,8 @@ class InterfacesInCpp:
             names = self.names(package, kind)
             if not names or base_name(name) in names or self.is_defined(package, name):
                 continue
+            if self.has_own_headers(package, kind):
+                continue
             if self.known.lacks(package, kind, name):
                 meant = (self.known.meant(package, kind, name) or "").replace(".", "::")
                 span = Span(found.start(), found.start(3) + len(name))
@@ -133,6 +136,11 @@ class InterfacesInCpp:
         """Return whether the package has a header of that path, wherever, or another one beside its generated ones."""
         is_own = any(f"/{path}".endswith(f"/{header}") for path in self.files.paths)
         return is_own or is_installed_header(header, self.known.workspace)
+
+    def has_own_headers(self, package: str, kind: str) -> bool:
+        """Return whether a package has headers of its own among the generated ones, and so types in their namespace."""
+        facts = self.known.workspace.named(package)
+        return facts is not None and any(each.startswith(f"{package}/{kind}/") for each in facts.header_files)
 
     def is_defined(self, package: str, name: str) -> bool:
         """Return whether a file of this package seems to define a class of a name in the namespace of messages.

@@ -63,7 +63,11 @@ class KnownInterfaces:
             for kind, _, name in (each.partition("/") for each in facts.interfaces):
                 found.setdefault(kind, set()).add(name)
             return found
-        return None if self.is_here(package) else interface_fields.known_interfaces().get(package)
+        return None if self.is_elsewhere(package) else interface_fields.known_interfaces().get(package)
+
+    def is_elsewhere(self, package: str) -> bool:
+        """Return whether a package is here, or is to be fetched: of another version than the released one."""
+        return self.is_here(package) or self.workspace.is_listed(package)
 
     def lacks(self, package: str, kind: str, name: str) -> bool:
         """Return whether a package has no interface of a name: of the table only what is clearly misspelt."""
@@ -118,7 +122,7 @@ class KnownInterfaces:
         if self.is_here(package):
             facts = self.facts(package)
             return None if facts is None else self.own_fields(facts).get(name)
-        return interface_fields.known_fields(message)
+        return None if self.is_elsewhere(package) else interface_fields.known_fields(message)
 
     @cached_property
     def _own_fields(self) -> dict[str, Mapping[str, Mapping[str, str]]]:

@@ -119,9 +119,21 @@ def changed_names(file: PythonFile) -> Iterator[str]:
 
     A class that is changed so has other fields than its message.
     """
+    yield from (each.id for each in changed(file) if isinstance(each, ast.Name))
+
+
+def changed(file: PythonFile) -> Iterator[ast.expr]:
     for node in nodes_of_kind(file.tree, ast.Attribute):
-        if isinstance(node.value, ast.Name) and (isinstance(node.ctx, ast.Store) or node.attr == "__slots__"):
-            yield node.value.id
+        if isinstance(node.ctx, ast.Store) or node.attr == "__slots__":
+            yield node.value
     for call in nodes_of_kind(file.tree, ast.Call):
-        if isinstance(call.func, ast.Name) and call.func.id == "setattr" and call.args:
-            yield from (each.id for each in call.args[:1] if isinstance(each, ast.Name))
+        if isinstance(call.func, ast.Name) and call.func.id == "setattr":
+            yield from call.args[:1]
+
+
+def changed_messages(file: PythonFile) -> frozenset[str]:
+    """Return the messages whose classes a file changes, which have other fields for all who import them."""
+    imported = {name: found for name, found in bound_names(file) if found}
+    classes = MessageClasses(file)
+    named = (imported.get(each.id, "") if isinstance(each, ast.Name) else classes.named(each) for each in changed(file))
+    return frozenset(filter(None, named))

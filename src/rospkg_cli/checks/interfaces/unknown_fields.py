@@ -23,7 +23,7 @@ from ..run_imports import RunImports
 from ..wrong_calls import CATCHES as TYPE_ERROR
 from .idle_objects import IdleObjects
 from .known_interfaces import KnownInterfaces
-from .message_classes import MessageClasses, names_interfaces
+from .message_classes import MessageClasses, changed_messages, names_interfaces
 from .message_scopes import MessageScopes
 from .message_variables import Bindings, Environment, held_by
 from .seldom_run import is_called_with_care, is_in_handler, is_replaced
@@ -201,6 +201,12 @@ class FieldUses:
                         span = Span(start, start + len(keyword.arg))
                         yield from self.judged(file.path, span, message, keyword.arg, is_set=True, is_keyword=True)
 
+    @cached_property
+    def changed(self) -> frozenset[str]:
+        """The messages to whose classes a module of the package adds attributes: `Point.norm = norm`."""
+        every = (changed_messages(file) for file in self.run.running if names_interfaces(file))
+        return frozenset(each for found in every for each in found)
+
     def by_place(self, file: PythonFile, call: ast.Call, message: str) -> Iterator[UnknownField]:
         """Yield the first argument that a message is made with by its position."""
         given = next((each for each in call.args if not isinstance(each, ast.Starred)), None)
@@ -218,7 +224,7 @@ class FieldUses:
         is_ros1 = name in ros1_fields(message)
         here = self.known.is_here(message.partition("/")[0])
         near = similar(name, settable(fields) if is_set else fields, is_certain=here)
-        if near or is_ros1 or here:
+        if (near or is_ros1 or here) and message not in self.changed:
             yield UnknownField(path, span, message, name, near, is_keyword, is_ros1)
 
 

@@ -23,7 +23,7 @@ SHOWN = 3
     over=FactsAndFiles,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "only another package may import them, since it depends on this one",
+        Severity.WARNING: "only another package imports them",
         Severity.INFO: "no Python file imports them, but for tests, what is laid aside and what nothing starts",
     },
     examples=(
@@ -47,7 +47,7 @@ def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
     Where another package of the workspace has interfaces of these names, and no code takes them from this one: the
     files are what was left when they moved. Files in other folders than `msg/`, `srv/` and `action/` are data; in such
     folders of the Python package they count where code imports them. What no Python file of the package imports, or
-    none that something starts or imports, is an info, a warning where another package depends on this one. Without a
+    none that something starts or imports, is an info, a warning where another package imports it. Without a
     setup.py the build type is wrong, which XML303 and XML304 tell.
     """
     if package.facts.build_type != "ament_python" or not package.files.exists("setup.py"):
@@ -68,8 +68,15 @@ def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
     )
     related = tuple(Related(path, Span(0, 0), "and this file") for path in paths[1:])
     level = None if package.is_met(importers(package)) else Severity.INFO
-    level = Severity.WARNING if level and package.workspace.is_needed(name) else level
+    level = Severity.WARNING if level and any(is_taken(path, package) for path in paths) else level
     yield Hit(paths[0], Span(0, 0), message, level, related)
+
+
+def is_taken(path: str, package: FactsAndFiles) -> bool:
+    """Return whether another package imports the interface of a file."""
+    *_, kind, file = path.split("/")
+    wanted = (f"{package.facts.name}.{kind}", file.rpartition(".")[0])
+    return any(wanted in facts.taken_names for facts in package.workspace.packages if facts is not package.facts)
 
 
 def is_imported(package: FactsAndFiles, kind: str = "(?:msg|srv|action)", what: str = "") -> bool:

@@ -59,11 +59,11 @@ def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
 
     ## When it is quiet
     Where the package is not in the workspace, unless one of its messages has a near name or the name is that of a
-    service or action of it, also with the ending of ROS 1; where it makes its interfaces while it is built, or has a
-    Python module of that name; for optional imports, and in files that nothing installs, but for an info on a name that
-    a package of the workspace lacks. A module that no entry point and no other file of the package names or imports,
-    beside others that start, is an info, and so is what is in a function that no program leads to, behind
-    `rclpy.spin`, or under the `__main__` of an entry point's module.
+    service or action of it, also with the ending of ROS 1, and no list of repositories fetches another version; where
+    it makes its interfaces while it is built, or has a Python module of that name; for optional imports, and in files
+    that nothing installs, but for an info on a name that a package of the workspace lacks. A module that no entry point
+    and no other file of the package names or imports, beside others that start, is an info, and so is what is in a
+    function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's module.
 
     ## Fix safety
     The intended name is a guess.

@@ -80,7 +80,7 @@ def unknown_field_in_cpp(fields: FieldsInCpp) -> Iterator[Hit]:
     ## When it is quiet
     Where a file declares the same name with another type as well, outside of the block of the declaration, for calls,
     inside of `#if`, and in files that nothing compiles or installs. For packages outside of the workspace, unless the
-    name is near a field or was one in ROS 1.
+    name is near a field or was one in ROS 1 and no list of repositories fetches another version.
 
     ## Fix safety
     The intended field is a guess.
