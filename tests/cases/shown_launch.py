@@ -366,6 +366,17 @@ ROS1_PACKAGES = (
     ),
 )
 
+
+def of_distributions(lines: str) -> Example:
+    """A package that installs one of two folders of launch files, or both."""
+    folders = [f"install(DIRECTORY launch/{each} DESTINATION share/my_pkg/launch)" for each in ("humble", "jazzy")]
+    text = CMAKE.replace(
+        "ament_package", f"{lines.replace('{X}', '<X>').format(*folders).replace('<X>', '{X}')}\nament_package"
+    )
+    files = {f"launch/{each}/a.launch.xml": "<launch/>\n" for each in ("humble", "jazzy")}
+    return Example(bad={"CMakeLists.txt": text, **files}, good={}, on="ament_cmake")
+
+
 CASES = {
     "LCH002": (MODULES,),
     "LCH003": (ALSO, ELSEWHERE),
@@ -391,11 +402,13 @@ CASES = {
         *(Example(bad={"package.xml": NEEDED, path: '<launch><log message="$(var rate)"/></launch>\n'}, good={})
           for path in ("test/a.launch.xml", "launch/include/a.launch.xml")),
     ),
-    "LCH012": tuple(
-        Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", f"{LAUNCH_FOLDER}\nament_package"),
-                     **{f"launch/{number}/a.launch.xml": "<launch/>\n" for number in range(count)}},
-                good={}, on="ament_cmake")
-        for count in (3, 4)
+    "LCH012": (
+        *(Example(bad={"CMakeLists.txt": CMAKE.replace("ament_package", f"{LAUNCH_FOLDER}\nament_package"),
+                       **{f"launch/{number}/a.launch.xml": "<launch/>\n" for number in range(count)}},
+                  good={}, on="ament_cmake")
+          for count in (3, 4)),
+        of_distributions("if($ENV{X})\n  {}\nelse()\n  {}\nendif()"),
+        of_distributions("if($ENV{X})\n  {}\nendif()\n{}"),
     ),
     "LCH013": (UNDEFINED, IMPORTS, *QUIET),
 }  # fmt: skip

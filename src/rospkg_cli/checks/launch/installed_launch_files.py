@@ -41,7 +41,8 @@ class InstalledLaunchFiles:
                 named.setdefault(posixpath.basename(path), {})[path] = row
         for name, rows in named.items():
             free = [path for path in rows if path not in self.parts]
-            if len(rows) > 1 and free:
+            maybe = [path for path, row in rows.items() if row.maybe]
+            if len(rows) > 1 and free and len(maybe) < 2:  # of two that are under conditions, one may be there
                 yield rows[free[-1]], name, tuple(sorted(rows))
 
     def oddly_named(self) -> Iterator[tuple[LaunchFile, str]]:

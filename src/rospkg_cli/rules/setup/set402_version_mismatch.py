@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.python_package import PythonPackage
+from ...checks.setup.versioned_package import VersionedPackage
 from ...edits.manifest_tags import set_text
 from ...edits.setup_py import replace_text
 from ...example import SETUP_PY, Example, manifest
@@ -23,9 +24,9 @@ ASKS = regex(r"\bimportlib[._]metadata\b|\bimportlib import metadata\b|\bget_dis
 @rule(
     "SET402",
     "version-mismatch",
-    over=PythonPackage,
+    over=VersionedPackage,
     severity=Severity.INFO,
-    levels={Severity.WARNING: "the package has a CHANGELOG.rst, or its code asks for the version that is installed"},
+    levels={Severity.WARNING: "the repository is visibly released, or the code asks for the version that is installed"},
     examples=(
         Example(bad={"setup.py": BAD}, good={"setup.py": SETUP_PY}, fix=Safety.SAFE),
         Example(
@@ -35,7 +36,7 @@ ASKS = regex(r"\bimportlib[._]metadata\b|\bimportlib import metadata\b|\bget_dis
         ),
     ),
 )
-def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
+def version_mismatch(versioned: VersionedPackage) -> Iterator[Hit]:
     """
     ## What it does
     Finds a version in setup.py that differs from the one in package.xml.
@@ -44,12 +45,15 @@ def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
     ## Why is this bad?
     bloom releases the version in package.xml, pip and `importlib.metadata` report the one in setup.py: users ask about
     a version that was never released. `catkin_prepare_release` sets both to the next one, without a word. Of a package
-    that nobody releases, and that does not ask for its version itself, hardly anybody sees it: an info.
+    that nobody releases, and that does not ask for its version itself, hardly anybody sees it: an info. It is released
+    where bloom or a job for it says so, or where all packages of the repository have a CHANGELOG.rst; one beside others
+    without came with a copy, which is released elsewhere.
 
     ## When it is quiet
     Where the version is read from a file or can't be evaluated, and where package.xml has a version that colcon
     refuses (XML103).
     """
+    package = versioned.package
     said, known = package.setup.setup_text("version"), package.manifest
     element = known.first("version")
     if said is None or element is None or said.text == known.version or not VERSION.fullmatch(known.version):
@@ -64,11 +68,11 @@ def version_mismatch(package: PythonPackage) -> Iterator[Hit]:
     )
     fix = Fix(todo, edits) if edits else None
     related = (Related(known.path, span, "the version in package.xml"),)
-    level = Severity.WARNING if is_asked_for(package) else None
+    level = Severity.WARNING if versioned.is_released or is_asked_for(package) else None
     yield Hit(said.path, said.shown, message, level, related, fix)
 
 
 def is_asked_for(package: PythonPackage) -> bool:
-    """Return whether the package is released, by its changelog, or one of its modules asks for the version."""
+    """Return whether one of the modules asks for the version."""
     texts = (package.files.readable_text(path) for path in package.files.paths if path.endswith(".py"))
-    return package.files.exists("CHANGELOG.rst") or any(ASKS.search(text) for text in texts)
+    return any(ASKS.search(text) for text in texts)
