@@ -194,6 +194,7 @@ def test_what_launch_looks_at_later_is_an_info_where_nothing_adds_it(action: str
         "LogInfo(msg=PathSubstitution(FindPackageShare('p')) / 'b')",
         "LogInfo(msg='x', condition=IfCondition(a if isinstance(a, LaunchConfiguration) else a == 'b'))",
         "TimerAction(period=5.0, actions=[], condition=IfCondition('true'))",
+        "ComposableNodeContainer(package='p', executable='e', name='c', namespace=None)",
     ],
 )
 def test_launch_takes_it(action: str) -> None:

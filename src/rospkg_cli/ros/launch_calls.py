@@ -27,7 +27,7 @@ class Signature:
 
 
 def signature(row: Iterable[str]) -> Signature:
-    """Read `name:kind! name …`: `!` is required, `?` may be None; behind a lone `*`, names are keywords."""
+    """Read `name:kind! name …`: `!` is required, `?` may be None, `!?` is both; behind a lone `*`, names are keywords."""
     kinds: dict[str, Kind] = {}
     required, optional, positional, by_place = set(), set(), [], True
     for word in row:
@@ -36,7 +36,7 @@ def signature(row: Iterable[str]) -> Signature:
             continue
         name, _, kind = word.rstrip("!?").partition(":")
         kinds[name] = cast("Kind", kind or "any")
-        required |= {name} if word.endswith("!") else set()
+        required |= {name} if word.rstrip("?").endswith("!") else set()
         optional |= {name} if word.endswith("?") else set()
         positional += [name] if by_place else []
     return Signature(tuple(positional), kinds, frozenset(required), frozenset(optional))
