@@ -45,8 +45,8 @@ class MisplacedExecutables:
     package: CMakePackage
 
     def all(self) -> Iterator[MisplacedExecutable]:
-        """Yield each executable for `ros2 run` that is not installed in lib/<package>."""
-        found = list(self.anywhere())
+        """Yield each executable for `ros2 run` that is not installed in lib/<package>; code may link it."""
+        found = [] if any(rule.kind == "CODE" for rule in self.package.cmake.installs) else list(self.anywhere())
         right = {row.destination for row in self.table.rows()} if found else set()
         for each in found:
             if f"lib/{self.package.facts.name}/{each.name}" not in right:

@@ -13,6 +13,10 @@ from ...package.cmake.artifacts import Artifacts
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.uninstalled_targets import TargetUse, UninstalledTargets
 
+LOADER = "LD_LIBRARY_PATH"
+HOOKS = (".dsv", ".dsv.in", ".sh", ".sh.in", ".bash", ".bash.in", "launch.py")
+"""Files that set the environment of programs."""
+
 
 @dataclass(frozen=True)
 class MisplacedLibrary:
@@ -65,10 +69,11 @@ class MisplacedLibraries:
 
     @cached_property
     def has_rpath(self) -> bool:
-        """Whether any command of the package tells programs where to look for libraries, or may."""
-        return self.cmake.reads_unknown_files or any(
-            "RPATH" in text for each in self.cmake.calls for text in each.texts
-        )
+        """Whether a command or an environment hook tells programs where to look for libraries, or may."""
+        files = self.cmake.package_files
+        hooks = (path for path in files.paths if path.endswith(HOOKS))
+        is_told = any("RPATH" in text for each in self.cmake.calls for text in each.texts)
+        return self.cmake.reads_unknown_files or is_told or any(LOADER in files.readable_text(path) for path in hooks)
 
 
 def is_wrong(place: tuple[Word, str | None]) -> bool:

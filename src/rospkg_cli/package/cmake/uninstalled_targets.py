@@ -13,6 +13,7 @@ from ...light_dataclasses import dataclass
 from .cmake_project import CMake
 from .install_rules import InstallRule
 from .installed_headers import HEADERS
+from .output_folders import OutputFolders
 from .set_variables import SetVariables
 from .target_folders import ASIDE, EXAMPLES, folders_of, is_aside, parts_of
 from .target_links import TargetLinks
@@ -84,8 +85,17 @@ class UninstalledTargets:
             sure = UNKNOWN not in target.name and not target.word.maybe
             if target.call.name not in MADE_BY or not sure or target.call.testing or not target.is_built:
                 continue
-            if target.name not in self.links.installed and "EXCLUDE_FROM_ALL" not in target.options:
+            is_installed = target.name in self.links.installed or self.outputs.install(target.name)
+            if not is_installed and "EXCLUDE_FROM_ALL" not in target.options and not self.is_copied(target):
                 yield target
+
+    @cached_property
+    def outputs(self) -> OutputFolders:
+        return OutputFolders(self.cmake)
+
+    def is_copied(self, target: Target) -> bool:
+        """Return whether a rule installs the file of a target by its path: `$<TARGET_FILE:core>`."""
+        return any(call.name == "install" for call in self.users.get(target.name, ()))
 
     def is_used(self, target: Target) -> bool:
         """Return whether an executable is used by the build or a test, or is an example of which none is installed."""

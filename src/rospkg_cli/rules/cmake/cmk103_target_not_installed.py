@@ -87,7 +87,7 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
     Finds executables, and shared libraries needed at run time, that are built and not installed.
     It also finds libraries that are installed into another folder than `lib`, and libraries that are left out where the
     name of the one before stands twice. A shared library is needed where a component, another installed target, or
-    users need it. What serves the build or the tests is left alone.
+    users need it.
 
     ## Why is this bad?
     The build is green. `ros2 run` finds no such executable; a program ends with "error while loading shared libraries",
@@ -95,13 +95,14 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
     one is linked with has to be exported too: CMake stops.
 
     ## When it is quiet
-    Where an install rule can't be evaluated or runs code. For executables that a test or another command uses, and in
-    folders of tests, benchmarks, examples or third parties. For static libraries, with EXCLUDE_FROM_ALL, and for what
-    is linked where the RPATH of what is installed names the build folder. A library is an info where what is linked
-    with it does not surely include a header of it that declares a function, or compiles a source of it itself, as
-    `#include "core.cpp"` does too: the linker leaves it out (`--as-needed`); and one in another folder where that is a
-    MODULE, or lies beside it: a host loads these. So are one that is only exported, where no package here looks for
-    this one, targets that stop at a source of ROS 1, programs that a README starts as `./talker`, and unstarted tests.
+    Where an install rule can't be evaluated or runs code, and where the build puts its files into an installed folder
+    (`CMAKE_RUNTIME_OUTPUT_DIRECTORY`). For executables that a test or another command uses, and in folders of tests,
+    examples or third parties. For static libraries, with EXCLUDE_FROM_ALL, and where the RPATH of what is installed
+    names the build folder. A library is an info where what is linked with it does not surely include a header of it
+    with a function, or compiles a source of it itself (`#include "core.cpp"`): the linker leaves it out
+    (`--as-needed`); and one in another folder where that is a MODULE, or lies beside it: a host loads these. So are one
+    that is only exported, where no package here looks for this one, targets that stop at ROS 1, and programs started as
+    `./talker`.
     """
     package = dropped.package
     if not package.is_ament:
