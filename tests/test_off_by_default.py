@@ -158,3 +158,35 @@ def test_conditions_of_entities(attributes: str, argument: str) -> None:
     text = f'<launch>{arguments}<node pkg="joy" exec="joy_node" {attributes}/></launch>\n'
     level, message = told(text, "launch/a.launch.xml")
     assert (level, with_argument(message)) == ("info" if argument else "warning", argument)
+
+
+@pytest.mark.parametrize(
+    "action",
+    [
+        "GroupAction(actions=[JOY], condition=IfCondition(SIM))",
+        "TimerAction(period=3.0, actions=[JOY], condition=IfCondition(SIM))",
+        "GroupAction([TimerAction(period=3.0, actions=[JOY])], condition=IfCondition(SIM))",
+        "RegisterEventHandler(OnProcessExit(target_action=OTHER, on_exit=[JOY]), condition=IfCondition(SIM))",
+    ],
+)
+def test_what_such_an_action_starts(action: str) -> None:
+    text = (
+        f"from launch.actions import GroupAction, RegisterEventHandler, TimerAction\n{HEAD}"
+        "from launch.event_handlers import OnProcessExit\n\n"
+        "OTHER = Node(package='my_pkg', executable='a')\n\n\ndef generate_launch_description():\n"
+        f"    return LaunchDescription([\n{DECLARED}        OTHER, {action}])\n"
+    )
+    level, message = told(text, "launch/a.launch.py")
+    assert (level, with_argument(message)) == ("info", "sim:=true")
+
+
+def test_components_of_a_container_that_is_switched_off() -> None:
+    text = HEAD.partition("JOY")[0] + (
+        "from launch_ros.actions import ComposableNodeContainer\n"
+        "from launch_ros.descriptions import ComposableNode\n\n\n"
+        "def generate_launch_description():\n    joy = ComposableNode(package='joy', plugin='joy::Joy')\n"
+        "    box = ComposableNodeContainer(\n        name='a', namespace='', package='my_pkg', executable='a',\n"
+        "        composable_node_descriptions=[joy], condition=IfCondition(SIM))\n"
+        f"    return LaunchDescription([\n{DECLARED}        box])\n"
+    )
+    assert told(text, "launch/a.launch.py")[0] == "info"

@@ -20,6 +20,8 @@ from .plain_values import NotKnownError
 from .substitution import SubstitutionError, parse_text
 
 MAX_DEPTH = 8
+HOLDING = ("actions", "entities", "composable_node_descriptions", "on_exit", "on_start", "on_completion", "on_shutdown")
+"""Arguments that hold what an action starts, now or later."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,14 +91,16 @@ def off_entities(entity: Entity, arguments: Mapping[str, str]) -> Iterator[OffBy
 
 
 def spans_of(call: Call) -> Iterator[Span]:
-    """Yield the spans of an action, and of the actions in its lists."""
+    """Yield the spans of an action, and of all that it starts: the actions in its lists, components, what follows."""
     waiting: list[tuple[Value, int]] = [(call, 0)]
     while waiting:
         value, depth = waiting.pop()
         if isinstance(value, Call):
             yield value.span
-            given = value.get("actions", 0) if class_of(value) == "GroupAction" else value.get("entities")
-            waiting += [(given, depth)] if given is not None else []
+            given = [value.get(name) for name in HOLDING]
+            given += [value.get("actions", 0)] if class_of(value) == "GroupAction" else []
+            given += [value.get("event_handler", 0)] if class_of(value) == "RegisterEventHandler" else []
+            waiting += [(each, depth + 1) for each in given if each is not None] if depth < MAX_DEPTH else []
         elif isinstance(value, Sequence) and depth < MAX_DEPTH:
             waiting += [(item, depth + 1) for item in value.items]
 
