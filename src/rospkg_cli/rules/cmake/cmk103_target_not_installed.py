@@ -86,8 +86,7 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
     ## What it does
     Finds executables, and shared libraries needed at run time, that are built and not installed.
     It also finds libraries that are installed into another folder than `lib`, and libraries that are left out where the
-    name of the one before stands twice. A shared library is needed where a component, another installed target, or
-    users need it.
+    name of the one before stands twice. A component, another installed target, or users need a shared library.
 
     ## Why is this bad?
     The build is green. `ros2 run` finds no such executable; a program ends with "error while loading shared libraries",
@@ -101,8 +100,7 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
     names the build folder. A library is an info where what is linked with it does not surely include a header of it
     with a function, or compiles a source of it itself (`#include "core.cpp"`): the linker leaves it out
     (`--as-needed`); and one in another folder where that is a MODULE, or lies beside it: a host loads these. So are one
-    that is only exported, where no package here looks for this one, targets that stop at ROS 1, and programs started as
-    `./talker`.
+    that is only exported, where no package here looks for this one, targets that stop at ROS 1, and `./talker`.
     """
     package = dropped.package
     if not package.is_ament:
