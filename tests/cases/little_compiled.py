@@ -45,6 +45,8 @@ USING = {"src/talker.cpp": "#include <std_msgs/msg/string.hpp>\nint main() {retu
 ROBOT = '<robot name="robot"><link name="base"/></robot>\n'
 LONE = CORE | {"src/talker.cpp": "int main() {return 0;}\n"}
 
+SWITCH = "set(WITH_ARM OFF)\nif({})\n  add_executable(talker src/arm.cpp)\nendif()\n"
+
 
 def package(lines: str, files: dict[str, str], body: str = "") -> Example:
     text = CMAKE.replace("ament_package", lines + "ament_package")
@@ -70,6 +72,8 @@ CASES = {
         package("if(APPLE OR WITH_MORE)\n  add_executable(talker src/mac.cpp)\nendif()\n", {}),
         package("if(WIN32)\nelse()\n  add_executable(talker src/unix.cpp)\nendif()\n", {}),
         package("if(WITH_MORE)\n  add_executable(talker src/more.cpp)\nendif()\n", {}),
+        *(package(SWITCH.format(asked), {}) for asked in ("0", "FALSE", "WITH_ARM", "TRUE AND WITH_ARM", "1")),
+        package(SWITCH.format("WITH_ARM").replace(" OFF)", ' OFF CACHE BOOL "")'), {"README.md": "-DWITH_ARM=ON\n"}),
     ),
     "CMK103": (
         package(LINKED.format(""), CORE),

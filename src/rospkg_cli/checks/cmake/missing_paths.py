@@ -57,6 +57,10 @@ class MissingPaths:
         is_for_some = named.call.maybe or named.word.maybe
         return is_for_some and id(named.call.command) in self.of_other_systems
 
+    def is_idle(self, named: ReferencedPath) -> bool:
+        """Return whether a path is named in a branch that is not taken on Linux, or that nobody is shown to take."""
+        return self.is_elsewhere(named) or self.off.has(named.call) or self.off.is_never_run(named.call)
+
     @cached_property
     def of_other_systems(self) -> frozenset[int]:
         """The commands inside an `if` that tests for Windows, macOS or the like."""

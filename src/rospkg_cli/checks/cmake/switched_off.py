@@ -20,6 +20,7 @@ SWITCH = regex(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+")
 OF_OTHERS = regex(r"CMAKE_\w+|\w+_FOUND|\w+_VERSION\w*|BUILD_TESTING|BUILD_SHARED_LIBS|ROS_\w+")
 """Names that look like switches, and that CMake, a package or the environment sets."""
 OFF = frozenset({"OFF", "FALSE", "NO", "N", "0", ""})
+FIXED = frozenset((each,) for each in OFF)
 VALUE = 2
 """Where an option's value stands."""
 
@@ -31,6 +32,24 @@ class SwitchedOff:
     def has(self, call: EvaluatedCommand) -> bool:
         """Return whether a call is run only where somebody turns a switch on, and nothing here does so."""
         return call.maybe and any(map(self.is_off, self.asked.get(id(call.command), ())))
+
+    def is_never_run(self, call: EvaluatedCommand) -> bool:
+        """Return whether a call is in a branch that nobody can open: `if(FALSE)`, or after a plain set()."""
+        names = self.asked.get(id(call.command), ())
+        return bool(names) and id(call.command) in self.closed and any(map(self.is_fixed, names))
+
+    def is_fixed(self, name: str) -> bool:
+        """Return whether a name is false wherever the package is built: a constant, or a variable set to one alone."""
+        if name in OFF:
+            return True
+        calls = [call for call in self.cmake.calls if call.texts[:1] == (name,)]
+        return bool(calls) and all(call.name == "set" and call.texts[1:] in FIXED for call in calls)
+
+    @cached_property
+    def closed(self) -> frozenset[int]:
+        """The commands in branches that are not taken."""
+        taken = {id(call.command) for call in self.cmake.calls}
+        return frozenset(id(call.command) for call in self.cmake.unreachable) - taken
 
     def is_off(self, name: str) -> bool:
         if name not in self.known:

@@ -93,7 +93,8 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     folder with FILES_MATCHING stops nothing: an info, or a warning where another one is called nearly so. Where CMake
     chooses between ament and catkin and all sources are of ROS 1, it is an info; so is what is named inside
     `if(WIN32)` or the like, and inside a branch that asks for a switch which is off: an option without `ON`, or a
-    variable that nothing sets, and that no page or script of the repository has. So is a folder that a script makes
+    variable that nothing sets, and that no page or script of the repository has, or one that is never true (`if(0)`,
+    after `set(WITH_ARM OFF)`). So is a folder that a script makes
     (`mkdir -p generated`), or a page has people make or fill for maps, data or the like, a file that one has them copy,
     and what lies in a repository that they clone (`git clone … third_party/sdk`) or that a `.repos` file lists.
     """
@@ -109,7 +110,7 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
         level = None if for_everyone else Severity.WARNING
         if named.use == "matching":
             level = Severity.WARNING if near else Severity.INFO
-        is_idle = is_built_for_ros1(package.cmake) or missing.is_elsewhere(named) or missing.off.has(named.call)
+        is_idle = is_built_for_ros1(package.cmake) or missing.is_idle(named)
         level = Severity.INFO if is_idle else level
         if level is not Severity.INFO and (why := left.why_left(named.use, paths)):
             fault, between, advice = message.rpartition("; ")
