@@ -104,11 +104,10 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     them. Where its base class elsewhere may, or it asks first, it is an info. One that is got into a variable, has an
     alternative, is like no other, or whose exception may be caught, or under a condition, is a warning; into one that
     nothing reads, an info. So is what stands in code that nothing compiles, starts, imports or calls, a value in a
-    block that no node reads which is started with the file (and configured, in nav2), and one that changes nothing: it
-    is the default of the parameter that is meant, as the code or a table of well-known packages has it (where none is
-    known, false, 0, an empty text and list), the code never uses that one, or its switch is off, as `use_control` is
-    for `control_timeout`. So is a limit of a joint in a file that nothing names, where no package needs
-    moveit_configs_utils, and what a plugin gets that its block's lists leave out.
+    block that no started (and, in nav2, configured) node reads, and one that changes nothing: it is the default of the
+    parameter that is meant, as the code or a table of well-known packages has it (where none is known, false, 0, an
+    empty text and list), the code never uses that one, or its switch is off, as `use_control` is for `control_timeout`.
+    So is a limit of a joint in a file that nothing names, and what a plugin gets that its block's lists leave out.
 
     ## Fix safety
     The similar name may not be right. A value of another type stays, a single one for a list is put into brackets.
