@@ -45,8 +45,8 @@ def example(bad: str, good: str) -> Example:
     levels={
         Severity.WARNING: "a list is empty, at which only C++ nodes stop, or launch files, code or a page name the "
         "file, and none is shown to give it to a node",
-        Severity.INFO: "nothing names the file, nobody starts the nodes that get it, or a list is empty in a block "
-        "that no C++ node is shown to read",
+        Severity.INFO: "nothing names the file, nobody starts the nodes that get it, components alone do, or a list is "
+        "empty in a block that no C++ node is shown to read",
     },
     examples=(
         example("    limits: [1, «2.5»]\n", "    limits: [1.0, 2.5]\n"),
@@ -72,13 +72,15 @@ def unsupported_yaml(scope: RefusedValues) -> Iterator[Hit]:
 
     ## When it is quiet
     Files without `ros__parameters` that no launch file passes to a node may hold any YAML, and so may those that a
-    launch file parses itself, to hand on values (and what a `RewrittenYaml` fills in), or that only code names and
-    parses. rcl takes a list of mappings with one key each (`- a: 1`), and makes parameters of it. An empty list is a
-    warning: a Python node takes it; nothing is said of it where launch files give the file to such nodes alone (of a
-    Python package, or an executable `*.py`); it is an info where no node in C++ that is started is shown to read the
-    block: one that is given the file, or has the block's name. All of a file is a warning that no launch file of the
-    workspace gives a node by its path. Of a file that no launch file, program or README of the workspace names, or that
-    goes to nodes alone which nobody starts (of a launch file that is not installed, or never added), it is an info.
+    launch file parses itself, to hand on values (and what a `RewrittenYaml` fills in, or an alias that it writes out),
+    or that only code names and parses. rcl takes a list of mappings with one key each (`- a: 1`), and makes parameters
+    of it. An empty list is a warning: a Python node takes it; nothing is said of it where launch files give the file to
+    such nodes alone (of a Python package, or an executable `*.py`); it is an info where no node in C++ that is started
+    is shown to read the block: one that is given the file, or has the block's name. All of a file is a warning that no
+    launch file of the workspace gives a node by its path; where they give it to components alone, which get it as
+    PyYAML reads it, all but empty lists is an info. Of a file that no launch file, program or README of the workspace
+    names, or that goes to nodes alone which nobody starts (of a launch file that is not installed, or never added), it
+    is an info.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
@@ -89,11 +91,12 @@ def unsupported_yaml(scope: RefusedValues) -> Iterator[Hit]:
     seen: set[tuple[int, str]] = set()  # `{0.0, 0.0}` lacks two values for one reason
     for fault in rcl_faults(file):
         is_empty = fault.message.startswith(EMPTY_LIST)
-        if use.is_rewritten(fault.span) or (is_empty and use.is_for_python):
+        if use.is_rewritten(fault.span) or scope.is_resolved(fault) or (is_empty and use.is_for_python):
             continue
         place = file.source.position(fault.span.start)[0], fault.message
         if place not in seen:
             seen.add(place)
             found = scope.at_its_level(fault) if is_empty else fault
-            is_info = "info" in (found.level, scope.level)
-            yield from hits(file.path, [replace(found, level="info" if is_info else found.level or scope.level)])
+            level = scope.level if is_empty else scope.level_in_rcl
+            is_info = "info" in (found.level, level)
+            yield from hits(file.path, [replace(found, level="info" if is_info else found.level or level)])
