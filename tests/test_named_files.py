@@ -116,3 +116,31 @@ def test_what_a_macro_may_install_is_not_told() -> None:
     files = {"config/nav.yaml": TREE.format("package://my_pkg/config/b.xml")}
     unknown = f"{FILES['CMakeLists.txt']}".replace("config launch maps", "${SOME_FOLDERS}")
     assert told(**files, **{"CMakeLists.txt": unknown}) == []
+
+
+@pytest.mark.parametrize(
+    ("key", "named", "more", "level"),
+    [
+        ("tree_file", "trees/a.xml", "", "warning"),
+        ("output_file", "out/a.xml", "", "info"),
+        ("log_path", "out/a.xml", "", "info"),
+        ("logic_path", "out/a.xml", "", "warning"),
+        ("model_path", "networks/a.onnx", "", "info"),
+        ("model_path", "networks/a.onnx", "config/other.onnx", "warning"),
+        ("tree_file", "config/trees.xml", "config/trees.zip", "info"),
+        ("tree_file", "config/trees.xml", "config/forest.zip", "warning"),
+    ],
+)
+def test_what_a_node_writes_or_people_bring(key: str, named: str, more: str, level: str) -> None:
+    values = f"talker:\n  ros__parameters:\n    {key}: $(find-pkg-share my_pkg)/{named}\n"
+    files = {"config/talker.yaml": values, "launch/a.launch.xml": OPENS.format("config/talker.yaml")}
+    code = f"from rclpy.node import Node\n\n\nnode = Node('talker')\nnode.declare_parameter('{key}', '')\n"
+    ((found, _),) = told(**files, **{"src/a.py": code}, **({more: ""} if more else {}))
+    assert found == level
+
+
+def test_a_map_whose_image_is_packed() -> None:
+    named = {"launch/a.launch.xml": OPENS.format("maps/office.yaml"), "maps/office.tar.gz": ""}
+    ((level, message),) = told(**{"maps/office.yaml": MAP.format("office.pgm"), **named})
+    assert level == "info"
+    assert "until `maps/office.tar.gz` is unpacked" in message

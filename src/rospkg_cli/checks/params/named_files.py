@@ -24,6 +24,7 @@ from ..left_to_people import files_of, why_left
 from ..opening_places import OpeningPlaces
 from ..yaml_elsewhere import is_named_yaml
 from .launch_overrides import is_overridden
+from .made_files import why_made, why_written
 from .opened_maps import OpenedMaps
 from .path_readers import PathReaders
 
@@ -78,7 +79,8 @@ class NamedFiles:
         message = f"the map names its image `{found[1].strip()}`, and it is not there: map_server can't load the map"
         hint = posixpath.relpath(near, posixpath.dirname(path) or ".") if near else ""
         hint = f"did you mean `{hint}`?" if hint else "add it, or correct it"
-        fault, left = Fault(Span(*found.span(1)), f"{message}; {hint}"), "" if near else self.left(self.package, image)
+        left = "" if near else self.left(self.package, image) or why_made(image, self.files.paths)
+        fault = Fault(Span(*found.span(1)), f"{message}; {hint}")
         yield softer_advice(fault, "info", left) if left else fault
 
     def of_parameters(self, path: str, text: str) -> Iterator[Fault]:
@@ -95,7 +97,8 @@ class NamedFiles:
             place = Span(*found.span(2 if found[2] else 3))
             is_set = is_set or is_overridden(path, place, self.parameters, self.launches)
             why = "where the launch file gives no other" if is_set else ""
-            why = why or (self.left(facts, named) if not near else "")
+            why = why or why_written(found[1])
+            why = why or (self.left(facts, named) or why_made(named, facts.share_files) if not near else "")
             fault = Fault(Span(found.start(4) + 1, found.end(4)), f"{message}; {hint}")
             yield softer_advice(fault, "info", why) if why else fault
 

@@ -67,9 +67,11 @@ def missing_named_file(scope: NamedFiles) -> Iterator[Hit]:
     and so are packages of which not all is known that they install. What is there and not installed is told by others.
     In a package of tests, a file that nothing names is left alone, too. It is an info where nothing names the map, nor
     starts nav2 or a map server and names its folder, and where neither code of the workspace nor a well-known node is
-    shown to read the parameter by its key. It is one where people bring what is
-    missing: a page or a script has it fetched, saved or copied there by its name, or its folder, for what people make
-    (`maps`, `calibration`, `data`), holds nothing but a `.gitkeep` or a README.
+    shown to read the parameter by its key. It is one where people bring what is missing: a page or a script has it
+    fetched, saved or copied there by its name, an archive of its name is beside, or its folder, for what people make
+    (`maps`, `calibration`, `data`), holds nothing but a `.gitkeep` or a README. And it is one for a trained model or a
+    recording of a kind that the package has none of, and where the parameter says that a node writes the file
+    (`output_file`, `log_path`).
     """
     for path, fault in scope.faults():
         yield from hits(path, [fault])
