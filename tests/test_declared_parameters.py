@@ -48,6 +48,8 @@ def in_cpp(text: str, **types: str) -> list[tuple[str, bool, str, bool]]:
         ('get_or_declare_parameter<double>(*this, "a");', ("a", False, "double", True)),
         ('node->declare_or_get_parameter("a", 0.5);', ("a", False, "double", False)),
         ('declare_parameter<int64_t>("a", 1);', ("a", False, "int", False)),
+        ('declare_parameter("a", 1, descriptor, true);', ("a", False, "", False)),
+        ('declare_parameter("a", 1, descriptor, false);', ("a", False, "int", False)),
     ],
 )  # fmt: skip
 def test_declarations_in_cpp(text: str, found: tuple[str, bool, str, bool]) -> None:
@@ -78,6 +80,9 @@ def test_types_of_variables() -> None:
         ("self.declare_parameter('a', [1, 'y'])", [("a", "")]),
         ("self.declare_parameter('a', rclpy.Parameter.Type.DOUBLE_ARRAY)", [("a", "double[]")]),
         ("self.declare_parameter('a')", [("a", "")]),
+        ("self.declare_parameter('a', 1.0, ignore_override=True)", [("a", "")]),
+        ("self.declare_parameter('a', 1.0, ignore_override=False)", [("a", "double")]),
+        ("self.declare_parameter('a', 1.0, descriptor, True)", [("a", "")]),
         ("self.declare_parameter(name, 1.0)", []),
         ("self.declare_parameters('ns', [('a', 1), ('b', 'x')])", [("ns.a", "int"), ("ns.b", "string")]),
     ],

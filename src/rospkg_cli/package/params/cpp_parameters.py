@@ -20,6 +20,8 @@ NAMED = regex(
 """Functions of rclcpp, nav2 and autoware that declare one parameter."""
 OF_LAYER = "declareParameter"
 """A function of nav2_costmap_2d::Layer: it puts the name of the layer before that of the parameter."""
+IGNORES = 2
+"""Where a call may tell to ignore what is given, behind the default and the descriptor."""
 FREE = 2
 """Arguments of a free function that declares a parameter without a default: the node, and the name."""
 OVERRIDDEN = regex(r"\b(?:append_parameter_override|parameter_overrides)\s*\(")
@@ -86,6 +88,7 @@ def declared_in(file: CppFile, type_of: TypeOf) -> Iterator[DeclaredParameter]:
         if name is not None:
             rest = arguments[place + 1 :]
             kind = typed(call.template) or (inferred(rest[0].text, type_of) if rest else "")
+            kind = "" if len(rest) > IGNORES and rest[IGNORES].text == "true" else kind  # nobody sets it
             required = bool(call.template) and not rest and not call.is_conditional
             required = required and call.span.start in certain
             is_tail, default = name[1] or call.name == OF_LAYER, plain_value(rest[0].text) if rest else ""

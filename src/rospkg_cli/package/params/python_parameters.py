@@ -47,12 +47,14 @@ def declared_in(file: PythonFile, constant: TypeOf = unknown) -> Iterator[Declar
 def declared_by(
     file: PythonFile, call: ast.Call, method: str, constant: TypeOf = unknown
 ) -> Iterator[DeclaredParameter]:
-    """Yield what one call declares under literal names."""
+    """Yield what one call declares under literal names; what it lets nobody set has any type."""
     if method == "declare_parameter":
         given = {keyword.arg: keyword.value for keyword in call.keywords}
         name = call.args[0] if call.args else given.get("name")
         value = call.args[1] if len(call.args) > 1 else given.get("value")
-        yield from declaration(file, "", name, value, constant)
+        ignores = call.args[3] if len(call.args) > 3 else given.get("ignore_override")
+        is_taken = ignores is None or (isinstance(ignores, ast.Constant) and not ignores.value)
+        yield from declaration(file, "", name, value if is_taken else None, constant)
     elif method == "declare_parameters":
         yield from several(file, call, constant)
 
