@@ -12,7 +12,7 @@ from ..files import PackageFiles
 from ..languages.python.file import PythonFile
 from ..languages.python.guarded_nodes import is_guarded
 from ..languages.python.unreached_places import is_unreached
-from ..light_dataclasses import dataclass
+from ..light_dataclasses import dataclass, replace
 from ..package.file_role import is_set_aside, role_of
 from ..package.install_table import InstallTable
 from ..package.launch.launch_file import LaunchFile
@@ -78,7 +78,7 @@ class HomePath:
     callers give the argument, or whose twin in another language they name; or the parameter files of the package
     replace it; or it is one of several places for modules, a launch file has it that nothing uses, a comment or page
     tells to write another, a dialog for files begins there, or it has no suffix and is the path of no file or
-    folder."""
+    folder; or another machine is meant, or the default of a function that all calls replace."""
     is_unreached: bool = False
     """Whether it is in a function that nothing leads to."""
     is_unread: bool = False
@@ -153,7 +153,19 @@ class HomePaths:
             from .last_resorts import is_last_resort  # few files have such a path
 
             is_last = is_last_resort(path, bare, place, file)
-            yield HomePath(path, place, named, *home, *flags, *ends, is_unclaimed, is_last)
+            found = HomePath(path, place, named, *home, *flags, *ends, is_unclaimed, is_last)
+            yield replace(found, is_seldom_read=found.is_seldom_read or self.is_for_others(file, bare, place))
+
+    def is_for_others(self, file: PythonFile | None, text: str, place: Span) -> bool:
+        """Return whether a path is for another machine, or one that is chosen by its name, or each call gives one."""
+        from .chosen_machines import is_for_one_machine, is_on_another_host  # few files have such a path
+        from .given_defaults import is_always_given as is_given_by_calls
+
+        if file is None:
+            return is_on_another_host(text, place.start)
+        files = [each for _, each in self.definitions.run.files] if self.definitions is not None else []
+        is_away = is_on_another_host(text, place.start) or is_for_one_machine(file, place)
+        return is_away or is_given_by_calls(files, file, place)
 
     @cached_property
     def readers(self) -> PathReaders:
