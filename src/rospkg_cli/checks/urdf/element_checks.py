@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...languages.xml.parser import Attribute, Element
+from ...lazy_regex import regex
 from ...source import Source, Span
 from ..fault import Fault
 from .numbers import is_number, vector_fault
@@ -25,14 +26,16 @@ JOINT_NUMBERS = {
 }
 """For each child of a joint: the numbers that it must have, and those that it may have."""
 
+SPACE = regex(r"[\t\r\n]")
 VECTORS = {"xyz": 3, "rpy": 3, "size": 3, "scale": 3}
 
 
 class ElementCheck:
     """Checks single elements; what xacro fills in is taken to be right."""
 
-    def __init__(self, source: Source) -> None:
+    def __init__(self, source: Source, *, is_xacro: bool = False) -> None:
         self.source = source
+        self.is_xacro = is_xacro
 
     def link(self, link: Element) -> Iterator[Fault]:
         """Yield faults at which urdfdom stops reading the link, but not the robot."""
@@ -151,8 +154,12 @@ class ElementCheck:
                 yield Fault(found.value_span, f"`{name}` of `<{element.tag}>` is no number: `{text}`")
 
     def raw(self, attribute: Attribute) -> str | None:
-        """Return a value as written: urdfdom does not turn line ends into blanks. None where xacro fills it in."""
+        """Return a value as urdfdom gets it; None where xacro fills it in.
+
+        urdfdom does not turn tabs and line ends into blanks, and the parser of xacro does.
+        """
         text = self.source.slice(attribute.value_span)
+        text = SPACE.sub(" ", text) if self.is_xacro else text
         return None if "$" in text else text
 
 

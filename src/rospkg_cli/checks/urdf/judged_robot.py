@@ -26,11 +26,13 @@ from .one_slip import is_slip, of_one_slip
 from .opened_robots import OpenedRobots
 from .validation import VAIN, robot_faults
 from .xacro_calls import XacroCalls, ancestors
-from .xacro_problems import of_one_parameter
+from .xacro_problems import STOPS, of_one_parameter
 from .xacro_slips import MUST_BE_GIVEN
 
 PREFIX = regex(r"the prefix of `\$\{\s*(\w+)")
 LEVELS = (None, "info")
+XACRO = regex(r"(?<![\w.])xacro\b")
+"""The program or the module; not the ending of a file."""
 IN_GAZEBO = regex(r"(?:gazebo|gz|ign)_ros2_control/")
 
 
@@ -96,6 +98,8 @@ class JudgedRobot:
             return fault
         if blank := self.unless_filled_in():
             return replace(fault, level="info", message=fault.message + blank)
+        if STOPS in fault.message and not self.is_surely_expanded(robot):
+            return softer(fault, "info", "where xacro reads the file, which nothing here does")
         if unread := self.readers.unless_read(self.robot.document.root, fault):
             return replace(fault, level="info", message=fault.message + unread)
         if fault.level is None and is_launched:
@@ -110,6 +114,13 @@ class JudgedRobot:
         if idle := self.unless_called(fault):
             return softer(fault, "info", idle)
         return self.without_prefix(fault) if UNLESS in fault.message else replace(fault, level="info")
+
+    def is_surely_expanded(self, robot: str) -> bool:
+        """Return whether xacro reads a robot: by its name, what it holds, or who opens it; others fill it in, too."""
+        if robot.endswith(".xacro") or "xacro:" in self.robot.source.text:
+            return True
+        name = robot.rpartition("/")[2]
+        return any(XACRO.search(text) for path, text in self.opened.texts if path != robot and name in text)
 
     def unless_filled_in(self) -> str:
         """Return what is said of a robot with blanks in the place of names or values; "" of one without."""

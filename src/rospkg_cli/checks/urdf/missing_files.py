@@ -22,6 +22,7 @@ from ..fault import Fault, softer
 from ..install_faults import InstallFaults
 from ..pages_and_scripts import ARCHIVES, FetchedFiles
 from .bare_meshes import is_relative
+from .control_readers import ControlReaders
 from .emptied_folders import emptied_folders
 from .given_to_gazebo import GivenToGazebo
 from .launched_robots import LaunchedRobots
@@ -57,6 +58,7 @@ class RobotInWorkspace:
     beside: SameFolder
     gazebo: GivenToGazebo
     table: InstallTable | None
+    readers: ControlReaders
 
     @property
     def is_installed(self) -> bool:
@@ -100,6 +102,8 @@ class RobotInWorkspace:
                 return softer(fault, "info", f"as soon as something reads `$(arg {name})`")
             if around.tag in CONDITIONS and self.is_off(around):
                 return softer(fault, "info", "where the condition around it holds, which nothing here makes true")
+            if around.tag in ("gazebo", "plugin") and not self.readers.are_here:
+                return softer(fault, "info", "in Gazebo alone, which nothing here starts or needs")
             if around.tag in ("gazebo", "plugin"):
                 return softer(fault, "warning", "in Gazebo alone")
         if self.replaced.has(self.robot.document, fault.span):

@@ -18,7 +18,7 @@ from .loose_parts import loose_faults
 from .robot_words import control_faults, misspelt_parts
 from .substitutions import substitution_fault
 from .xacro_calls import XacroCalls
-from .xacro_slips import xacro_slips
+from .xacro_slips import is_expanded, xacro_slips
 
 HARMLESS = frozenset({"xacro:property", "xacro:arg"})
 """Elements of xacro that add no links."""
@@ -53,7 +53,7 @@ def unsorted_faults(robot: RobotFile, piece: bool) -> Iterator[Fault]:
         if not robot.is_xacro:
             yield Fault(root.open, f"the root of a URDF is `<robot>`, not `<{root.tag}>`: urdfdom refuses it")
         return
-    check = ElementCheck(document.source)
+    check = ElementCheck(document.source, is_xacro=is_expanded(root, robot.path))
     if robot.is_xacro:
         yield from loose_faults(root, check)
     yield from control_faults(root)

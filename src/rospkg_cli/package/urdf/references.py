@@ -22,6 +22,8 @@ def references(document: Document) -> Iterator[ResourceReference]:
     """Yield every reference to a file of a package, in order."""
     properties = literal_properties(document.root)
     for element in document.root.walk():
+        if is_optional(element):
+            continue
         use: Use = "include" if element.tag == "xacro:include" else "resource"
         for attribute in element.attributes.values():
             is_file = attribute.name == "filename"
@@ -30,6 +32,11 @@ def references(document: Document) -> Iterator[ResourceReference]:
             for span in text_spans(element):
                 is_file = element.tag == "uri" and not element.children
                 yield from named_in(document.source, span, use, properties, is_file=is_file)
+
+
+def is_optional(element: Element) -> bool:
+    """Return whether xacro goes on without the file that an element includes."""
+    return element.tag == "xacro:include" and element.get("optional") is not None
 
 
 def text_spans(element: Element) -> Iterator[Span]:
@@ -87,7 +94,7 @@ def local_includes(document: Document) -> Iterator[LocalInclude]:
     folder = posixpath.dirname(document.source.path)
     for element in document.root.walk():
         filename = element.attributes.get("filename")
-        if element.tag != "xacro:include" or filename is None or element.get("optional"):
+        if element.tag != "xacro:include" or filename is None or is_optional(element):
             continue
         path = filename.value
         if path and not path.startswith(("/", "~", "package:")) and "$" not in path and not GLOB.search(path):

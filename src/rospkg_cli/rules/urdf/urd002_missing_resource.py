@@ -50,8 +50,8 @@ FILES = {
     levels={
         Severity.WARNING: "a mesh is missing, a condition is around it, it is for Gazebo alone, or code or a command "
         "of a page, and no launch file, opens the robot",
-        Severity.INFO: "nothing is shown to open the robot, calls the macro or reads the property or default that it "
-        "is in, each launch file replaces the default or a part of the path, or people bring the file",
+        Severity.INFO: "nothing is shown to open the robot, or Gazebo, calls the macro or reads the property or default "
+        "that it is in, each launch file replaces the default or a part of the path, or people bring the file",
     },
     examples=(
         Example(
@@ -96,15 +96,15 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     rules are not all known (a CMake macro of another package may install files). Where another rule reports that the
     folder is not installed, it says so alone. In a condition of xacro, in a file that is only included under one which
     the defaults of the arguments switch off, and in a `<gazebo>` or `<plugin>`, which Gazebo alone reads, it is a
-    warning; so it is in a robot that only code names, or a command of a page, and of an include of a `.urdf` that only
-    another package may open. It is an info in a robot that no launch file, code or command of a page is shown to open,
-    by its folder, or that lies in a folder such as `old/` (what nothing installs or names opens nothing), or is not
-    installed, and in a macro that nothing here calls, or a condition that is constant, or a default that nothing but
-    robots names or each launch file turns off. The default of an argument is one where nothing reads it, or each launch
-    file that opens the robot gives another. A path without a scheme is one where no launch file opens the robot, or
-    none that does starts RViz or move_group by default, or what publishes the robot, where Gazebo finds it: `$(find
-    …)`, or a relative one where `create -file` alone opens the robot. So is a path that each such launch file replaces
-    in its text, what a page or a script fetches or makes, and a mesh that people bring.
+    warning (an info where nothing here starts it), and so in a robot that only code names, or a command of a page, and
+    of an include of a `.urdf` that only another package may open. It is an info in a robot that no launch file, code or
+    command of a page is shown to open, by its folder, or that lies in a folder such as `old/` or is not installed, and
+    in a macro that nothing here calls, or a condition that is constant, or a default that nothing but robots names or
+    each launch file turns off. The default of an argument is one where nothing reads it, or each launch file that opens
+    the robot gives another. A path without a scheme is one where no launch file opens the robot, or none that does
+    starts RViz or move_group by default, or what publishes the robot, where Gazebo finds it: `$(find …)`, or a relative
+    one where `create -file` alone opens the robot. So is a path that each such launch file replaces in its text, what a
+    page or a script fetches or makes, and a mesh that people bring.
     """
     for each in scope.missing():
         same = list(scope.beside.lacking(scope.robot, each))
