@@ -50,8 +50,8 @@ FILES = {
     levels={
         Severity.WARNING: "a mesh is missing, a condition is around it, it is for Gazebo alone, or code or a command "
         "of a page, and no launch file, opens the robot",
-        Severity.INFO: "nothing is shown to open the robot, or Gazebo, calls the macro or reads the property or default "
-        "that it is in, each launch file replaces the default or a part of the path, or people bring the file",
+        Severity.INFO: "nothing is shown to open the robot, or Gazebo, calls the macro or reads the property or "
+        "default that it is in, each launch file replaces the default or a part of the path, or people bring the file",
     },
     examples=(
         Example(
