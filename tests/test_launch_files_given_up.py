@@ -87,6 +87,23 @@ def test_a_file_that_was_not_ported_whole_is_met_where_it_is_started(
     assert level("LCH006", {path: text, **others, "README.md": STARTED.format(path[7:])}) == ["error"]
 
 
+PLUGIN = '  <arg name="a" default="1"/>\n  <param name="plugin" value="moveit::Manager"/>\n'
+
+
+@pytest.mark.parametrize(
+    ("more", "others", "expected"),
+    [
+        ("", {"launch/b.launch.py": EMPTY}, "info"),
+        ("", {}, "error"),
+        ('  <let name="b" value="c"/>\n', {"launch/b.launch.py": EMPTY}, "error"),
+        ("", {"launch/b.launch.py": EMPTY, "README.md": STARTED.format("a.launch.xml")}, "error"),
+    ],
+)
+def test_a_part_of_ros1_that_only_sets_parameters(more: str, others: dict[str, str], expected: str) -> None:
+    text = f"<launch>\n{PLUGIN}{more}</launch>\n"
+    assert level("LCH006", {"launch/a.launch.xml": text, **others}) == [expected]
+
+
 def test_launch_looks_into_share_directories_alone() -> None:
     files = {"launch/a.launch": UNKNOWN, "launch/b.launch": "<launch/>\n"}
     both = "install(DIRECTORY launch DESTINATION lib/${PROJECT_NAME})\n"

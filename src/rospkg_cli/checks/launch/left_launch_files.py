@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from ...files import PackageFiles
+from ...lazy_regex import regex
 from ...package.file_role import is_set_aside, role_of
 from ...package.launch.live_text import MARKUP, OF_ROS1
 from ...package.launch.text import uncommented
+from ...ros.launch_entities import ROS1_ENTITIES
 
 OF_ROS2 = (".launch.xml", "_launch.xml")
 """How the names of launch files for ROS 2 end, which those for ROS 1 do not."""
+TAG = regex(r"<(\w+)")
 
 
 def is_given_up(path: str, files: PackageFiles) -> bool:
@@ -29,9 +32,17 @@ def is_copy(path: str, files: PackageFiles) -> bool:
 def is_unported(path: str, files: PackageFiles) -> bool:
     """Return whether a launch file still has nodes by `type=`, `$(find …)` or `$(arg …)`, at which ROS 2 refuses it.
 
-    The only one of a package is meant to start it, and so is one that is named for ROS 2.
+    The only one of a package is meant to start it, and so is one that is named for ROS 2, unless it has nothing but
+    settings of ROS 1: MoveIt's assistant called such parts `….launch.xml`, too.
     """
     others = [each for each in files.paths if role_of(each) == "launch" and each != path]
-    is_old = path.endswith(MARKUP) and not path.endswith(OF_ROS2) and bool(others)
-    text = files.readable_text(path) if is_old else ""
-    return OF_ROS1.search(uncommented(".launch", text)) is not None
+    if not path.endswith(MARKUP) or not others:
+        return False
+    text = uncommented(".launch", files.readable_text(path))
+    return has_settings_alone(text) or (not path.endswith(OF_ROS2) and OF_ROS1.search(text) is not None)
+
+
+def has_settings_alone(text: str) -> bool:
+    """Return whether a launch file starts and includes nothing, and has what ROS 1 alone takes among the actions."""
+    tags = set(TAG.findall(text))
+    return not tags.isdisjoint(ROS1_ENTITIES) and tags <= {"launch", "group", "arg", *ROS1_ENTITIES}

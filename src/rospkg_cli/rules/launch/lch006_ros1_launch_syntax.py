@@ -78,7 +78,7 @@ def ros1_launch_syntax(leftovers: Ros1Leftovers) -> Iterator[Hit]:
     names catkin in its manifest. So are all launch files of a package that catkin alone builds. It is an info where
     nothing for ROS 2 names the file together with its package: no `ros2 launch my_pkg old.launch` of a page or a
     script, no code, no launch file. So it is in a file that was ported in part, with `type=`, `$(find …)` or `$(arg …)`
-    left, which nothing names.
+    left, which nothing names, and in one that has nothing but `<param>` and the like, as MoveIt's assistant made them.
     """
     scope = leftovers.scope
     if scope.package.is_for_ros1:
