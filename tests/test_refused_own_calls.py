@@ -96,6 +96,17 @@ def test_a_class_that_may_take_it(old: str, new: str) -> None:
     assert found("DEP120", "robot = Robot()\nrobot.stop(1)", robot=ROBOT.replace(old, new, 1)) == []
 
 
+EMPTY = ("pass", "...", "return", "raise NotImplementedError", "raise NotImplementedError('x')")
+
+
+@pytest.mark.parametrize("body", EMPTY)
+def test_a_method_that_heirs_of_other_packages_define(body: str) -> None:
+    robot = ROBOT.replace("print('stop', self.speed)", f'"""Stop."""\n        {body}')
+    assert found("DEP120", "robot = Robot()\nrobot.stop(1)", robot=robot) == []
+    robot = ROBOT.replace("self.speed = speed", body)
+    assert len(found("DEP120", "robot = Robot(1, 2)", robot=robot)) == 1
+
+
 def test_a_member_that_is_given_once_is_known() -> None:
     holder = "\n\nclass Holder:\n    def __init__(self):\n        self.arm = Robot(){}\n        self.arm.stop(1)\n"
     told = found("DEP120", "Holder()", top=holder.format(""))

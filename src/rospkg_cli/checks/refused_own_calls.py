@@ -83,4 +83,19 @@ def has_refusing(owner: ast.ClassDef, name: str, call: ast.Call) -> str:
     named = [each for each in owner.body if isinstance(each, ast.FunctionDef) and each.name == name]
     members = [*members_bound(owner.body)]
     is_alone = len(named) == 1 == members.count(name) and "__new__" not in members
-    return why_refused(named[0].args, call) if is_alone and not named[0].decorator_list else ""
+    is_open = not is_alone or named[0].decorator_list or is_for_heirs(named[0])
+    return "" if is_open else why_refused(named[0].args, call)
+
+
+def is_for_heirs(method: ast.FunctionDef) -> bool:
+    """Return whether a method does nothing but say that heirs define it, which those of other packages may do."""
+    return method.name != START and all(map(is_empty, method.body))
+
+
+def is_empty(statement: ast.stmt) -> bool:
+    match statement:
+        case ast.Pass() | ast.Expr(value=ast.Constant()) | ast.Return(value=None):
+            return True
+        case ast.Raise(exc=ast.Call(func=ast.Name(id=name)) | ast.Name(id=name)):
+            return name == "NotImplementedError"
+    return False

@@ -12,7 +12,7 @@ from ..package.python.python_imports import PackageImports
 from ..package.python_modules import PythonModules
 from .ros1_import import ros1_import
 
-PATHS = ("sys.path", "PYTHONPATH", "addsitedir")
+PATHS = ("sys.path", "PYTHONPATH", "addsitedir", "sys.meta_path")
 """What names the folders in which Python looks for modules."""
 
 

@@ -27,7 +27,7 @@ class Signature:
 
 
 def signature(row: Iterable[str]) -> Signature:
-    """Read `name:kind! name …`: `!` is required, `?` may be None, `!?` is both; behind a lone `*`, names are keywords."""
+    """Read `name:kind! name …`: `!` is required, `?` may be None, `!?` is both; behind a lone `*` are keywords."""
     kinds: dict[str, Kind] = {}
     required, optional, positional, by_place = set(), set(), [], True
     for word in row:
