@@ -92,8 +92,19 @@ class SystemInstalls:
         """What is installed, by the paths of the files that say so; a word of a script counts if it has a dash."""
         whole = PackageFiles(self.files.whole) if self.files.whole is not None else self.files
         root = repository_of(self.files.folder, self.workspace)
-        paths = (path for path, kind in whole.tree.files().items() if kind in READABLE and path.startswith(root))
-        return {path: text for path in paths if (text := told_in(path, whole))}
+        key = "" if self.files.whole is not None else self.files.folder
+        paths = self.workspace.index_of(TellingPaths).of(whole, key)
+        return {path: text for path in paths if path.startswith(root) and (text := told_in(path, whole))}
+
+
+class TellingPaths(dict[str, tuple[str, ...]]):
+    """The paths of files that may say what is installed: a large workspace is looked through once."""
+
+    def of(self, whole: PackageFiles, key: str) -> tuple[str, ...]:
+        if key not in self:
+            paths = (path for path, kind in whole.tree.files().items() if kind in READABLE)
+            self[key] = tuple(path for path in paths if any(each.search(path) for each in (PAGE, LIST, OTHERS, READ)))
+        return self[key]
 
 
 def told_in(path: str, files: PackageFiles) -> str:
