@@ -54,3 +54,24 @@ def test_where_pip_is_told(path: str, text: str, level: str) -> None:
     tree = {**package, "src/my_pkg/package.xml": manifest(), "src/my_pkg/my_pkg/node.py": "import serial\n", path: text}
     (only,) = lint_files(tree, ["DEP101"]).findings
     assert only.severity.value == level
+
+
+@pytest.mark.parametrize(
+    ("listed", "module", "level", "said"),
+    [
+        ("ultralytics==8.2", "torch", "info", "has pip install `ultralytics`, which requires it in most versions"),
+        ("Sb3_Contrib", "pandas", "info", "has pip install `sb3-contrib`, which requires"),
+        ("mediapipe", "cv2", "info", "has pip install `mediapipe`, which requires"),
+        ("librosa", "sklearn.cluster", "info", "has pip install `librosa`, which requires"),
+        ("torch\nultralytics", "torch", "info", "this repository has pip install it"),
+        ("ultralytics", "serial", "warning", "raises ModuleNotFoundError"),
+        ("torch", "torchvision", "warning", "raises ModuleNotFoundError"),
+        ("# ultralytics", "torch", "warning", "raises ModuleNotFoundError"),
+    ],
+)
+def test_what_comes_with_what_pip_installs(listed: str, module: str, level: str, said: str) -> None:
+    package = existing_files(BACKDROPS["ament_python"])
+    tree = {**package, "package.xml": manifest(), "my_pkg/node.py": f"import {module}\n", "requirements.txt": listed}
+    (only,) = lint_files(tree, ["DEP101"]).findings
+    assert only.severity.value == level
+    assert said in only.message

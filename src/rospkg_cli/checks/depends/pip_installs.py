@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from ...files import PackageFiles
 from ...lazy_regex import regex
@@ -14,6 +14,7 @@ from ...ros.aliases import key_for_pip
 from ...ros.names import Names
 from ...tree import READABLE
 from ..container_files import OF_CONTAINER, files_called
+from .pip_requirements import required_by
 
 REQUIREMENTS = regex(r"(?:.*/)?(?:[^/]*requirements[^/]*\.(?:txt|in|pip)|requirements/[^/]+\.(?:txt|in))")
 PROJECTS = regex(r"(?:.*/)?(?:[^/]*(?:environment|conda)[^/]*\.ya?ml|Pipfile|pyproject\.toml)")
@@ -38,11 +39,22 @@ class PipInstalls:
     def has(self, module: str, key: str, index: Names) -> bool:
         """Return whether pip is told to install what a module is of, under its own name or one that rosdep knows."""
         wanted = normalized(module.partition(".")[0])
-        return wanted in self.names or any(key_for_pip(name, index) == key for name in self.written)
+        return wanted in self.names or any(key_of(name, index) == key for name in self.written)
+
+    def bringer(self, module: str, key: str, index: Names) -> str:
+        """Return the library that pip is told to install, and that requires what a module is of; "" for none."""
+        wanted = normalized(module.partition(".")[0])
+        found = (by for name, by in self.required.items() if name == wanted or key_of(name, index) == key)
+        return next(found, "")
 
     @cached_property
     def names(self) -> frozenset[str]:
         return frozenset(map(normalized, self.written))
+
+    @cached_property
+    def required(self) -> dict[str, str]:
+        """What these require, each with the one that does."""
+        return required_by(self.names)
 
     @cached_property
     def written(self) -> frozenset[str]:
@@ -79,6 +91,12 @@ def names_in(path: str, text: str) -> Iterator[str]:
         yield from (name for found in NEEDED.findall(text) for name in found if name)
     for command in INSTALLS.finditer(text):
         yield from (word[0] for word in WORD.finditer(command[1]))
+
+
+@lru_cache(maxsize=4096)
+def key_of(name: str, index: Names) -> str | None:
+    """Return the key of rosdep for a name on PyPI; each import that is missing asks for all of them."""
+    return key_for_pip(name, index)
 
 
 def normalized(name: str) -> str:

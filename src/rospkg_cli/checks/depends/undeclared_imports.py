@@ -31,6 +31,7 @@ BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catk
 """What runs setup.py, or colcon needs itself."""
 
 UNSTARTED = "; nothing here starts this script, as it does other programs of the package"
+PIP = "; this repository has pip install it"
 TOOL = "; this is a tool beside the programs of the package"
 
 
@@ -71,10 +72,21 @@ class ImportDependencies:
         build_type = self.declared.facts.build_type
         return all(is_never_run(path, self.files, self.cmake, build_type) for path in {each.path for each in places})
 
-    def is_for_pip(self, missing: UndeclaredImport) -> bool:
-        """Return whether the requirements, a Dockerfile, a script or a page of the repository have pip install it."""
-        index = self.declared.workspace.index
-        return index.is_key(missing.name) and PipInstalls(self.files).has(missing.places[0].module, missing.name, index)
+    def why_pip(self, missing: UndeclaredImport) -> str:
+        """Return what is said of what the requirements, a Dockerfile, a script or a page of the repository have pip
+        install, or of what comes so with another library; "" for others.
+        """
+        index, module = self.declared.workspace.index, missing.places[0].module
+        if not index.is_key(missing.name):
+            return ""
+        if self.pip.has(module, missing.name, index):
+            return PIP
+        bringer = self.pip.bringer(module, missing.name, index)
+        return bringer and f"; this repository has pip install `{bringer}`, which requires it in most versions"
+
+    @cached_property
+    def pip(self) -> PipInstalls:
+        return PipInstalls(self.files)
 
     def is_by_hand(self, missing: UndeclaredImport) -> bool:
         """Return whether a page of the repository tells people to install a library by hand."""

@@ -20,7 +20,6 @@ BUILD = "`colcon build` stops with ModuleNotFoundError"
 BAD = "import rclpy\nfrom «trajectory_msgs.msg» import JointTrajectory\n"
 ONLY_LAUNCH = "only launch files need it, and `ros2 launch` brings it"
 LEFT = "; nothing starts or imports this module"
-PIP = "; this repository has pip install it"
 OPTIONAL = "; this module is imported only where that may fail"
 
 
@@ -77,10 +76,11 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     import under `try` … `except ImportError` alone; so is an import under a condition (`if self.plot:`), in a function
     that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's module, what `ros2
     launch` brings, where only launch files import the module, and a library that a requirements.txt, an environment of
-    conda, a Pipfile, a pyproject.toml, a Dockerfile, a script or a page of the repository has pip install, or a page
-    tells to install by hand, or what Blender, Isaac Sim, Webots or a microcontroller runs. So is a library in programs
-    that all import what these bring, or where a page that builds or starts the package enters an environment (`conda
-    activate`, `uv run`, `python3 -m venv` without `--system-site-packages`): that Python sees no library of rosdep.
+    conda, a Pipfile, a pyproject.toml, a Dockerfile, a script or a page of the repository has pip install, alone or
+    with one that requires it (torch with `ultralytics`), or a page tells to install by hand, or what Blender, Isaac
+    Sim, Webots or a microcontroller runs. So is a library in programs that all import what these bring, or where a page
+    that builds or starts the package enters an environment (`conda activate`, `uv run`, `python3 -m venv` without
+    `--system-site-packages`): that Python sees no library of rosdep.
     Left out are optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or
     one that asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are
     files that nothing installs, the package's own modules, and libraries that rosdep has for older releases of Ubuntu
@@ -130,7 +130,7 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
     what = ONLY_LAUNCH if is_launch else f"{where} {LACKS.get(where, '')}{ends}"
     todo = advice(declared, kind, *imports.serving(missing))
     if not end:
-        end = PIP if imports.is_for_pip(missing) else imports.why_seldom(missing.places)
+        end = imports.why_pip(missing) or imports.why_seldom(missing.places)
         end = end or (BY_PAGE if imports.is_by_hand(missing) else imports.why_unmet(missing))
     message = f"`{missing.name}` is imported{shown} and not declared: {what}; {todo}{end}"
     mild = bool(end) or is_launch or is_unmet(declared, missing.name, imports.serving(missing))

@@ -1,0 +1,23 @@
+"""What pip installs with the libraries that it is told to install."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ...ros.read_table import rows
+
+
+def required_by(names: Iterable[str]) -> dict[str, str]:
+    """Return the distributions that well-known ones require, at any remove, each with the one that was told.
+
+    Names are normalised (PEP 503), those that are told are left out.
+    """
+    told, table = sorted(names), rows("pip_requires.txt")
+    found: dict[str, str] = {}
+    for name in told:
+        open_ = [name]
+        while open_:
+            new = [each for each in table.get(open_.pop(), ()) if each not in found and each != name]
+            found.update(dict.fromkeys(new, name))
+            open_ += new
+    return {name: by for name, by in found.items() if name not in set(told)}
