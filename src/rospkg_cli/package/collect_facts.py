@@ -8,7 +8,7 @@ from typing import Any, get_args
 
 from ..files import ReaderInput
 from ..ros.distros import Targets
-from .cmake.cmake_facts import exported_targets, has_targets, registered_components, sought_packages
+from .cmake.cmake_facts import exported_targets, has_targets, may_register_more, registered_components, sought_packages
 from .cmake.kept_links import kept_links
 from .cmake.made_headers import has_other_headers, header_files
 from .contested_build_type import is_build_type_contested
@@ -106,6 +106,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("unlisted_interfaces",): one("unlisted_interfaces", unlisted_interfaces),
     ("executables", "misplaced_executables", "share_files", "modules"): of_install_table,
     ("components",): of_components,
+    ("may_register_more",): one("may_register_more", may_register_more),
     ("loaders",): of_loaders,
     ("plugins",): of_plugins,
     ("parameters", "node_code"): of_code,

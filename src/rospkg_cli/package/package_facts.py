@@ -124,6 +124,8 @@ class PackageFacts:
     run_time_files: frozenset[str] = frozenset()
     """The files that its Python code writes into share/<name> when it runs, relative to it."""
     components: frozenset[str] = frozenset()
+    may_register_more: bool = False
+    """Whether macros that its CMake takes from elsewhere may register other components."""
     cmake_targets: tuple[str, ...] = ()
     """The targets that its CMake exports, with their namespace, as far as they are known."""
     is_compiled: bool = True

@@ -13,7 +13,7 @@ from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.foreign_commands import foreign_commands
+from ...package.cmake.foreign_commands import may_make_targets
 from ...package.cmake.referenced_paths import ReferencedPaths
 from ...package.file_role import is_set_aside, role_of
 from ...package.launch.text import uncommented
@@ -77,7 +77,7 @@ class UncompiledSources:
         """Whether the sources of all targets are known, and no other rule tells of a target or a source."""
         cmake = self.package.cmake
         is_known = are_sources_known(cmake) and cmake.ends_a_package and not cmake.includes_unknown_files
-        if not self.package.is_ament or not is_known or next(foreign_commands(cmake), None) is not None:
+        if not self.package.is_ament or not is_known or may_make_targets(cmake):
             return False
         if any(each.kind == "target" for each in TargetReferences(cmake).broken()):
             return False  # CMK110 tells of the target, which would compile the file

@@ -13,7 +13,7 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
 from ...ros.well_known import WrongName, wrong_name
-from ...suggest import nearest
+from ...suggest import nearest, slips
 from ...unreadable import READABLE
 from ..cmake.component_registration import ComponentRegistration
 from ..fault import Level
@@ -104,7 +104,7 @@ class LoadedComponents:
             facts, plain = self.workspace.named(package), self.file.source.slice(node.plugin.span) == name
             if facts is not None:
                 known = name in facts.components or (package, name) in self.told
-                if facts.knows("components") and not known:
+                if not known and is_unregistered(name, facts):
                     yield UnknownComponent(package, node.plugin, name, facts, self.elsewhere(name, facts), plain)
             elif wrong := wrong_name("components", package, name):
                 yield UnknownComponent(package, node.plugin, name, None, (), plain, wrong)
@@ -126,6 +126,12 @@ class LoadedComponents:
         last = tail(name)
         exact = tuple(sorted(pair for pair in every if pair[1] == name))
         return exact or tuple(sorted(pair for pair in every if tail(pair[1]) == last))
+
+
+def is_unregistered(name: str, facts: PackageFacts) -> bool:
+    """Return whether a package surely registers no such class: all are known, or it is a slip of one of them."""
+    is_open = facts.knows("components") and facts.may_register_more
+    return bool(slips(name, facts.components)) if is_open else facts.knows("components")
 
 
 def tail(name: str) -> str:

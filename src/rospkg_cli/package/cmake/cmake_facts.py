@@ -6,7 +6,7 @@ from ...files import ReaderInput
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from .build import is_built_with_cmake
 from .cmake_project import PACKAGE_ENDS, CMake
-from .foreign_commands import foreign_commands
+from .foreign_commands import foreign_commands, may_make_targets
 
 SEARCHES = ("ament_auto_find_build_dependencies", "autoware_package")
 """Commands that look for all that package.xml declares."""
@@ -23,6 +23,12 @@ def registered_components(reading: ReaderInput) -> tuple[frozenset[str], bool]:
     plugins = [component.plugin for component in cmake.components]
     known = frozenset(plugin.text for plugin in plugins if plugin.is_known)
     return known, cmake.is_complete and all(plugin.is_known for plugin in plugins)
+
+
+def may_register_more(reading: ReaderInput) -> bool:
+    """Return whether macros or files that can't be read here may register components."""
+    cmake = reading.parts(CMake).only if is_built_with_cmake(reading) else None
+    return cmake is not None and (cmake.reads_unknown_files or may_make_targets(cmake))
 
 
 def has_targets(reading: ReaderInput) -> bool:

@@ -20,12 +20,29 @@ FAMILIAR = regex(
 files are read by other means; and those whose verb is not one of installing."""
 
 
+OF_OPTIONS = regex(r"(?:nav2|autoware|moveit)_package|append_\w+|export_windows_symbols|\w+_(?:flags|options|warnings)")
+"""Commands that take no words and only set options for the compiler, or find packages."""
+
+
+def may_make_targets(cmake: CMake) -> bool:
+    """Return whether a macro of another package is called that may make targets, of files that it finds itself."""
+    return any(call.words or not OF_OPTIONS.fullmatch(call.name) for call in unfamiliar_commands(cmake))
+
+
 def foreign_commands(cmake: CMake) -> Iterator[EvaluatedCommand]:
     """Yield the first call of each macro of another package that is given something; those for tests are left out."""
+    seen = set()
+    for call in unfamiliar_commands(cmake):
+        if call.words and call.name not in seen:
+            seen.add(call.name)
+            yield call
+
+
+def unfamiliar_commands(cmake: CMake) -> Iterator[EvaluatedCommand]:
+    """Yield the calls of macros of other packages; those for tests are left out."""
     from ...languages.cmake.commands import COMMANDS  # two dozen modules that other packages need not import
 
-    seen = {*COMMANDS, *words("cmake_commands.txt"), *cmake.functions}
+    known = {*COMMANDS, *words("cmake_commands.txt"), *cmake.functions}
     for call in cmake.calls:
-        if call.name not in seen and call.words and not call.testing and not FAMILIAR.fullmatch(call.name):
-            seen.add(call.name)
+        if call.name not in known and not call.testing and not FAMILIAR.fullmatch(call.name):
             yield call

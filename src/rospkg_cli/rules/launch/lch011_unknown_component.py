@@ -76,11 +76,12 @@ def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
     registers none, "Could not find requested resource in ament index"); it goes on without the node.
 
     ## When it is quiet
-    Packages whose components are not all known are left alone. Where this package's source registers the class and
-    CMake names another, CMK108 reports it there. A component whose container is off by default or never added is an
-    info. So is what Foxy or Galactic had, unless the run checks for a distribution (`--target`), or
-    pages and scripts name Humble or later ones alone, and a name of a package that is meant in a fork: package.xml
-    declares a sister of it that no distribution has.
+    Packages whose components are not all known are left alone. Where CMake calls a macro of another package, or
+    includes a file that can't be read, these may register more: then only a slip of a registered name is told. Where
+    this package's source registers the class and CMake names another, CMK108 reports it there. A component whose
+    container is off by default or never added is an info. So is what Foxy or Galactic had, unless the run checks for a
+    distribution (`--target`), or pages and scripts name Humble or later ones alone, and a name of a package that is
+    meant in a fork: package.xml declares a sister of it that no distribution has.
 
     ## Fix safety
     The name is replaced by the only similar class; another one may be right.

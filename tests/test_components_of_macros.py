@@ -1,0 +1,49 @@
+"""Macros from outside of a package, which may compile sources and register components (LCH011, CMK202)."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.rules.cmake import cmk202_uncompiled_source as cmk202
+from rospkg_cli.rules.launch import lch011_unknown_component as lch011
+from rospkg_cli.testing import lint_files
+
+REGISTER = 'rclcpp_components_register_nodes(talker "my_pkg::Talker")\n'
+OTHERS = (
+    "include(${CMAKE_CURRENT_SOURCE_DIR}/../cmake/common.cmake)\n",
+    "include(${CORP_ROOT}/common.cmake)\n",
+    "find_package(corp_cmake REQUIRED)\ncorp_component(health SRC src/health.cpp CLASS corp::Health)\n",
+    "find_package(corp_cmake REQUIRED)\ncorp_components()\n",
+)
+
+
+def lint(name: str, more: str) -> list[str]:
+    """Return the levels of what is said of a class that a launch file loads."""
+    cmake = lch011.FILES["CMakeLists.txt"].replace(REGISTER, REGISTER + more)
+    launch = lch011.BAD.replace("«my_pkg::Taker»", name)
+    files = {**lch011.FILES, "CMakeLists.txt": cmake, "launch/a.launch.xml": launch}
+    return [each.severity.value for each in lint_files(files, ["LCH011"]).findings]
+
+
+@pytest.mark.parametrize("more", OTHERS)
+def test_what_a_macro_from_outside_may_register_is_left_alone(more: str) -> None:
+    assert lint("corp::Health", more) == []
+
+
+@pytest.mark.parametrize("more", OTHERS)
+def test_a_slip_of_a_registered_name_is_told_beside_any_macro(more: str) -> None:
+    assert lint("my_pkg::Tallker", more) == ["error"]
+
+
+@pytest.mark.parametrize("more", ["", "nav2_package()\n", "append_coverage_compiler_flags()\n", "set_options()\n"])
+def test_what_only_sets_options_registers_nothing(more: str) -> None:
+    assert lint("corp::Health", more) == ["error"]
+
+
+@pytest.mark.parametrize(("more", "count"), [("corp_components()\n", 0), ("nav2_package()\n", 1)])
+def test_a_macro_that_is_given_nothing_may_compile_what_it_finds(more: str, count: int) -> None:
+    bad = {
+        name: text.replace("«", "").replace("»", "") for name, text in cmk202.uncompiled_source.examples[0].bad.items()
+    }
+    files = {**bad, "CMakeLists.txt": bad["CMakeLists.txt"].replace("ament_package", f"{more}ament_package")}
+    assert len(lint_files(files, ["CMK202"]).findings) == count
