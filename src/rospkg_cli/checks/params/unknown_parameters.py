@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import cached_property
 
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
@@ -12,18 +13,20 @@ from ..depends.compiled_sources import HEADERS, own_compiled
 from ..fault import Fault, Level
 from ..older_distribution import OlderDistribution
 from .block_readers import BlockReaders
-from .declaring_packages import ParameterContext
+from .declaring_packages import ParameterContext, ParameterGroup
 from .forgotten_declarations import ForgottenDeclarations
 from .idle_nodes import hardest, level_of
 from .joint_limits import JointLimits, MistypedLimit
 from .known_given import KnownNodes
 from .launched_names import LaunchedNames, strange_names, why_dropped
+from .open_code import OpenCode
 from .other_variants import unlike_variants
 from .repeated_reads import RepeatedRead, RepeatedReads
 from .unknown_reads import ParameterReads, UnknownRead
 from .unmet_reads import UnmetReads
 
 SHOWN = 3
+MAY = ", unless the code here reads it otherwise"
 
 
 @dataclass(frozen=True)
@@ -77,6 +80,16 @@ class UnknownParameters:
         is_own = bool(name) and all(each is not None and each.folder == reads.package.folder for each in owners)
         is_unread = is_own and is_unread_by(name, reads.package, reads.cpp, list(reads.run_files))
         return f", and nothing differs, as no code uses `{name}`" if is_unread else ""
+
+    def why_harmless(self, group: ParameterGroup, parameter: Parameter, meant: str) -> str:
+        """Return why nobody misses a value that a file gives under a strange name, or how it is read; "" for none."""
+        is_own = any(each.folder == self.reads.package.folder for each in group.owners)
+        may = MAY if is_own and self.open_code.may_read(parameter.name, meant) else ""
+        return group.same_as_default(parameter, meant) or self.why_unread(group.owners, meant) or may
+
+    @cached_property
+    def open_code(self) -> OpenCode:
+        return OpenCode(self.reads)
 
     def repeated_reads(self) -> Iterator[tuple[str, Fault]]:
         """Yield path and fault of what is got twice, the second time in the place of what no code gets."""

@@ -86,13 +86,12 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     Finds values for parameters that no code declares, where a similar name is declared.
     The package that declares the other parameters of the block declares the similar one, and the block does not give
     it; or a name is longer by a word of its block, as `segmentation.min_points_segment`. Names in launch files are
-    compared with what the node's package declares; `wheels` is for `number_of_wheels` there. Well-known packages are
-    known without their sources, and `use_sim_time` is of every node; so are the names in `joint_limits.yaml`. So is the
-    one name in which two files differ that are called alike in two folders, where the code declares the other one's.
-    Slashes of ROS 1 stand for dots, and no name ends with the `:=` of the command line. In code `get_parameter` is
-    checked likewise: the file declares a similar name without getting it, or it makes its node, and the name stands
-    nowhere else in the code of the package. A name that is got twice is found where a second one was declared, whose
-    name stands nowhere else: right behind its declaration, or at its place in the row of reads.
+    compared with what the node's package declares. Well-known packages are known without their sources, and
+    `use_sim_time` is of every node; so are the names in `joint_limits.yaml`. So is the one name in which two files of
+    one name differ, where the code declares the other one's. Slashes of ROS 1 stand for dots, and no name ends with the
+    `:=` of the command line. In code `get_parameter` is checked likewise: the file declares a similar name without
+    getting it, or it makes its node, and the name stands nowhere else in the package's code. A name that is got twice
+    is found at the place of a second one, which is declared there, and whose name stands nowhere else.
 
     ## Why is this bad?
     The value is dropped, and the node runs with its default; or it stops, or a variable is never set.
@@ -102,12 +101,13 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     three names. Code is left alone where nodes allow undeclared parameters, or names of them are computed; where it
     asks a client or another object, other packages may choose the options of a node, or what gets the node may declare
     them. Where its base class elsewhere may, or it asks first, it is an info. One that is got into a variable, has an
-    alternative, is like no other, or whose exception may be caught, or under a condition, is a warning; into one that
-    nothing reads, an info. So is what stands in code that nothing compiles, starts, imports or calls, a value in a
-    block that no started (and, in nav2, configured) node reads, and one that changes nothing: it is the default of the
-    parameter that is meant, as the code or a table of well-known packages has it (where none is known, false, 0, an
-    empty text and list), the code never uses that one, or its switch is off, as `use_control` is for `control_timeout`.
-    So is a limit of a joint in a file that nothing names, and what a plugin gets that its block's lists leave out.
+    alternative, is like no other, or whose exception may be caught, or under a condition, is a warning; one that
+    nothing reads is an info, and so is what stands in code that nothing compiles, starts, imports or calls; a value in
+    a block that no started (and, in nav2, configured) node reads, or that the package's code may read otherwise: its
+    name stands there, it differs by a number, or names are made when it runs; and one that changes nothing: it is the
+    default of the parameter that is meant, as the code or a table has it (where none is known, false, 0, an empty text
+    and list), the code never uses that one, or its switch is off. So is a limit of a joint in a file that nothing
+    names, and what a plugin gets that its block's lists leave out.
 
     ## Fix safety
     The similar name may not be right. A value of another type stays, a single one for a list is put into brackets.
@@ -115,7 +115,7 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     for group in scope.given.groups():
         for parameter, meant in group.unknown():
             last, by = meant.rpartition(".")[2], group.owners[0].name
-            same = group.same_as_default(parameter, meant) or scope.why_unread(group.owners, meant)
+            same = scope.why_harmless(group, parameter, meant)
             dropped = f"`{by}` declares no parameter `{parameter.name}`: the value is dropped{same}"
             is_mild = bool(same) or scope.readers.is_idle(group.file.path, parameter.key.span)
             fix = only_plain_names(renamed(group, parameter, meant), last)
