@@ -39,7 +39,14 @@ def in_cpp(text: str, *headers: str) -> Example:
     return Example(bad={**OURS, **files, "my_pkg/src/a.cpp": text}, good={}, on="")
 
 
+def of_distribution(page: str, line: str) -> Example:
+    files = {"package.xml": manifest("  <exec_depend>nav2_msgs</exec_depend>\n"), "my_pkg/talker.py": line}
+    return Example(bad={**files, "README.md": f"For ROS 2 {page}.\n"}, good={})
+
+
+KINDS = ("from nav2_msgs.msg import NavigateToPose\n", "from nav2_msgs.action import NavigateToPos\n")
 CASES = {
+    "IDL011": tuple(of_distribution(page, line) for page in ("Galactic", "Humble") for line in KINDS),
     "IDL010": tuple(
         Example(
             bad={

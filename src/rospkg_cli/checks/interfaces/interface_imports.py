@@ -11,10 +11,13 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.interfaces import KINDS
 from ...source import Span
+from ..older_distribution import OlderDistribution
 from ..reached_modules import ReachedModules
 from ..reached_places import ReachedPlaces
 from ..run_imports import RunImports
 from .known_interfaces import KnownInterfaces
+
+OLDER = "; the older distribution that this is for may have it"
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +51,7 @@ class InterfaceImports:
     workspace: Workspace
     reached: ReachedModules | None = None
     places: ReachedPlaces | None = None
+    distribution: OlderDistribution | None = None
 
     def wrong(self) -> Iterator[WrongInterfaceImport]:
         for file, each in self.run.certain:
@@ -108,10 +112,17 @@ class InterfaceImports:
         for name in each.names:
             if name[:1] not in ("_", "*") and self.known.lacks(package, kind, name):
                 meant = self.known.meant(package, kind, name)
-                yield self.hit(file, each, alias_span(file, each, name), package, kind, name, meant or "")
+                hit = self.hit(file, each, alias_span(file, each, name), package, kind, name, meant or "")
+                yield replace(hit, why=OLDER) if self.may_be_older(hit) else hit
             elif self.known.is_unlisted(package, kind, name):
                 hit = self.hit(file, each, alias_span(file, each, name), package, kind, name, "")
                 yield replace(hit, is_unlisted=True)
+
+    def may_be_older(self, hit: WrongInterfaceImport) -> bool:
+        """Return whether a distribution that is meant may have had what a package outside has as another kind now."""
+        is_other = hit.meant.split(".")[1:2] not in ([], [hit.kind])
+        is_outside = is_other and not self.known.is_here(hit.package)
+        return is_outside and self.distribution is not None and self.distribution.is_meant_unsupported
 
     def hit(
         self, file: PythonFile, each: Import, span: Span, package: str, kind: str, name: str, meant: str

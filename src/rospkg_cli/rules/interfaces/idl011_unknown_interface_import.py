@@ -25,7 +25,7 @@ GOOD = "from std_msgs.msg import String\n\nprint(String)\n"
         "only tests come to it, or it is in a program that nothing starts, beside others that are started",
         Severity.INFO: "nothing installs the file, starts or imports the module, or leads to the function, or a page "
         "alone names it, or it stands behind `rclpy.spin` or a loop, in a callback that nothing spins, or under "
-        "`__main__` of an entry point's module",
+        "`__main__` of an entry point's module, or an older distribution that is meant may have it",
     },
     examples=(
         Example(
@@ -63,7 +63,9 @@ def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
     it makes its interfaces while it is built, or has a Python module of that name; for optional imports, and in files
     that nothing installs, but for an info on a name that a package of the workspace lacks. A module that no entry point
     and no other file of the package names or imports, beside others that start, is an info, and so is what is in a
-    function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's module.
+    function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's module. Where
+    distributions that are no longer supported are meant alone, what a package elsewhere has as another kind now is one
+    too.
 
     ## Fix safety
     The intended name is a guess.
