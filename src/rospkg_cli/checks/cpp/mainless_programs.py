@@ -21,7 +21,7 @@ from ..depends.compiled_sources import Inclusions, own_compiled
 PLAIN = frozenset({"add_executable"})
 SOURCES = (".cpp", ".cc", ".cxx", ".c++", ".c")
 HEADERS = (".hpp", ".h", ".hh", ".hxx", ".ipp", ".tpp")
-MAY_BE_MAIN = regex(r"[Mm]ain\s*\(|MAIN")
+MAY_BE_MAIN = regex(r"[Mm]ain\s*\(|MAIN|BOOST_TEST_MODULE|#[ \t]*include[ \t]*[<\"][^\n]*[Mm]ain")
 """What a file has that has a `main()`, or a macro that makes one; a comment counts too."""
 MAIN = regex(r"^int\s+main\s*\(", re.MULTILINE)
 MACRO = regex(r"^(?!RCLCPP_|PLUGINLIB_|CLASS_LOADER_|RCUTILS_|Q_)[A-Z][A-Z0-9_]{2,}[ \t]*\(", re.MULTILINE)
@@ -86,8 +86,17 @@ class MainlessPrograms:
         """Return whether a file, or one that it includes, may have a `main()`; so too where one is not read."""
         if not self.inclusions.files.keys() >= set(paths):
             return True
-        texts = [self.text(path) for path in self.inclusions.reached(paths)]
+        reached = self.inclusions.reached(paths)
+        others = (other for path in reached for other in self.others_in(path))
+        texts = [self.text(path) for path in (*reached, *others)]
         return any(not text or MAY_BE_MAIN.search(text) or MACRO.search(text) for text in texts)
+
+    def others_in(self, path: str) -> Iterator[str]:
+        """Yield the files of any other ending that one includes (`app.inc`), wherever they lie in the package."""
+        names = {posixpath.basename(each.path) for each in self.inclusions.files[path].includes}
+        names = {each for each in names if not each.endswith((*SOURCES, *HEADERS))}
+        paths = self.package.cmake.package_files.paths if names else ()
+        return (each for each in paths if posixpath.basename(each) in names)
 
     def given_main(self, target: Target) -> bool | None:
         """Return whether a library or a setting may bring one; None where a library can't be evaluated."""
@@ -103,7 +112,8 @@ class MainlessPrograms:
                 is_known &= link.word.is_known
                 waiting += [own.name] if own is not None else []
             seen.add(name)
-        is_set = any(target.name in call.texts and "OPTIONS" in str(call.texts) for call in cmake.named(*SETTINGS))
+        set_for = (call for call in cmake.named(*SETTINGS) if target.name in call.texts)
+        is_set = any("OPTIONS" in str(call.texts) or "-nostartfiles" in call.texts for call in set_for)
         return True if is_set else False if is_known else None
 
     def lost(self, paths: list[str]) -> str:

@@ -66,10 +66,11 @@ def program_without_main(programs: MainlessPrograms) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a source is not known, or of another language than C++; where one, a header of the package that it includes,
-    or a library of the package has `main(`, `MAIN` or an unknown macro in it, and where a library is linked that has
-    `main` in its name (`gtest_main`). Where a source is not there or a library can't be evaluated, unless a file beside
-    the others has a `main()` and stands in no CMake file: a warning, as for a program that is only built on demand
-    (EXCLUDE_FROM_ALL). For tests, and below a condition that can't be evaluated.
+    or a library of the package has `main(`, `MAIN`, BOOST_TEST_MODULE or an unknown macro in it, or includes a file
+    called so, and where a library is linked that has `main` in its name (`gtest_main`). Where a source is not there or
+    a library can't be evaluated, unless a file beside the others has a `main()` and stands in no CMake file: a warning,
+    as for a program that is only built on demand (EXCLUDE_FROM_ALL). For tests, and below a condition that can't be
+    evaluated.
     """
     for each in programs.all():
         word = each.target.word
