@@ -19,6 +19,8 @@ from ...source import Span
 from ...suggest import nearest, slips
 from .target_references import TargetReferences
 
+INDEX = "rclcpp_components"
+"""The part of the resource index in which classes are registered, which a package may fill by itself."""
 MACRO = "RCLCPP_COMPONENTS_REGISTER_NODE"
 
 
@@ -107,9 +109,15 @@ class ComponentRegistration:
         if not cmake.is_complete or cmake.reads_unknown_files or any(not c.plugin.is_known for c in cmake.components):
             return
         names = {component.plugin.text for component in cmake.components}
-        for each in self.in_sources:
-            if each.name not in names | self.misspelt and each.path in self.in_libraries | self.in_linked_libraries:
+        indexed = " ".join(text for call in cmake.calls if INDEX in call.texts for text in call.texts)
+        for each in self.in_sources if f"resource_index/{INDEX}" not in self.written else ():
+            is_named = each.name in names | self.misspelt or each.name in indexed
+            if not is_named and each.path in self.in_libraries | self.in_linked_libraries:
                 yield each
+
+    @cached_property
+    def written(self) -> str:
+        return " ".join(file.source.text for file in self.package.cmake.files)
 
     def harm(self, found: RegisteredClass) -> Literal["error", "warning", "info"]:
         """Return how bad it is that CMake does not register a class: a launch file of the package may load it."""
