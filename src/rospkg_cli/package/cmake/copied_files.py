@@ -27,7 +27,8 @@ class CopiedFile:
         """Whether it is executable there, whatever it is here."""
         if self.rule.kind == "PROGRAMS" and not self.rule.permissions:
             return True
-        return any(each.endswith("EXECUTE") for each in self.rule.permissions)
+        fitting = (each.permissions for each in self.rule.patterns if each.permissions and fits(each, self.source))
+        return any(each.endswith("EXECUTE") for each in self.rule.permissions.union(*fitting))
 
     @property
     def keeps_permissions(self) -> bool:

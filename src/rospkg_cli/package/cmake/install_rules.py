@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import takewhile
 from typing import Literal
 
 from ...languages.cmake.call_stack import PYTHON
@@ -40,6 +41,10 @@ PACKAGE_KEYWORDS = ("VERSION", "PACKAGE_DIR", "SETUP_CFG", "DESTINATION", "SCRIP
 """Of ament_python_install_package: each takes one value."""
 
 
+PERSONS = ("OWNER_", "GROUP_", "WORLD_")
+"""How permissions begin."""
+
+
 @dataclass(frozen=True, slots=True)
 class Pattern:
     """`PATTERN "*.hpp"` or `REGEX …` of install(DIRECTORY)."""
@@ -47,6 +52,8 @@ class Pattern:
     text: str
     is_regex: bool
     is_exclude: bool = False
+    permissions: frozenset[str] = frozenset()
+    """What the files that it fits get."""
 
 
 @dataclass(frozen=True)
@@ -192,4 +199,6 @@ def patterns_in(words: Sequence[Word]) -> Iterator[Pattern]:
     for at, word in enumerate(words[:-1]):
         if word.text in ("PATTERN", "REGEX"):
             exclude = at + 2 < len(words) and words[at + 2].text == "EXCLUDE"
-            yield Pattern(words[at + 1].text, word.text == "REGEX", exclude)
+            given = takewhile(lambda text: text not in ("PATTERN", "REGEX"), (each.text for each in words[at + 2 :]))
+            permissions = frozenset(text for text in given if text.startswith(PERSONS))
+            yield Pattern(words[at + 1].text, word.text == "REGEX", exclude, permissions)
