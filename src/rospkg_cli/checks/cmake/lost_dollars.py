@@ -22,10 +22,12 @@ LOST = regex(
 OTHER_LANGUAGES = frozenset(
     """
     message string file add_custom_command add_custom_target execute_process if elseif while cmake_language
-    function macro configure_file exec_program
+    function macro configure_file exec_program add_test ament_add_test set_tests_properties
     """.split()
 )
-"""Commands whose arguments are texts, patterns, or what a shell or Make gets."""
+"""Commands whose arguments are texts, patterns, or what a shell, Make or an environment gets."""
+OF_LOADER = frozenset({"ORIGIN", "LIB", "PLATFORM"})
+"""What the loader itself puts into an RPATH: `$ORIGIN/../$LIB`."""
 OF_INSTALL = frozenset({"CODE", "SCRIPT"})
 EXPORTS = "ament_export_"
 SHORTEST = 3
@@ -95,4 +97,4 @@ class LostDollars:
     def names(self) -> frozenset[str]:
         """The variables of CMake that packages use, and those that the package sets."""
         own = (name for file in self.cmake.files for name in assigned_names(file))
-        return SET_BY_CMAKE | {name for name in own if len(name) >= SHORTEST}
+        return SET_BY_CMAKE | {name for name in own if len(name) >= SHORTEST and name not in OF_LOADER}

@@ -50,9 +50,10 @@ def lost_dollar(package: CMakePackage) -> Iterator[Hit]:
     very name is made, and a list is one odd word.
 
     ## When it is quiet
-    In `message()`, `string()`, `file()` and conditions, whose texts may mean braces, in what a shell or Make gets
-    (`add_custom_command()`), in `[[…]]`, and behind a backslash. It is an info where a folder of headers or libraries
-    is not needed, as all that is included is found otherwise, and where nothing reads the variable that is set.
+    In `message()`, `string()`, `file()` and conditions, whose texts may mean braces, in what a shell, Make or a test
+    gets (`add_custom_command()`, `add_test()`), for `$ORIGIN` and `$LIB`, which the loader reads, in `[[…]]`, and
+    behind a backslash. It is an info where a folder of headers or libraries is not needed, as all that is included is
+    found otherwise, and where nothing reads the variable that is set.
     """
     for each in LostDollars(package.cmake).all():
         yield Hit(each.call.path, each.span, each.sentence, None if each.has_effect else Severity.INFO)
