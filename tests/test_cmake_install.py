@@ -57,6 +57,8 @@ def installs(text: str) -> dict[str, str]:
         ("file(GLOB y config/*.yaml)\ninstall(FILES ${y} TYPE DATA)", "share/a.yaml"),
         ("add_executable(talker src/a.cpp)\ninstall(TARGETS talker DESTINATION lib/${PROJECT_NAME})", "lib/my_pkg/talker"),
         ("add_executable(talker src/a.cpp)\nset_target_properties(talker PROPERTIES OUTPUT_NAME node)\ninstall(TARGETS talker RUNTIME DESTINATION lib/${PROJECT_NAME})", "lib/my_pkg/node"),
+        ("add_executable(talker src/a.cpp)\nset_target_properties(talker PROPERTIES OUTPUT_NAME other RUNTIME_OUTPUT_NAME node LIBRARY_OUTPUT_NAME third)\ninstall(TARGETS talker RUNTIME DESTINATION lib/${PROJECT_NAME})", "lib/my_pkg/node"),
+        ("add_library(l SHARED src/a.cpp)\nset_property(TARGET l PROPERTY LIBRARY_OUTPUT_NAME m)\nset_property(TARGET k PROPERTY LIBRARY_OUTPUT_NAME m)\ninstall(TARGETS l)", "lib/libm.so"),
         ("add_library(l SHARED src/a.cpp)\nadd_library(i INTERFACE)\ninstall(TARGETS l i EXPORT e ARCHIVE DESTINATION a LIBRARY DESTINATION b RUNTIME DESTINATION c INCLUDES DESTINATION d)", "b/libl.so"),
         ("add_library(l STATIC src/a.cpp)\ninstall(TARGETS l)", "lib/libl.a"),
         ("add_library(l MODULE src/a.cpp)\ninstall(TARGETS l)", "lib/libl.so"),

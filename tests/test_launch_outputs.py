@@ -94,3 +94,10 @@ INCLUDE = "IncludeLaunchDescription(PythonLaunchDescriptionSource({}))"
 )
 def test_the_default_of_what_is_off(view: str, more: str, expected: list[str]) -> None:
     assert levels(VIEW.format(view, more)) == expected
+
+
+@pytest.mark.parametrize(("name", "expected"), [("TODO", "info"), ("<your_node>", "info"), ("taker", "error")])
+def test_a_program_whose_name_is_still_to_be_filled_in(name: str, expected: str) -> None:
+    text = f"{HEAD}    return LaunchDescription([Node(package='my_pkg', executable='{name}')])\n"
+    found = lint_files({**BASE, "launch/a.launch.py": text}, ["LCH002"]).findings
+    assert [each.severity.value for each in found] == [expected]

@@ -49,6 +49,11 @@ class Target:
     def is_executable(self) -> bool:
         return self.kind == "executable"
 
+    @property
+    def artifact(self) -> str:
+        """CMake's word for its file on Linux, a library of no given kind being a shared one."""
+        return "RUNTIME" if self.is_executable else "ARCHIVE" if "STATIC" in self.options else "LIBRARY"
+
 
 def target_with_sources(kind: Kind) -> Callable[[EvaluatedCommand], Iterator[Target]]:
     """`add_executable`, `add_library`, their ament_auto forms, and commands that pass arguments on to them."""

@@ -21,7 +21,7 @@ class Artifacts:
     def destination(self, rule: InstallRule, target: Target) -> str | None:
         """Return the folder that a target goes to: that of its kind of artifact, the general one, or CMake's own."""
         destinations = rule.destinations or {}
-        kind = "RUNTIME" if target.is_executable else "ARCHIVE" if "STATIC" in target.options else "LIBRARY"
+        kind = target.artifact
         if kind in destinations or "" in destinations:
             return destinations.get(kind, destinations.get(""))
         return "bin" if target.is_executable else "lib"

@@ -196,8 +196,13 @@ class CMake:
 
     @cached_property
     def output_names(self) -> dict[str, str]:
-        """Targets whose file has another name: target to name."""
-        return dict(self.properties("OUTPUT_NAME"))
+        """Targets whose file has another name: target to name; that of its kind of artifact goes before."""
+        found = dict(self.properties("OUTPUT_NAME"))
+        for kind in ("RUNTIME", "ARCHIVE", "LIBRARY"):
+            for target, new in self.properties(f"{kind}_OUTPUT_NAME"):
+                if (known := self.target(target)) is not None and known.artifact == kind:
+                    found[target] = new
+        return found
 
     @cached_property
     def export_names(self) -> dict[str, str]:

@@ -72,15 +72,15 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     them as they are. A node whose condition can't be evaluated, or that Python makes in a branch alone, or in a file
     without `generate_launch_description`, is a warning; one that is off by default, that nothing adds to the launch
     description, or that a function makes which nothing calls, an info. So is what was there in Foxy or Galactic, unless
-    the run checks for a distribution (`--target`), or pages, scripts and workflows name Humble or later ones alone;
-    and it is one where a folder around is called after an old one, or parameters of the package name plugins of that
-    time (`nav2_recoveries/Spin`). Where no README, script or workflow names one, other pages, launch files,
-    docstrings and names of files are asked; where several are named, the package's own description is. It is an info,
-    too, where package.xml declares a sister of the package that no distribution has: a fork may have it, and where
-    every launch ends before, as it looks for a package that is neither here, nor released, nor in a listed repository.
-    What is known of a package that is not here is an info where another one of its name may be meant: repositories are
-    listed that are not here, or a page clones one that is called so; not so of what `ros_base` brings, and of what a
-    page or a container installs (`apt install ros-jazzy-topic-monitor`).
+    the run checks for a distribution (`--target`), or pages, scripts and workflows name Humble or later ones alone; and
+    it is one where a folder around is called after an old one, or parameters of the package name plugins of that time
+    (`nav2_recoveries/Spin`). Where no README, script or workflow names one, other pages, launch files, docstrings and
+    names of files are asked; where several are named, the package's own description is. It is an info, too, where the
+    name is still to be filled in (`TODO`), where package.xml declares a sister of the package that no distribution has:
+    a fork may have it, and where every launch ends before, as it looks for a package that is neither here, nor
+    released, nor in a listed repository. What is known of a package that is not here is an info where another one of
+    its name may be meant: repositories are listed that are not here, or a page clones one that is called so; not so of
+    what `ros_base` brings, and of what a page or a container installs (`apt install ros-jazzy-topic-monitor`).
 
     ## Fix safety
     The name is replaced by the only similar one; another program may be right.
