@@ -68,6 +68,9 @@ def shown(text: str, name: str, program: str = "robot_state_publisher") -> Examp
     return robot(text, name, xml=SHOW.format(name, program, program))
 
 
+WORLD = '<sdf version="1.8"><world name="w">{}</world></sdf>\n'
+PLUGIN = '<plugin name="a" filename="/home/ada/ws/install/arm/lib/libarm.so"/>'
+FETCHED = "<include><uri>file:///home/ada/.gz/fuel/fuel.gazebosim.org/openrobotics/models/shelf/4</uri></include>"
 CASES = {
     "URD001": (
         shown(HEAD + JOINT, "robot.urdf.xacro"),
@@ -75,6 +78,7 @@ CASES = {
         *(robot(TEMPLATE, "robot.urdf", py=FILLS.format(how)) for how in (READ, EXPANDED)),
     ),
     "URD002": (
+        *(shown(WORLD.format(each), "robot.sdf", "ros_gz_sim") for each in (PLUGIN, FETCHED)),
         shown(HEAD + INCLUDES, "robot.urdf.xacro"),
         shown(HEAD + GAZEBO, "robot.urdf.xacro"),
         shown(HEAD + GAZEBO, "robot.urdf.xacro", "ros_gz_sim_gazebo"),

@@ -18,6 +18,9 @@ NAMING = frozenset({"filename", "uri", "url", "path"})
 WORLDS = (".sdf", ".world")
 MODEL = regex(r"/models/(?P<model>[^/]+(?:/.+)?)")
 RESOURCES = "which Gazebo looks for in the folders of GZ_SIM_RESOURCE_PATH (the classic one in GAZEBO_MODEL_PATH)"
+LIBRARIES = "which Gazebo looks for in the folders of GZ_SIM_SYSTEM_PLUGIN_PATH (the classic one in GAZEBO_PLUGIN_PATH)"
+FUEL = regex(r"/fuel/(?P<server>[\w-]+(?:\.[\w-]+)+)/(?P<owner>[^/]+)/models/(?P<model>[^/]+)")
+"""Where Gazebo keeps the models that it has fetched."""
 INSTALLED = regex(r"/install/(?:[^/]+/)?share/(?P<package>[^/]+)/(?P<path>.+)")
 
 
@@ -48,14 +51,23 @@ def portable(path: str, *, is_include: bool) -> str:
     return f"$(find {package})/{rest}" if is_include else f"package://{package}/{rest}"
 
 
+def for_gazebo(path: str) -> str:
+    """Return how a world can name a file: a library, a model that Gazebo fetches, or one that it looks for."""
+    if path.endswith(".so"):
+        return f"write `{path.rpartition('/')[2]}`, {LIBRARIES}"
+    if (kept := FUEL.search(path)) is not None:
+        return f"write `https://{kept['server']}/1.0/{kept['owner']}/models/{kept['model']}`, which Gazebo fetches"
+    model = MODEL.search(path)
+    return f"write `model://{model['model'] if model else '<model>/<path>'}`, {RESOURCES}"
+
+
 def of_one_machine(found: list[tuple[Span, str]], document: Document) -> tuple[str, str]:
     """Return what is said of such paths, and what to do: as xacro includes files, and as meshes are named."""
     more = f" and {len(found) - 1} more" if found[1:] else ""
     verb, them = ("are", "they are") if more else ("is", "it is")
     told = f"`{found[0][1]}`{more} {verb} on one machine: elsewhere {them} missing"
     if document.source.path.endswith(WORLDS):
-        model = MODEL.search(found[0][1])
-        return told, f"write `model://{model['model'] if model else '<model>/<path>'}`, {RESOURCES}"
+        return told, for_gazebo(found[0][1])
     included, ways = included_spans(document), dict[bool, str]()
     for span, path in found:
         ways.setdefault(span in included, portable(path, is_include=span in included))
