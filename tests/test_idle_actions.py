@@ -131,7 +131,7 @@ def test_what_is_never_added_is_an_info() -> None:
 
 @pytest.mark.parametrize(
     "more",
-    ["print(node)", "locals()", "other = [node]\n    print(other)", "def later(): return [node]"],
+    ["check(node)", "locals()", "other = [node]\n    check(other)", "def later(): return [node]"],
 )
 def test_a_node_that_anything_reads_may_be_added(more: str) -> None:
     text = PYTHON.format(condition="", default="true", added="").replace("    return", f"    {more}\n    return")

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from ...languages.python.evaluate.values import Call, Constant, Value
 from ...languages.python.file import PythonFile
-from ...languages.python.unread_values import never_added
+from ...languages.python.unread_values import only_printed
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.argument_defaults import literal_defaults
@@ -38,7 +38,7 @@ VARIABLE = regex(r"\$\(var ([^()\s]+)\)")
 
 def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
     """Return the level of a fault in an action, None for the rule's own, and why it is not that."""
-    lost = next((each for each in never_added(file.python) if each.contains(span)), None) if file.python else None
+    lost = next((each for each in only_printed(file.python) if each.contains(span)), None) if file.python else None
     if file.python is not None and lost is not None:
         maker = file.python.source.slice(lost).partition("(")[0].rpartition(".")[2]
         return "info", NEVER_ADDED if maker in ACTIONS else UNUSED

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Set
 from typing import cast
 
 from ...source import Span
@@ -13,6 +13,7 @@ from .constant_truth import unreached_nodes
 from .file import PythonFile
 from .idle_statements import filling_calls, idle_tests
 from .nodes import nodes_below, nodes_of, nodes_of_kind
+from .printed_names import printed_names
 
 
 def never_added(file: PythonFile) -> tuple[Span, ...]:
@@ -26,8 +27,19 @@ def never_added(file: PythonFile) -> tuple[Span, ...]:
     return cast("tuple[Span, ...]", known["never_added"])
 
 
-def unread_values(file: PythonFile) -> Iterator[Span]:
-    loads = [node for node in nodes_of_kind(file.tree, ast.Name) if not is_stored(node)]
+def only_printed(file: PythonFile) -> tuple[Span, ...]:
+    """Return the same values, and those that nothing but `print` reads: their text is shown, and nothing done with."""
+    known = vars(file)
+    if "only_printed" not in known:
+        shown = {id(name) for name in printed_names(file)}
+        found = unread_values(file, shown) if shown else never_added(file)
+        known["only_printed"] = tuple(dict.fromkeys(found))
+    return cast("tuple[Span, ...]", known["only_printed"])
+
+
+def unread_values(file: PythonFile, shown: Set[int] = frozenset()) -> Iterator[Span]:
+    """Yield the values, where the reads whose identities are given count for none."""
+    loads = [node for node in nodes_of_kind(file.tree, ast.Name) if not is_stored(node) and id(node) not in shown]
     again = {id(node) for node in loads_for_itself(file)} | {*unreached_nodes(nodes_of(file.tree), file.constants)}
     loads = [node for node in loads if id(node) not in again]
     if any(node.id == "locals" for node in loads):
