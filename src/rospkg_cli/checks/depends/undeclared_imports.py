@@ -12,6 +12,7 @@ from ...package.file_role import Role
 from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_TESTS, LAUNCH, implied_by
 from ...source import Span
+from ..foreign_images import foreign_image
 from ..reached_modules import ReachedModules
 from ..reached_places import AT_TIMES, ReachedPlaces
 from ..ros1_import import ROS1, ros1_import
@@ -114,11 +115,16 @@ class ImportDependencies:
         return UNSTARTED if all(map(programs.has_script, paths)) else TOOL if all(map(programs.is_tool, paths)) else ""
 
     def why_unmet(self, missing: UndeclaredImport) -> str:
-        """Return that, or why rosdep serves nobody with a library, as another Python runs all that imports it."""
+        """Return that, or why rosdep serves nobody with a library: another Python runs all that imports it, or an image
+        that the repository builds on may have it.
+        """
         why, is_library = self.why_unstarted(missing.places), self.declared.workspace.index.is_key(missing.name)
         if why or self.pythons is None or not is_library:
             return why
-        return self.pythons.why_unseen({each.path for each in missing.places})
+        if why := self.pythons.why_unseen({each.path for each in missing.places}):
+            return why
+        image = foreign_image(self.files)
+        return image.may_bring if image is not None and not self.declared.release.is_made else ""
 
     def why_seldom(self, uses: Iterable[ImportUse]) -> str:
         """Return what is said where all places seldom or never run, beside what is said of modules; "" for others."""

@@ -33,7 +33,7 @@ OPTIONAL = "; this module is imported only where that may fail"
         "for older distributions alone, where an unreleased repository declares it in another package or installs it "
         "by apt, where only PyPI has it or the repository has it installed by pip or by hand, where nothing but "
         "launch files, only `try`, or nothing at all imports the module or starts the script, where nothing leads to "
-        "the function, and where another Python runs the file"
+        "the function, and where another Python runs the file or an image may bring it"
     },
     examples=(
         Example(
@@ -80,11 +80,11 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     with one that requires it (torch with `ultralytics`), or a page tells to install by hand, or what Blender, Isaac
     Sim, Webots or a microcontroller runs. So is a library in programs that all import what these bring, or where a page
     that builds or starts the package enters an environment (`conda activate`, `uv run`, `python3 -m venv` without
-    `--system-site-packages`): that Python sees no library of rosdep.
-    Left out are optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or
-    one that asks for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are
-    files that nothing installs, the package's own modules, and libraries that rosdep has for older releases of Ubuntu
-    alone.
+    `--system-site-packages`): that Python sees no library of rosdep, or where containers build on an image of others
+    than ROS and Ubuntu, which may bring it. Left out are optional imports: under `try` … `except ImportError`,
+    `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
+    get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, the package's own
+    modules, and libraries that rosdep has for older releases of Ubuntu alone.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, no released package has the name, or a comment leaves it out.
