@@ -22,7 +22,6 @@ from ..installed_modules import MADE, InstalledModules
 from ..reached_modules import ReachedModules
 from ..reached_places import ReachedPlaces
 from ..run_imports import PATHS, RunImports
-from .module_makers import may_make_modules
 from .pip_installs import PipInstalls, normalized
 
 LEFT = "; nothing starts or imports this module"
@@ -76,6 +75,8 @@ class OwnImports:
             return any(word in self.files.readable_text("setup.py") for word in BUILDING)
         if self.cmake is None or not self.cmake.is_complete or self.cmake.reads_unknown_files:
             return True
+        from .module_makers import may_make_modules  # for packages of CMake alone
+
         return any(may_make_modules(call) for call in self.cmake.calls) or any(
             not source for source in self.installed.sources.values()
         )

@@ -20,7 +20,6 @@ from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from ...suggest import near_names
 from .awaited_actions import only_awaited
-from .started_elsewhere import started_elsewhere
 from .unset_configurations import LaunchConfigurations
 
 HARM = {
@@ -76,6 +75,8 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
             kind = class_of(call)
             harm = HARM.get(kind, "it has no effect")
             is_gone = starts_nothing(call, configurations.workspace)
+            from .started_elsewhere import started_elsewhere  # what few launch files need
+
             starter = started_elsewhere(call, configurations.file, configurations.around)
             written = file.source.slice(call.span)
             yield UnusedAction(file.span(node), what, harm, is_gone, starter, line, written=written)

@@ -17,7 +17,6 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from .built_places import is_built_from
 from .carried_folders import is_carried
-from .cmake_folders import named_folders
 from .hand_builds import is_built_by_hand
 from .wanted_packages import WantedPackages
 
@@ -110,4 +109,8 @@ class NestedPackages:
 
     @cached_property
     def built_folders(self) -> frozenset[str]:
+        if self.cmake is None:
+            return frozenset()
+        from .cmake_folders import named_folders  # a package without CMake needs no commands of it
+
         return named_folders(self.cmake)

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from ...checks.depends.bare_neighbours import BareNeighbours
 from ...checks.depends.own_imports import OwnImports
 from ...checks.path_starts import ALONE, is_started_by_path_alone
-from ...checks.told_python_paths import ON_PATH, is_on_python_path
 from ...example import Example, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule
@@ -79,8 +78,10 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
         why, brought = imports.places.why_seldom(file.path, each.span), neighbours.may_be_brought(found)
         if not why and is_started_by_path_alone(imports.files, imports.facts.name, file.path):
             why, fix = ALONE, None
-        if not why and is_on_python_path(imports.files, file.path):
-            why, fix = ON_PATH, None
+        if not why:
+            from ...checks.told_python_paths import ON_PATH, is_on_python_path  # what few packages need
+
+            why, fix = (ON_PATH, None) if is_on_python_path(imports.files, file.path) else (why, fix)
         is_mild = brought or each.is_local or imports.places.is_conditional(file.path, each.span)
         level = Severity.INFO if why or is_offered else Severity.WARNING if is_mild else None
         yield Hit(file.path, each.span, f"{message}{why or brought}", level, fix=fix)
