@@ -33,13 +33,14 @@ BUILD = CMAKE.replace(
 )
 
 
-def found(more: str = "", name: str = "max_sped") -> list[str]:
+def found(more: str = "", name: str = "max_sped", launch: str = LAUNCH) -> list[str]:
+    values = f"talker:\n  ros__parameters:\n    {name}: 2.0\n    min_speed: 3.0\n    rate: 5\n"
     every = {
         "package.xml": manifest("  <depend>rclcpp</depend>\n", "ament_cmake"),
         "CMakeLists.txt": BUILD,
         "src/talker.cpp": CODE.replace("MORE", more),
-        "launch/a.launch.xml": LAUNCH,
-        "config/a.yaml": f"talker:\n  ros__parameters:\n    {name}: 2.0\n    min_speed: 3.0\n    rate: 5\n",
+        "launch/a.launch.xml": launch,
+        "config/a.yaml": values if launch == LAUNCH else "a: 1\n",
     }
     return [f"{each.severity.value}: {each.message}" for each in lint_files(every, ["PRM007"]).findings]
 
@@ -69,3 +70,17 @@ def test_code_may_read_it_otherwise(more: str) -> None:
 
 def test_another_number_is_another_parameter() -> None:
     assert [each.partition(":")[0] for each in found(name="max_speed2")] == ["info"]
+
+
+def test_a_base_class_elsewhere_may_read_it() -> None:
+    assert [each.partition(":")[0] for each in found("} struct Other : public drivers::DriverNode {")] == ["info"]
+    assert [each.partition(":")[0] for each in found("} struct Other : public drivers::Driver {")] == ["warning"]
+
+
+@pytest.mark.parametrize(("more", "level"), [("", "warning"), ("declare_parameter(NAME, 1.0);", "info")])
+def test_a_launch_file_may_give_it(more: str, level: str) -> None:
+    launch = (
+        '<launch><node pkg="my_pkg" exec="talker"><param name="max_sped" value="2.0"/><param name="rate" value="3"/>'
+        '<param name="min_speed" value="3.0"/></node></launch>\n'
+    )
+    assert [each.partition(":")[0] for each in found(more, launch=launch)] == [level]

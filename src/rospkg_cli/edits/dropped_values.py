@@ -14,7 +14,8 @@ from ..source import Span
 def dropped_value(scope: UnknownParameters, named: LaunchedName) -> Hit:
     """Return the hit of a name in a launch file, or of one that a table knows."""
     more, (softer, why) = " any more" if named.is_removed else "", level_of(named.start)
-    same = named.same or scope.why_unread([scope.given.workspace.named(named.package)], named.meant)
+    owner = scope.given.workspace.named(named.package)
+    same = named.same or scope.why_unread([owner], named.meant) or scope.may_read(owner, named.name, named.meant)
     is_mild = bool(more) or softer == "info" or not named.is_certain or bool(same)
     is_mild = is_mild or scope.readers.is_idle(named.path, named.span)
     message = f"`{named.package}` declares no parameter `{named.name}`{more}: the value is dropped{why}{same}"

@@ -15,8 +15,10 @@ from ...suggest import near_names
 
 MANAGER = "controller_manager"
 TYPE = ".type"
-Spawn = tuple[LaunchFile, str, Span, str]
-"""Where a controller is spawned, its name, the place, and the name that is meant."""
+TYPING = frozenset({"-t", "--controller-type", "-p", "--param-file"})
+"""Options of the spawner by which a controller gets its type."""
+Spawn = tuple[LaunchFile, str, Span, str, bool]
+"""Where a controller is spawned, its name, the place, the name that is meant, and whether its spawner has a type."""
 WILD = ("*", "**")
 
 
@@ -69,22 +71,25 @@ def misspelt_spawns(files: Iterable[ParameterFile], launches: Iterable[LaunchFil
     """Yield the controllers that are spawned with nearly the name of one that has a type here and is not spawned."""
     listed = {name for file in files for name, _ in controllers(file)}
     spawns = [each for launch in launches if listed and not launch.is_ros1 for each in spawned(launch)]
-    free = listed - {name for _, name, _ in spawns}
-    for launch, name, span in spawns:
+    free = listed - {name for _, name, *_ in spawns}
+    for launch, name, span, is_typed in spawns:
         near = differing(name, near_names(name, free)) if name not in listed else []
         if len(near) == 1:
-            yield launch, name, span, near[0]
+            yield launch, name, span, near[0], is_typed
 
 
-def spawned(launch: LaunchFile) -> Iterator[tuple[LaunchFile, str, Span]]:
-    """Yield the controllers that spawners of a launch file are given, up to the first option."""
+def spawned(launch: LaunchFile) -> Iterator[tuple[LaunchFile, str, Span, bool]]:
+    """Yield the controllers that spawners of a launch file are given, up to the first option, and whether these may
+    give them a type.
+    """
     for node in launch.nodes:
         names = (node.package, node.executable)
+        is_typed = any((word.literal or "").partition("=")[0] in TYPING for word in node.arguments)
         if [text.literal if text else None for text in names] == [MANAGER, "spawner"]:
             for word in node.arguments:
                 if word.literal is None or word.literal.startswith("-"):
                     break
-                yield launch, word.literal, word.span
+                yield launch, word.literal, word.span, is_typed
 
 
 def differing(word: str, names: Iterable[str]) -> list[str]:

@@ -44,4 +44,5 @@ class OpenCode:
         if any(map(allows_any, sources)) or any(map(GETS_ALL.search, self.texts)):
             return True
         is_computed = any(map(has_computed_cpp_names, self.reads.cpp))
-        return is_computed or any(map(has_computed_names, self.reads.run_files)) or self.reads.own.is_handed_out
+        is_computed = is_computed or any(map(has_computed_names, self.reads.run_files))
+        return is_computed or self.reads.own.is_handed_out or self.reads.own.has_foreign_base

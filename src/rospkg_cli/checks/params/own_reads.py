@@ -21,6 +21,7 @@ CLIENT = regex("client", re.IGNORECASE)
 CLASS = regex(r"\b(?:class|struct)\s+(?:[A-Z_]+\s+)?(\w+)(?:\s+final)?\s*(?::(?!:)\s*([^{;]+))?\{")
 BASE = regex(r"(?:(?:public|protected|private|virtual)\s+)*(?:::)?([\w:]+)")
 NODES = regex(r"(?:(?:rclcpp|rclcpp_lifecycle|nav2_util|nav2)::)?(?:Lifecycle)?Node")
+CALLED_NODE = regex(r"(?:^|:)\w*Node\w*$")
 TEMPLATE = regex(r"<[^<>]*>")
 GIVEN = regex(r"\b(?:this|shared_from_this\s*\(\s*\))\s*[,)}]")
 TAKER = regex(r"[\w:]+(?:\s*<[\w:<>,\s*]*>)?(?:\s+\w+)?\s*$")
@@ -66,6 +67,12 @@ class OwnReads:
     def classes(self) -> dict[str, tuple[str, ...]]:
         """The classes of the package with their base classes."""
         return {name: bases for file in self.files for name, bases in classes_in(file)}
+
+    @cached_property
+    def has_foreign_base(self) -> bool:
+        """Whether a class has a base class elsewhere that is called a node."""
+        named = (name for name, bases in self.classes.items() if any(CALLED_NODE.search(each) for each in bases))
+        return any(not self.is_closed(name, frozenset()) for name in named)
 
     @cached_property
     def is_handed_out(self) -> bool:

@@ -83,9 +83,13 @@ class UnknownParameters:
 
     def why_harmless(self, group: ParameterGroup, parameter: Parameter, meant: str) -> str:
         """Return why nobody misses a value that a file gives under a strange name, or how it is read; "" for none."""
-        is_own = any(each.folder == self.reads.package.folder for each in group.owners)
-        may = MAY if is_own and self.open_code.may_read(parameter.name, meant) else ""
+        may = next(filter(None, (self.may_read(each, parameter.name, meant) for each in group.owners)), "")
         return group.same_as_default(parameter, meant) or self.why_unread(group.owners, meant) or may
+
+    def may_read(self, owner: PackageFacts | None, name: str, meant: str) -> str:
+        """Return that code of this package may read a name all the same, where it is the owner; else ""."""
+        is_own = owner is not None and owner.folder == self.reads.package.folder and bool(meant)
+        return MAY if is_own and self.open_code.may_read(name, meant) else ""
 
     @cached_property
     def open_code(self) -> OpenCode:

@@ -99,8 +99,8 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     nav2. It is an info where another node may be meant: code, or a launch file in a comment, names one so; the program
     is of a package that is not here; several blocks or nodes are left over; another package names the file. It is one
     where the only launch files that give the file to a node are not installed, or nothing adds the action that starts
-    the node; where a block holds no more than defaults (false, 0 or empty where they are not known); and for one of
-    several namespaces for a node's name: the launch file chooses.
+    the node; where a block holds no more than defaults (false, 0 or empty where they are not known); for one of
+    several namespaces for a node's name, as the launch file chooses; and where a spawner is given a type or a file.
 
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.
