@@ -5,7 +5,6 @@ from __future__ import annotations
 import posixpath
 
 from ..cmake.cmake_project import CMake
-from ..cmake.foreign_commands import foreign_commands
 
 REGISTER = "ament_index_register_resource"
 KIND = "__pluginlib__plugin"
@@ -20,6 +19,8 @@ def is_registered(cmake: CMake) -> bool:
 
 def may_export(cmake: CMake, file: str) -> bool:
     """Return whether CMake registers a description otherwise, or hands it to a macro of another package."""
+    from ..cmake.foreign_commands import foreign_commands  # few descriptions are not exported by pluginlib's call
+
     if is_registered(cmake):
         return True
     name, foreign = posixpath.basename(file), {call.name for call in foreign_commands(cmake)}
