@@ -61,6 +61,9 @@ NAMED = (
 )
 """What CMake says of the folder of an inner package: a folder of its own is meant, or a name alone."""
 BUILT = (
+    "WORKDIR /ws/src/my_pkg/arm\nRUN colcon build\n",
+    "working-directory: arm\nrun: colcon build\n",
+    "working-directory: my_pkg/arm\nrun: cmake -B build\n",
     "cd arm && mkdir build && cd build\ncmake .. && sudo make install\n",
     "cmake -S arm -B build/arm\n",
     "make -C ./arm\n",

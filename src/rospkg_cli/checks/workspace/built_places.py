@@ -6,7 +6,10 @@ from ...files import PackageFiles
 from ...lazy_regex import regex
 from ..setup.linked_build import build_texts
 
-STEP = regex(r"""\bcd[ \t]+["']?([\w./~${}-]+)|\bcolcon[ \t]+build\b(?:.*--base-paths[ \t]+([\w./~${}-]+))?""")
+STEP = regex(
+    r"""(?:\b(?:cd|pushd|WORKDIR)|\bworking-directory:)[ \t]+["']?([\w./~${}-]+)"""
+    r"""|\bcolcon[ \t]+build\b(?:.*--base-paths[ \t]+([\w./~${}-]+))?"""
+)
 """A change of the folder, or a build, perhaps of another folder."""
 
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from ...lazy_regex import regex
 
 STEP = regex(
-    r"""\b(?:cd|pushd)[ \t]+["']?(?P<to>[\w./~${}-]+)
+    r"""(?:\b(?:cd|pushd|WORKDIR)|\bworking-directory:)[ \t]+["']?(?P<to>[\w./~${}-]+)
       | \b(?:cmake|make|meson|ninja|catkin_make|catkin[ \t]+build|pip3?[ \t]+install(?![^\n]*[ ]-r)
             |python3?[ \t]+\S*setup\.py[ \t]+(?:install|develop|build)
             |docker(?:[ -]compose)?[ \t]+build)\b(?P<words>[^\n#;&|`]*)""",
