@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cached_property, lru_cache
 
 from ...files import PackageFiles
@@ -14,14 +14,15 @@ from ...ros.aliases import key_for_pip
 from ...ros.names import Names
 from ...tree import READABLE
 from ..container_files import OF_CONTAINER, files_called
+from .locked_names import locked_names, may_lock
 from .pip_requirements import required_by
 
 REQUIREMENTS = regex(r"(?:.*/)?(?:[^/]*requirements[^/]*\.(?:txt|in|pip)|requirements/[^/]+\.(?:txt|in))")
-PROJECTS = regex(r"(?:.*/)?(?:[^/]*(?:environment|conda)[^/]*\.ya?ml|Pipfile|pyproject\.toml)")
-"""What conda, pipenv, poetry and uv install."""
+PROJECTS = regex(r"(?:.*/)?(?:[^/]*(?:environment|conda)[^/]*\.ya?ml|Pipfile|pixi\.toml|pyproject\.toml)")
+"""What conda, pipenv, pixi, poetry and uv install."""
 TYPED = regex(r"(?:.*/)?(?:README[^/]*|[^/]*\.(?:md|rst|sh|bash)|[Mm]akefile|justfile)")
 """Files with commands: some run them, and people type those of the others."""
-BESIDE = ("", "doc", "docker", "docs", "requirements", "scripts")
+BESIDE = ("", "conda", "doc", "docker", "docs", "env", "envs", "requirements", "scripts")
 """The folders, in one above a package, whose files say what is to be installed."""
 LISTED = regex(r"^[ \t]*([A-Za-z][\w.-]*)", re.MULTILINE)
 NEEDED = regex(
@@ -59,23 +60,30 @@ class PipInstalls:
     @cached_property
     def written(self) -> frozenset[str]:
         """The names of distributions, as the files of the package and of the folders above it write them."""
-        return frozenset(name for path, text in installing_texts(self.files) for name in names_in(path, text))
+        told = {name for path, text in installing_texts(self.files) for name in names_in(path, text)}
+        listed = (name for path, text in texts_called(self.files, may_lock) for name in locked_names(path, text))
+        return frozenset(told.union(listed))
 
 
 def installing_texts(files: PackageFiles) -> Iterator[tuple[str, str]]:
     """Yield the requirements, pages and scripts of the package and of the folders above it, and all that containers
     are made by, with their paths.
     """
-    yield from ((path, files.readable_text(path)) for path in files.paths if is_read(path))
+    yield from texts_called(files, is_read)
+    for owner, path in files_called(files, OF_CONTAINER):
+        yield path, owner.readable_text(path)
+
+
+def texts_called(files: PackageFiles, is_wanted: Callable[[str], bool]) -> Iterator[tuple[str, str]]:
+    """Yield the files of the package and of the folders above it whose path is wanted, with their texts."""
+    yield from ((path, files.readable_text(path)) for path in files.paths if is_wanted(path))
     parts = files.folder.split("/") if files.folder and files.whole is not None else []
     whole = PackageFiles(files.whole) if files.whole is not None else files
     above = {"/".join(parts[:depth]) for depth in range(len(parts))}
     folders = {posixpath.join(each, name).rstrip("/") for each in above for name in BESIDE}
     for path, kind in whole.tree.files().items():
-        if kind in READABLE and posixpath.dirname(path) in folders and is_read(path):
+        if kind in READABLE and posixpath.dirname(path) in folders and is_wanted(path):
             yield path, whole.readable_text(path)
-    for owner, path in files_called(files, OF_CONTAINER):
-        yield path, owner.readable_text(path)
 
 
 def is_read(path: str) -> bool:
