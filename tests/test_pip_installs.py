@@ -89,3 +89,23 @@ def test_what_comes_with_what_pip_installs(listed: str, module: str, level: str,
     (only,) = lint_files(tree, ["DEP101"]).findings
     assert only.severity.value == level
     assert said in only.message
+
+
+@pytest.mark.parametrize(
+    ("module", "path", "text", "level"),
+    [
+        ("pinocchio", "install.sh", "pip3 install pin\n", "info"),
+        ("pinocchio.utils", "requirements.txt", "pin\n", "info"),
+        ("pinocchio", "install.sh", "conda install -y -c conda-forge pinocchio casadi\n", "info"),
+        ("pinocchio", "README.md", "sudo apt install robotpkg-py310-pinocchio\n", "info"),
+        ("py_trees", "install.sh", "pip3 install py-trees\n", "info"),
+        ("pinocchio", "requirements.txt", "pinned\n", "warning"),
+        ("std_msgs.msg", "requirements.txt", "std_msgs\n", "warning"),
+        ("rclpy", "install.sh", "conda install rclpy\n", "warning"),
+    ],
+)
+def test_ros_packages_that_pip_has_too(module: str, path: str, text: str, level: str) -> None:
+    package = existing_files(BACKDROPS["ament_python"])
+    tree = {**package, "package.xml": manifest(), "my_pkg/node.py": f"import {module}\n", path: text}
+    (only,) = lint_files(tree, ["DEP101"]).findings
+    assert only.severity.value == level

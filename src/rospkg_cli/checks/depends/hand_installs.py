@@ -19,6 +19,8 @@ SOURCE = regex(r"\b(?:build|compile|install)\w*\b((?:[^.\n]|\.(?!\s)){0,80}?)\bf
 COPIES = regex(r"(?i)\b(?:cp|mv|copy|move|put)\b([^\n]{0,300}?)(?:/usr/(?:local/)?include|\b(?:site|dist)-packages)")
 FETCHES = regex(r"\bgit\+[^\s\"']{0,200}?/([\w.-]+?)(?:\.git)?/?(?=[@#\s\"'`)]|$)", re.MULTILINE)
 WHEEL_FILES = regex(r"\bpip3?\s+install\b[^\n]{0,300}?\b([A-Za-z]\w*)(?:[-.][\w.+-]{0,80})?\.(?:whl|tar\.gz|zip)\b")
+ROBOTPKG = regex(r"\brobotpkg-(?:py\d+-)?([a-z][\w-]*)")
+"""What the packages for apt of LAAS, whom Pinocchio comes from, are called."""
 RELEASES = regex(r"\bgithub\.com/[\w.-]{1,100}/([\w.-]{1,100})/(?:releases|archive)\b")
 """Where a page has the sources of a library, or what is made of them, taken from."""
 FOLDERS = regex(r"\bpip3?\s+install\s+(?:-\w\s+)?((?:\.{1,2}|~)?/[^\s&|;]+)")
@@ -50,7 +52,9 @@ class HandInstalls:
         """What pages tell so of, without what keys and headers have around it; words of prose are among it."""
         found = set[str]()
         for _, text in installing_texts(self.files):
-            found.update(name for each in (CLONES, FETCHES, RELEASES, WHEEL_FILES) for name in each.findall(text))
+            found.update(
+                name for each in (CLONES, FETCHES, RELEASES, ROBOTPKG, WHEEL_FILES) for name in each.findall(text)
+            )
             found.update(RELEASE.sub("", name) for name in MAKES.findall(text))
             told = (part for each in (CONDA, WHEELS, SOURCE, COPIES, FOLDERS, SETUPS) for part in each.findall(text))
             found.update(word for part in told for word in WORD.findall(part))

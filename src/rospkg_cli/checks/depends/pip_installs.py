@@ -15,7 +15,7 @@ from ...ros.names import Names
 from ...tree import READABLE
 from ..container_files import OF_CONTAINER, files_called
 from .locked_names import locked_names, may_lock
-from .pip_requirements import required_by
+from .pip_requirements import distributions_of, required_by
 
 REQUIREMENTS = regex(r"(?:.*/)?(?:[^/]*requirements[^/]*\.(?:txt|in|pip)|requirements/[^/]+\.(?:txt|in))")
 PROJECTS = regex(r"(?:.*/)?(?:[^/]*(?:environment|conda)[^/]*\.ya?ml|Pipfile|pixi\.toml|pyproject\.toml)")
@@ -39,8 +39,8 @@ class PipInstalls:
 
     def has(self, module: str, key: str, index: Names) -> bool:
         """Return whether pip is told to install what a module is of, under its own name or one that rosdep knows."""
-        wanted = normalized(module.partition(".")[0])
-        return wanted in self.names or any(key_of(name, index) == key for name in self.written)
+        wanted = {normalized(module.partition(".")[0]), *distributions_of(key)}
+        return not wanted.isdisjoint(self.names) or any(key_of(name, index) == key for name in self.written)
 
     def bringer(self, module: str, key: str, index: Names) -> str:
         """Return the library that pip is told to install, and that requires what a module is of; "" for none."""

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ...ros.read_table import rows
+from ...ros.read_table import rows, sets
+
+TABLE = "pip_requires.txt"
 
 
 def required_by(names: Iterable[str]) -> dict[str, str]:
@@ -12,7 +14,7 @@ def required_by(names: Iterable[str]) -> dict[str, str]:
 
     Names are normalised (PEP 503), those that are told are left out.
     """
-    told, table = sorted(names), rows("pip_requires.txt")
+    told, table = sorted(names), rows(TABLE)
     found: dict[str, str] = {}
     for name in told:
         open_ = [name]
@@ -21,3 +23,8 @@ def required_by(names: Iterable[str]) -> dict[str, str]:
             found.update(dict.fromkeys(new, name))
             open_ += new
     return {name: by for name, by in found.items() if name not in set(told)}
+
+
+def distributions_of(package: str) -> frozenset[str]:
+    """Return what PyPI and conda-forge call the module of a ROS package; none where ROS alone has it."""
+    return sets(TABLE, "ROS packages").get(package, frozenset())

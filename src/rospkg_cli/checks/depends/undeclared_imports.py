@@ -24,6 +24,7 @@ from .hand_installs import HandInstalls
 from .import_provider import import_providers, undeclared_provider
 from .other_pythons import HOSTED, OtherPythons
 from .pip_installs import PipInstalls
+from .pip_requirements import distributions_of
 
 RUNNERS = frozenset({"python3-pytest", "launch_ros", "launch_testing", "ament_index_python"})
 """What runs the tests, and finds files for them: it is fine if it comes with a declared dependency."""
@@ -78,7 +79,7 @@ class ImportDependencies:
         install, or of what comes so with another library; "" for others.
         """
         index, module = self.declared.workspace.index, missing.places[0].module
-        if not index.is_key(missing.name):
+        if not self.is_library(missing):
             return ""
         if self.pip.has(module, missing.name, index):
             return PIP
@@ -92,7 +93,11 @@ class ImportDependencies:
     def is_by_hand(self, missing: UndeclaredImport) -> bool:
         """Return whether a page of the repository tells people to install a library by hand."""
         names = (missing.name, missing.places[0].module.partition(".")[0])
-        return self.declared.workspace.index.is_key(missing.name) and HandInstalls(self.files).has(names)
+        return self.is_library(missing) and HandInstalls(self.files).has(names)
+
+    def is_library(self, missing: UndeclaredImport) -> bool:
+        """Return whether more than ROS has what is missing: it has a key of rosdep, or another name on PyPI."""
+        return self.declared.workspace.index.is_key(missing.name) or bool(distributions_of(missing.name))
 
     def serving(self, missing: UndeclaredImport) -> tuple[str, ...]:
         """Return the names that provide what is missing: the one to declare, and others that would do."""

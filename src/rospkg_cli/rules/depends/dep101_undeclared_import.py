@@ -77,12 +77,13 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's module, what `ros2
     launch` brings, where only launch files import the module, and a library that a requirements.txt, an environment of
     conda, a Pipfile, a pixi.toml, a pyproject.toml, a lock file, a Dockerfile, a script or a page of the repository has
-    pip install, alone or with one that requires it (torch with `ultralytics`), or a page tells to install by hand, or
-    what Blender, Isaac Sim, Webots or a microcontroller runs. So is a library in programs that all import what these
-    bring, or where a page that builds or starts the package enters an environment (`conda activate`, `uv run`, `python3
-    -m venv` without `--system-site-packages`): that Python sees no library of rosdep, or where containers build on an
-    image of others than ROS and Ubuntu, which may bring it. Left out are optional imports: under `try` … `except
-    ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
+    pip install, alone or with one that requires it (torch with `ultralytics`), be it a package of ROS that PyPI has as
+    well (`pin` for pinocchio), or a page tells to install by hand, or what Blender, Isaac Sim, Webots or a
+    microcontroller runs. So is a library in programs that all import what these bring, or where a page that builds or
+    starts the package enters an environment (`conda activate`, `uv run`, `python3 -m venv` without
+    `--system-site-packages`): that Python sees no library of rosdep, or where containers build on an image of others
+    than ROS and Ubuntu, which may bring it. Left out are optional imports: under `try` … `except ImportError`,
+    `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
     get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, the package's own
     modules, and libraries that rosdep has for older releases of Ubuntu alone.
 
