@@ -16,8 +16,12 @@ from ...tree import READABLE
 from ..container_files import OF_CONTAINER, files_called
 from .locked_names import locked_names, may_lock
 from .pip_requirements import distributions_of, required_by
+from .shell_variables import with_values
 
-REQUIREMENTS = regex(r"(?:.*/)?(?:[^/]*requirements[^/]*\.(?:txt|in|pip)|requirements/[^/]+\.(?:txt|in))")
+REQUIREMENTS = regex(
+    r"(?:.*/)?(?:(?:[^/]*requirements[^/]*|(?:[^/]*[-_.])?(?:reqs?|requirement)(?:[-_.][^/]*)?)\.(?:txt|in|pip)"
+    r"|requirements/[^/]+\.(?:txt|in))"
+)
 PROJECTS = regex(r"(?:.*/)?(?:[^/]*(?:environment|conda)[^/]*\.ya?ml|Pipfile|pixi\.toml|pyproject\.toml)")
 """What conda, pipenv, pixi, poetry and uv install."""
 TYPED = regex(r"(?:.*/)?(?:README[^/]*|[^/]*\.(?:md|rst|sh|bash)|[Mm]akefile|justfile)")
@@ -29,7 +33,7 @@ NEEDED = regex(
     r"(?m)^[ \t]*(?:-[ \t]*)?[\"']?([A-Za-z][\w.-]*)|\[[ \t]*[\"']([A-Za-z][\w.-]*)|,[ \t]*[\"']([A-Za-z][\w.-]*)"
 )
 """An entry of a list or a table, on a line of its own or between brackets."""
-INSTALLS = regex(r"\bpip3?\s+install\b((?:[^\n&|;\\]|\\\n)*)")
+INSTALLS = regex(r"\b(?:pip3?\s+install|(?:uv|poetry|pdm|pixi)\s+add|pipenv\s+install)\b((?:[^\n&|;\\]|\\\n)*)")
 WORD = regex(r"(?<![\w./:-])[A-Za-z][\w.-]*")
 
 
@@ -98,7 +102,7 @@ def names_in(path: str, text: str) -> Iterator[str]:
     if PROJECTS.fullmatch(path):
         yield from (name for found in NEEDED.findall(text) for name in found if name)
     for command in INSTALLS.finditer(text):
-        yield from (word[0] for word in WORD.finditer(command[1]))
+        yield from (word[0] for word in WORD.finditer(with_values(command[1], text)))
 
 
 @lru_cache(maxsize=4096)
