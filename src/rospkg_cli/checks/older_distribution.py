@@ -9,7 +9,6 @@ from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..ros.distros import DISTROS, Targets
-from .distribution_words import words_elsewhere, words_of_package
 from .setup.linked_build import build_texts
 
 STARTABLE = (".py", ".xml", ".yaml", ".yml")
@@ -48,6 +47,8 @@ class OlderDistribution:
         The package's own word on one of those named counts more than what else the repository has them for. Only asked
         of what is a finding: it reads many a file.
         """
+        from .distribution_words import words_elsewhere, words_of_package  # what findings alone need
+
         if not self.named:
             return frozenset[str]().union(*words_elsewhere(self.files))
         own = words_of_package(self.files) if not self.named.isdisjoint(UNSUPPORTED) and self.names_supported else ()
