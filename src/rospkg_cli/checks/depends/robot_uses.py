@@ -24,7 +24,6 @@ from .declared_dependencies import DeclaredDependencies
 from .found_by_parameters import found_by_parameters, named_by_parameters, typed_by_parameters
 from .opened_parameters import OpenedParameters
 from .spawned_blocks import block_of, is_commented_out, types_beside
-from .switched_off_robots import RobotDefaults
 from .undeclared_launch_packages import LaunchDependencies
 
 INTERFACES = regex(r".*_(?:msgs|srvs|interfaces|actions)")
@@ -144,6 +143,8 @@ class RobotUses:
         """Return whether a place lies in a condition that the defaults of its file switch off, or in a macro that
         nothing calls.
         """
+        from .switched_off_robots import RobotDefaults  # most robots use declared packages
+
         defaults = RobotDefaults(robot.document.root)
         is_uncalled = any(not self.calls.is_called(each) for each in defaults.macros_around(place))
         return is_uncalled or defaults.leaves_out(place)

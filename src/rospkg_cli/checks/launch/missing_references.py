@@ -24,7 +24,6 @@ from ...suggest import slips
 from ...unreadable import UnreadableError
 from ..closest_path import closest_path
 from .open_paths import fits_nothing, meant
-from .outputs_of_commands import is_written
 
 DOUBLED = regex(r"((?:\.[a-z][a-z0-9]*)+)\1(?=(?:\.[a-z]+)?$)")
 """An extension, or a part before one, that stands twice, which no file is given on purpose."""
@@ -94,8 +93,11 @@ class LaunchContext:
         """Return whether the launch file writes it: a robot by xacro's `open_output`, an output of a command."""
         if missing.path.endswith((".urdf", ".sdf")) and "open_output(" in self.file.source.text:
             return True
-        is_read = missing.use == "include"
-        return not is_read and is_written(self.file.source, (missing.span, *missing.other_spans))
+        if missing.use == "include":
+            return False
+        from .outputs_of_commands import is_written  # most launch files name what is there
+
+        return is_written(self.file.source, (missing.span, *missing.other_spans))
 
     @property
     def is_ros1_leftover(self) -> bool:

@@ -15,7 +15,6 @@ from ...package.cmake.meant_paths import meant_paths
 from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts
 from ...package.plugins.description import PluginClass, PluginDescription
-from ...package.plugins.other_exports import may_export
 from ..cmake.source_targets import SourceTargets
 from .exported_classes import (
     ExportedClass,
@@ -164,6 +163,8 @@ class PluginPackage:
 
     def unexported(self) -> Iterator[tuple[PluginDescription, ExportedClass]]:
         """Yield the descriptions that CMake does not export, with the first class that so can't be found."""
+        from ...package.plugins.other_exports import may_export  # few packages have plugins
+
         seen = set()
         for each in self.compiled_exports:
             descriptions = self._described.get(spaceless(each.type), ())

@@ -15,9 +15,6 @@ from ...package.file_role import is_set_aside, role_of
 from ...package.install_table import InstallTable
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
-from .built_places import is_built_from
-from .carried_folders import is_carried
-from .hand_builds import is_built_by_hand
 from .wanted_packages import WantedPackages
 
 MARKERS = ("COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE")
@@ -81,6 +78,10 @@ class NestedPackages:
     def way_of(self, path: str) -> Way:
         """Return how a package gets built: by the outer one, or where pages start colcon below it, bring it, or
         build it without colcon; of others, whether somebody wants it (none) or nobody does (idle)."""
+        from .built_places import is_built_from  # few packages have another one inside
+        from .carried_folders import is_carried
+        from .hand_builds import is_built_by_hand
+
         folder = posixpath.dirname(path)
         if self.is_built_here(path):
             return "built"

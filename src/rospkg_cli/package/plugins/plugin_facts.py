@@ -7,7 +7,6 @@ from ..cmake.cmake_project import CMake
 from ..package_facts import Plugin
 from .description import PluginDescription
 from .loaders import PluginLoaders
-from .other_exports import is_registered
 from .read_descriptions import EXPORT, by_cmake
 
 
@@ -45,6 +44,8 @@ def are_complete(reading: ReaderInput) -> bool:
     """
     if reading.parts(PluginDescription).broken or reading.parts(CMake).broken:
         return False
+    from .other_exports import is_registered  # few packages have plugins
+
     if any(map(is_registered, reading.parts(CMake).good)):
         return False
     if any(each.classes and not each.exported for each in reading.parts(PluginDescription).good):
