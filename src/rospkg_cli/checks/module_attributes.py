@@ -11,6 +11,7 @@ from ..languages.python.file import PythonFile
 from ..languages.python.guarded_nodes import guarded_nodes
 from ..languages.python.nodes import nodes_of_kind
 from ..languages.python.undefined_names import is_in_branch
+from ..languages.python.version_guards import guarded_by_version
 from ..light_dataclasses import dataclass
 from ..ros.module_attributes import ATTRIBUTES, BY_PLATFORM, MEANT, OPEN
 from ..source import Span
@@ -39,7 +40,8 @@ class AbsentAttribute:
 
 
 def absent_attributes(file: PythonFile, local: Collection[str] = ()) -> Iterator[AbsentAttribute]:
-    """Yield each absent name of a module once; none in code that asks for names or catches that they are missing.
+    """Yield each absent name of a module once; none in code that asks for names, for the version of Python, or
+    catches that they are missing.
 
     Modules that are called like a local one are left alone: of a script, its own folder comes first.
     """
@@ -47,7 +49,7 @@ def absent_attributes(file: PythonFile, local: Collection[str] = ()) -> Iterator
     both = [*absent_imports(file), *(read_from(file, modules) if modules else ())]
     found = [(node, each) for node, each in both if each.module.partition(".")[0] not in local]
     asks = found and any(each.id in ("hasattr", "setattr") for each in nodes_of_kind(file.tree, ast.Name))
-    guarded = frozenset(guarded_nodes(file.tree.body, CATCHING)) if found else frozenset()
+    guarded = frozenset((*guarded_nodes(file.tree.body, CATCHING), *guarded_by_version(file)) if found else ())
     told: set[tuple[str, str]] = set()
     for node, each in found:
         in_vain = not each.meant or f"{each.module}.{each.name}" in PYTHON_2 or each.span == each.root

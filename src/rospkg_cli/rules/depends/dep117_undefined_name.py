@@ -92,8 +92,8 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
     In files of folders for docs, tools, templates or leftovers that nothing installs, in those that import `*` from a
     package of others, that set names by `exec`, `globals()` or `setattr`, where a NameError is caught, behind a `raise`
     or `return`, and under what never holds on Linux (`os.name == 'nt'`); for names that some branch or handler binds,
-    for builtins of Python 2 in a branch, and for what newer Pythons, notebooks, profilers and build tools have among
-    the builtins.
+    for builtins of Python 2 in a branch, for attributes of modules in one that a version of Python decides, and for
+    what newer Pythons, notebooks, profilers and build tools have among the builtins.
     For `self`, also in classes that have a base of other packages but rclpy's nodes, or that nothing makes an object
     of; where code sets attributes by `setattr`, or asks for the name by `hasattr`; for names a newer rclpy may have.
     Launch files have a rule of their own, and setup.py, too.
