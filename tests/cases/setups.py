@@ -226,6 +226,10 @@ CASES = {
                 "packages=[],", scripts("talker = my_pkg.talker:main"))),
         )),
     ),
+    "SET307": tuple(
+        python({"setup.py": None, "pyproject.toml": f"[tool.poetry]\nname = 'my_pkg'\n\n[tool.{table}]\na = ['a']\n"})
+        for table in ("poetry.scripts", "colcon-poetry-ros.data-files")
+    ),
     "SET308": tuple(
         python({"setup.py": start + SETUP_PY.replace("    name=package_name,\n", f"    name=package_name,\n{lines}")})
         for start, lines in (

@@ -33,9 +33,10 @@ def pyproject_only(build: AmentPythonFiles) -> Iterator[Hit]:
     pyproject.toml may hold the settings of tools.
 
     ## When it is quiet
-    Where there is a setup.py, and where the condition of the build type does not hold.
+    Where there is a setup.py, where the condition of the build type does not hold, and where pyproject.toml has a table
+    for an extension of colcon, which builds the package from it (`[tool.colcon-poetry-ros.data-files]`).
     """
-    if build.has_pyproject and not build.has_setup:
+    if build.has_pyproject and not build.has_setup and not build.is_built_by_extension:
         for element in build.types:
             message = (
                 "there is a pyproject.toml and no setup.py: colcon can't build an ament_python package from it yet; "
