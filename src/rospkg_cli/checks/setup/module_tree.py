@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from ...light_dataclasses import dataclass
 from ...package.file_role import is_set_aside, role_of
@@ -14,7 +15,9 @@ from ...package.setup.setup_text import SetupText
 from .linked_build import is_always_linked, linking_file
 from .module_exports import absolute
 from .python_package import PythonPackage
-from .started_imports import StartedImports
+
+if TYPE_CHECKING:
+    from .started_imports import StartedImports
 
 TESTS = frozenset({"test", "tests", "testing"})
 
@@ -144,6 +147,8 @@ class ModuleTree:
 
     @cached_property
     def started(self) -> StartedImports:
+        from .started_imports import StartedImports  # what findings alone need
+
         return StartedImports(self.package)
 
     @cached_property
