@@ -24,7 +24,6 @@ from ..left_to_people import files_of, why_left
 from ..opening_places import OpeningPlaces
 from ..yaml_elsewhere import is_named_yaml
 from .launch_overrides import is_overridden
-from .made_files import why_made, why_written
 from .opened_maps import OpenedMaps
 from .path_readers import PathReaders
 
@@ -75,6 +74,8 @@ class NamedFiles:
             return
         if self.package.may_write(image):
             return
+        from .made_files import why_made  # few packages have something to ask it of
+
         near = closest_path(image, [each for each in self.files.paths if posixpath.splitext(each)[1] in IMAGES])
         message = f"the map names its image `{found[1].strip()}`, and it is not there: map_server can't load the map"
         hint = posixpath.relpath(near, posixpath.dirname(path) or ".") if near else ""
@@ -90,6 +91,8 @@ class NamedFiles:
             facts = self.package if name == self.package.name else self.workspace.named(name)
             if facts is None or not self.lacks(facts, named):
                 continue
+            from .made_files import why_made, why_written  # the same
+
             near = closest_path(named, facts.share_files)
             hint = f"did you mean `{near}`?" if near else "add it, or correct the path"
             message = f"`{name}` has no file `{named}`: what opens it finds nothing there"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from functools import cached_property
 
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
@@ -19,7 +18,6 @@ from .idle_nodes import hardest, level_of
 from .joint_limits import JointLimits, MistypedLimit
 from .known_given import KnownNodes
 from .launched_names import LaunchedNames, strange_names, why_dropped
-from .open_code import OpenCode
 from .other_variants import unlike_variants
 from .repeated_reads import RepeatedRead, RepeatedReads
 from .unknown_reads import ParameterReads, UnknownRead
@@ -88,12 +86,10 @@ class UnknownParameters:
 
     def may_read(self, owner: PackageFacts | None, name: str, meant: str) -> str:
         """Return that code of this package may read a name all the same, where it is the owner; else ""."""
-        is_own = owner is not None and owner.folder == self.reads.package.folder and bool(meant)
-        return MAY if is_own and self.open_code.may_read(name, meant) else ""
+        from .open_code import OpenCode  # few packages have something to ask it of
 
-    @cached_property
-    def open_code(self) -> OpenCode:
-        return OpenCode(self.reads)
+        is_own = owner is not None and owner.folder == self.reads.package.folder and bool(meant)
+        return MAY if is_own and OpenCode(self.reads).may_read(name, meant) else ""
 
     def repeated_reads(self) -> Iterator[tuple[str, Fault]]:
         """Yield path and fault of what is got twice, the second time in the place of what no code gets."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from functools import cached_property
 
 from ...light_dataclasses import dataclass
 from ...package.params.parameter_file import NodeBlock, ParameterFile
@@ -16,7 +15,6 @@ from .known_given import controller_types
 from .launch_parameters import LaunchParameters, NodeArguments
 from .mistyped_blocks import WILD, MistypedBlock, last
 from .parameter_file_use import ParameterFileUses
-from .sure_blocks import SureBlocks
 from .unchanged_values import ONLY_DEFAULTS, defaults_in, holds_defaults
 
 NAMING = (".py", ".xml", ".launch", ".yaml", ".yml", ".sh", ".bash", ".cpp", ".hpp", ".md", ".rst", "Dockerfile")
@@ -50,9 +48,11 @@ class NodeBlocks:
                 if key not in WILD and re.fullmatch(r"\w+", key) and self.is_declared(block) and not self.has(key):
                     yield file, block, name
 
-    @cached_property
-    def sure(self) -> SureBlocks:
-        return SureBlocks(self.launched, self.uses.files)
+    def why_not_sure(self, file: ParameterFile, block: NodeBlock, nodes: list[NodeArguments]) -> str:
+        """Return how a block may be read all the same, other than by some nodes that lack one; "" where it can't be."""
+        from .sure_blocks import SureBlocks  # few packages have something to ask it of
+
+        return SureBlocks(self.launched, self.uses.files).why_not(file, block, nodes)
 
     def lost_nothing(self, block: NodeBlock, meant: Iterable[NodeArguments]) -> str:
         """Return why nobody misses a block that is for some nodes; "" where something may differ."""

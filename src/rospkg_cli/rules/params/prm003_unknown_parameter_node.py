@@ -110,7 +110,7 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     for file, block, readers in launched.misnamed():
         names = sorted({each.known_name or "" for each in readers})
         is_named = len(names) == 1 and all(each.name or each.in_code for each in readers)
-        same, may = scope.lost_nothing(block, readers), scope.sure.why_not(file, block, readers)
+        same, may = scope.lost_nothing(block, readers), scope.why_not_sure(file, block, readers)
         is_sure = is_named and not same and not may
         level = None if is_sure and any(map(scope.readers.is_met, readers)) else Severity.INFO
         where = tuple(Related(each.launch.path, each.node.span, "the node") for each in readers)
