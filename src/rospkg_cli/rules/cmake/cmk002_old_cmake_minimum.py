@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.branches_for_ros1 import only_for_ros1
 from ...checks.cmake.unknown_commands import UnknownCommands
 from ...checks.older_distribution import OlderDistribution
 from ...edits.cmake_commands import literal_span
@@ -58,9 +59,10 @@ def old_cmake_minimum(checked: CMakeForTargets) -> Iterator[Hit]:
     3.10 is there on every supported distribution.
 
     ## When it is quiet
-    In packages of catkin, and where the version can't be evaluated. A range (`3.5...3.27`) counts by its upper end. All
-    places of a package are one finding, at the oldest version. It is an info where all distributions that the pages,
-    scripts and workflows of the repository name are older than Lyrical.
+    In packages of catkin, in a branch with commands of catkin beside one with those of ament, and where the version
+    can't be evaluated. A range (`3.5...3.27`) counts by its upper end. All places of a package are one finding, at the
+    oldest version. It is an info where all distributions that the pages, scripts and workflows of the repository name
+    are older than Lyrical.
     """
     if checked.package.facts.build_type == "catkin":
         return
@@ -98,7 +100,10 @@ def without_minimum(cmake: CMake) -> Hit:
 def old_minimums(cmake: CMake) -> Iterator[tuple[Word, tuple[int, int]]]:
     """Yield the versions below 3.10, each place once."""
     seen: set[tuple[str, Span]] = set()
+    of_ros1 = only_for_ros1(cmake)
     for call in cmake.named(MINIMUM):
+        if id(call.command) in of_ros1:
+            continue
         word = call.words[1] if call.texts[:1] == ("VERSION",) and len(call.words) > 1 else None
         match = VERSION.fullmatch(word.text) if word else None
         if word is None or match is None or (word.path, word.span) in seen:
