@@ -32,6 +32,9 @@ CONTROLLERS, MOVEIT = "ros2_controllers.yaml", "moveit_configs_utils"
 REWRITES = "RewrittenYaml"
 """Of nav2_common: it fills in values of a parameter file."""
 
+RESOLVES = regex(r"RewrittenYaml\(|nav2_bringup(?s:.*)\bparams_file\b")
+"""What reads a whole parameter file by PyYAML, and writes it anew."""
+
 
 @dataclass(frozen=True)
 class ParameterFileUse:
@@ -150,6 +153,13 @@ class ParameterFileUse:
         """The launch files of the package that write parameter files anew before nodes read them."""
         paths = (path for path in self.files.paths if LAUNCH.fullmatch(path.rpartition("/")[2]))
         return tuple(text for path in paths if REWRITES in (text := self.read(path)))
+
+    @cached_property
+    def is_resolved(self) -> bool:
+        """Whether a launch file has aliases of this file written out: RewrittenYaml, which nav2_bringup uses, does."""
+        name = self.file.path.rpartition("/")[2]
+        paths = (path for path in self.files.paths if LAUNCH.fullmatch(path.rpartition("/")[2]))
+        return any(name in text and RESOLVES.search(text) is not None for text in map(self.read, paths))
 
     def is_rewritten(self, span: Span) -> bool:
         """Return whether a launch file may give the parameter at a place another value (RewrittenYaml)."""

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
+from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ..fault import Fault, Level, softer_advice
 from .block_readers import BlockReaders
 from .list_readers import UNSHOWN, ListReaders
-from .parameter_file_use import REWRITES, ParameterFileUse
+from .parameter_file_use import ParameterFileUse
 
 ALIAS = regex(r"rcl does not support aliases \(`\*([^`]+)`\)")
+
+MERGES = regex(r"<<[ \t]*:[ \t]*\Z")
 
 
 @dataclass(frozen=True)
@@ -32,12 +36,12 @@ class RefusedValues:
         return "info" if is_for_components and not self.use.is_handed else self.level
 
     def is_resolved(self, fault: Fault) -> bool:
-        """Return whether a fault is an alias of one value, which a launch file writes out (RewrittenYaml)."""
+        """Return whether a fault is an alias of one value, or merges plain ones, which launch writes out."""
         file, found = self.use.file, ALIAS.match(fault.message)
-        name = file.path.rpartition("/")[2]
-        is_rewritten = any(name in text and f"{REWRITES}(" in text for text in self.use.rewriting)
-        if found is None or self.use.is_handed or not is_rewritten:
+        if found is None or self.use.is_handed or not self.use.is_resolved:
             return False
+        if MERGES.search(file.source.text[: fault.span.start]) is not None:
+            return any(is_plain_mapping(each, found[1]) for root in file.roots for each in nodes_of(root))
         anchor = re.search(rf"&{re.escape(found[1])}[ \t]+[^\s\[{{|>&*!#]", file.source.text)
         return anchor is not None and not re.match(r"[^\n#]*:(?:\s|$)", file.source.text[anchor.end() - 1 :])
 
@@ -51,3 +55,18 @@ class RefusedValues:
         if self.level == "info" or ListReaders(self.use, self.readers).has(fault.span):
             return fault
         return softer_advice(fault, "info", UNSHOWN)
+
+
+def is_plain_mapping(node: YamlNode, anchor: str) -> bool:
+    """Return whether a node is what an alias stands for: a mapping without lists, which PyYAML would share again."""
+    if not isinstance(node, MappingNode) or node.anchor != anchor:
+        return False
+    return all(isinstance(value, ScalarNode) for _, value in node.entries)
+
+
+def nodes_of(node: YamlNode) -> Iterator[YamlNode]:
+    yield node
+    inner = node.items if isinstance(node, SequenceNode) else []
+    values = [value for _, value in node.entries] if isinstance(node, MappingNode) else []
+    for each in (*inner, *values):
+        yield from nodes_of(each)

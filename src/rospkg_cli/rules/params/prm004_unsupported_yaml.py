@@ -72,15 +72,15 @@ def unsupported_yaml(scope: RefusedValues) -> Iterator[Hit]:
 
     ## When it is quiet
     Files without `ros__parameters` that no launch file passes to a node may hold any YAML, and so may those that a
-    launch file parses itself, to hand on values (and what a `RewrittenYaml` fills in, or an alias that it writes out),
-    or that only code names and parses. rcl takes a list of mappings with one key each (`- a: 1`), and makes parameters
-    of it. An empty list is a warning: a Python node takes it; nothing is said of it where launch files give the file to
-    such nodes alone (of a Python package, or an executable `*.py`); it is an info where no node in C++ that is started
-    is shown to read the block: one that is given the file, or has the block's name. All of a file is a warning that no
-    launch file of the workspace gives a node by its path; where they give it to components alone, which get it as
-    PyYAML reads it, all but empty lists is an info. Of a file that no launch file, program or README of the workspace
-    names, or that goes to nodes alone which nobody starts (of a launch file that is not installed, or never added), it
-    is an info.
+    launch file parses itself, to hand on values (and what a `RewrittenYaml`, as nav2_bringup has one for its
+    `params_file`, fills in, or an alias of plain values that it writes out), or that only code names and parses. rcl
+    takes a list of mappings with one key each (`- a: 1`), and makes parameters of it. An empty list is a warning: a
+    Python node takes it; nothing is said of it where launch files give the file to such nodes alone (of a Python
+    package, or an executable `*.py`); it is an info where no node in C++ that is started is shown to read the block:
+    one that is given the file, or has the block's name. All of a file is a warning that no launch file of the workspace
+    gives a node by its path; where they give it to components alone, which get it as PyYAML reads it, all but empty
+    lists is an info. Of a file that no launch file, program or README of the workspace names, or that goes to nodes
+    alone which nobody starts (of a launch file that is not installed, or never added), it is an info.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
