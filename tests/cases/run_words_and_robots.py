@@ -122,7 +122,7 @@ def generate_launch_description():
     __ADDED__
     return ld
 """
-ADDED = ("print(share)", "ld.add_action(maps)", "print(other)")
+ADDED = ("print(share)", "ld.add_action(maps)", "print(other)", "open(other)")
 
 CASES = {
     "PRM003": (
