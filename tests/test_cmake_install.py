@@ -104,8 +104,11 @@ def test_the_install_table(text: str, destinations: str) -> None:
         ("acme_generate_schema_headers(config)\ntest_big_endian(BIG)", ""),
         ("install(FILES ${CMAKE_CURRENT_BINARY_DIR}/gen.yaml DESTINATION share/my_pkg)", ""),
         ("install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/gen DESTINATION share/my_pkg)", "share"),
-        ("someones_other_macro(config)", "share"),
-        ("someones_other_macro()", ""),
+        ("someones_other_macro(config)", "executable share"),
+        ("someones_other_macro()", "executable share"),
+        ("add_executable(a a.cpp)\nsomeones_other_macro(config)", "share"),
+        ("add_executable(a a.cpp)\nsomeones_other_macro()", "share"),
+        ("someones_warning_flags()", ""),
     ],
 )  # fmt: skip
 def test_what_can_not_be_told(text: str, whats: str) -> None:

@@ -17,6 +17,7 @@ OTHER = {
 
 def found(path: str, **files: str) -> str:
     lines = f"install(DIRECTORY launch config DESTINATION share/${{PROJECT_NAME}})  # {path}\n"
+    lines += "add_executable(a src/a.cpp)\n" if "my_pkg__src__a_DOT_cpp" in files else ""
     written = {
         "my_pkg/package.xml": manifest("", "ament_cmake"),
         "my_pkg/CMakeLists.txt": CMAKE.replace("ament_package", f"{lines}ament_package"),

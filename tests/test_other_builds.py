@@ -24,6 +24,7 @@ CHOSEN = """\
 URDF = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION share/${PROJECT_NAME})\nament_package")
 MESH = "<{0}><a>$(find my_pkg)/config/no.yaml</a></{0}>"
 STARTED = '<launch>\n  <node pkg="my_pkg" exec="talker"/>\n</launch>\n'
+GAZEBO = "  <node pkg='gazebo_ros' exec='spawn_entity.py'/>\n"
 
 
 def levels(code: str, files: dict[str, str]) -> list[str]:
@@ -86,7 +87,7 @@ def test_a_module_that_writes_launch_files_is_none(path: str, count: int) -> Non
 @pytest.mark.parametrize(("tag", "is_told"), [("gazebo", True), ("plugin", True), ("link", False)])
 def test_what_gazebo_alone_reads(tag: str, is_told: bool) -> None:
     files = {**NATIVE, "CMakeLists.txt": URDF, "urdf/r.urdf.xacro": ROBOT.format(MESH.format(tag))}
-    files |= {"launch/a.launch.xml": "<launch>\n  <arg name='m' default='r.urdf.xacro'/>\n</launch>\n"}
+    files |= {"launch/a.launch.xml": f"<launch>\n  <arg name='m' default='r.urdf.xacro'/>\n{GAZEBO}</launch>\n"}
     (finding,) = lint_files(files, ["URD002"]).findings
     assert (finding.severity.value, ", in Gazebo alone" in finding.message) == ("warning", is_told)
 

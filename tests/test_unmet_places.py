@@ -73,7 +73,7 @@ def found(text: str, code: str, path: str = "launch/a.launch.py", **files: str) 
         (", node", "", "True", "pass", "warning"),
         ("", "", "True", "extra.append(node)", "info"),
         (", *extra", "", "True", "extra.append(node)", "warning"),
-        ("", "", "True", "extra = other = [node]\n    print(other)", "warning"),
+        ("", "", "True", "extra = other = [node]\n    check(other)", "warning"),
         ("", "\n        print('simulated')", "True", "pass", "warning"),
         ("", "\n        return LaunchDescription([])", "True", "pass", "warning"),
         ("", "", "(extra := [1])", "pass", "warning"),

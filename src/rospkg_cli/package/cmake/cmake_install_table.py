@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
+from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.values import BINARY, UNKNOWN, Word
@@ -16,7 +17,7 @@ from .ament_python_install import python_scripts
 from .artifacts import Artifacts
 from .cmake_project import CMake
 from .copied_files import copied_files
-from .foreign_commands import foreign_commands
+from .foreign_commands import commands_without_words, foreign_commands
 from .install_rules import InstallRule
 from .macro_installs import PACKAGE, installed_by_macros
 from .set_variables import SetVariables
@@ -25,6 +26,7 @@ INSTALLS_ON_ITS_OWN = frozenset({"externalproject_add", "ament_vendor"})
 """Not FetchContent: the other project that it builds has a lib/ and a share folder of its own name."""
 MAKES_PROGRAMS = regex(r"executable|program|install|node(?:s|let)?(?:_|$)")
 """Names of commands of other packages that may make programs: `agnocast_register_node`."""
+MAKES_LIBRARIES = regex(r"_lib(?:rar(?:y|ies)|s)?(?:_|$)")
 MAKES_HEADERS = regex(r"(?:\w+_)?(?:generate|make)_(?:\w+_)?headers?")
 
 
@@ -127,8 +129,13 @@ class CMakeTableBuilder:
         for call in (each for each in foreign_commands(self.cmake) if not MAKES_HEADERS.fullmatch(each.name)):
             why = f"`{call.name}` of another package may install anything"
             yield UnknownPart("share", why, call.path, call.command.span, command=call.name)
-            if not self.makes_programs or MAKES_PROGRAMS.search(call.name) or "EXECUTABLE" in call.texts:
+            is_open = not self.has_programs and not MAKES_LIBRARIES.search(call.name)
+            if is_open or MAKES_PROGRAMS.search(call.name) or "EXECUTABLE" in call.texts:
                 yield UnknownPart("executable", why, call.path, call.command.span)
+        for call in commands_without_words(self.cmake):
+            for what in ALL[:2] if not self.has_programs else ALL[1:2]:
+                why = f"`{call.name}` of another package may install anything"
+                yield UnknownPart(what, why, call.path, call.command.span, command=call.name)
 
     def unknown_rule(self, rule: InstallRule) -> Iterator[UnknownPart]:
         places = [rule.destination] if rule.kind != "TARGETS" else list((rule.destinations or {}).values())
@@ -159,11 +166,12 @@ class CMakeTableBuilder:
         path = path_in_package(word.text, rule.call.folder) or ""
         return self.cmake.package_files.tree.files().get(path.rstrip("/")) in LINKED
 
-    @property
-    def makes_programs(self) -> bool:
-        """Whether the package makes programs by itself, or includes no file that is not here and may do so."""
-        own = any(target.is_executable for target in self.cmake.targets)
-        return own or not self.cmake.reads_unknown_files
+    @cached_property
+    def has_programs(self) -> bool:
+        """Whether the package is seen to install programs: its others are probably made in the same way."""
+        return any(target.is_executable for target in self.cmake.targets) or any(
+            row.what == "executable" for row in self.rows()
+        )
 
     def may_install(self, call: EvaluatedCommand) -> bool:
         known = call.name == "install" or call.name in INSTALL_COMMANDS or call.name in self.cmake.functions

@@ -26,7 +26,14 @@ OF_OPTIONS = regex(r"(?:nav2|autoware|moveit)_package|append_\w+|export_windows_
 
 def may_make_targets(cmake: CMake) -> bool:
     """Return whether a macro of another package is called that may make targets, of files that it finds itself."""
-    return any(call.words or not OF_OPTIONS.fullmatch(call.name) for call in unfamiliar_commands(cmake))
+    return any(foreign_commands(cmake)) or any(commands_without_words(cmake))
+
+
+def commands_without_words(cmake: CMake) -> Iterator[EvaluatedCommand]:
+    """Yield the calls of macros of other packages that are given nothing, and may find all by themselves."""
+    for call in unfamiliar_commands(cmake):
+        if not call.words and not OF_OPTIONS.fullmatch(call.name):
+            yield call
 
 
 def foreign_commands(cmake: CMake) -> Iterator[EvaluatedCommand]:
