@@ -98,6 +98,36 @@ def test_a_condition_that_is_not_known_is_one(condition: str) -> None:
     assert f", {CONDITIONAL}; it" in message
 
 
+@pytest.mark.parametrize(
+    ("condition", "added", "level"),
+    [
+        ("IfCondition(LaunchConfiguration('nav', default=False))", "", "info"),
+        ("IfCondition(LaunchConfiguration('nav', default='false'))", "", "info"),
+        ("IfCondition(LaunchConfiguration('nav', default=sim))", "", "info"),
+        ("UnlessCondition(LaunchConfiguration('nav', default='true'))", "", "info"),
+        ("""IfCondition(PythonExpression(["'", LaunchConfiguration('nav', default='a'), "' == 'b'"]))""", "", "info"),
+        ("IfCondition(LaunchConfiguration('sim', default='true'))", "", "info"),  # what is declared counts first
+        ("IfCondition(LaunchConfiguration('nav', default='true'))", "", "warning"),
+        ("IfCondition(LaunchConfiguration('nav', default=None))", "", "warning"),
+        ("IfCondition(LaunchConfiguration('nav', default=unknown()))", "", "warning"),
+        ("IfCondition(LaunchConfiguration('nav', default='false'))", "DeclareLaunchArgument('nav'),", "warning"),
+        ("IfCondition(LaunchConfiguration('nav', default='false'))", "DeclareLaunchArgument(unknown()),", "warning"),
+        ("IfCondition(LaunchConfiguration('nav', default='0'))", "SetLaunchConfiguration('nav', '1'),", "warning"),
+        (
+            "IfCondition(LaunchConfiguration('nav', default='false'))",
+            "IncludeLaunchDescription('b.launch.py', launch_arguments={'nav': 'true'}.items()),",
+            "warning",
+        ),
+    ],
+)
+def test_a_default_counts_where_the_argument_is_read(condition: str, added: str, level: str) -> None:
+    text = PYTHON.format(condition=f", condition={condition}", default="false", added=f"{added} node,")
+    text = f"from launch.actions import SetLaunchConfiguration\n{text}"
+    ((found, message),) = levels(text)
+    assert found == level
+    assert f", {OFF if level == 'info' else CONDITIONAL}; it" in message
+
+
 @pytest.mark.parametrize(("sim", "level"), [("true", "error"), ("false", "info")])
 def test_the_condition_of_a_group_is_one_of_its_actions(sim: str, level: str) -> None:
     group = "GroupAction([node], condition=IfCondition(sim)),"
