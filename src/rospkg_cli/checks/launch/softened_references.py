@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..fault import Level
 from ..left_to_people import files_of, why_left
-from .idle_actions import OFF, level_at
+from .idle_actions import NEVER_CALLED, NO_ENTRY, OFF, level_at
 from .include_arguments import IncludeContext
 from .missing_references import LaunchContext, MissingReference
 from .read_when_off import ReadWhenOff
@@ -19,6 +19,8 @@ from .written_by_nodes import written_for
 def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None, str]:
     """Return the level that a missing file has at most, and why; None where nothing softens it."""
     softer, why = level_at(scope.file, each.span) if each.use != "caught" else ("info", "")
+    if why == NO_ENTRY and is_in_left_helper(scope, each):
+        softer, why = "info", NEVER_CALLED
     if softer != "info" and (unmet := unmet_by_all(scope, each)):
         softer, why = "info", unmet
     lacked = package_lacked(scope.file, each.span, scope.workspace) if softer != "info" else ""
@@ -31,6 +33,13 @@ def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None
     if not softer and each.state != "elsewhere" and not scope.is_installed:
         softer, why = "warning", "where it is started from the source: it is not installed"
     return softer, why
+
+
+def is_in_left_helper(scope: LaunchContext, each: MissingReference) -> bool:
+    """Return whether every place that names a file is in a function that nothing calls, where launch can't start it."""
+    from .left_helpers import is_left  # few files beside launch files have no entry point
+
+    return all(is_left(scope, span) for span in (each.span, *each.other_spans))
 
 
 def unmet_by_all(scope: LaunchContext, each: MissingReference) -> str:

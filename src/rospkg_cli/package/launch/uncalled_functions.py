@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import cast
 
 from ...languages.python.constant_truth import unreached_nodes
@@ -23,7 +23,11 @@ def uncalled_functions(file: PythonFile) -> tuple[Span, ...]:
 
 def uncalled_bodies(file: PythonFile) -> Iterator[Span]:
     """Yield what only a call of such a function runs: neither its decorators nor the defaults of its arguments."""
-    for each in uncalled(file):
+    yield from bodies(file, uncalled(file))
+
+
+def bodies(file: PythonFile, functions: Iterable[FunctionNode]) -> Iterator[Span]:
+    for each in functions:
         yield Span(file.span(each.body[0]).start, file.span(each.body[-1]).end)
 
 
