@@ -40,7 +40,7 @@ ALL = {("CMK101", "robot"), *((code, name) for code in CODES[1:] for name in ("r
 
 
 @pytest.mark.parametrize(
-    "lines", ["make_config(arm)", "make_config(arm)\nmake_config(leg)", "if(X)\nmake_config(arm)\nendif()"]
+    "lines", ["make_config(arm)", "make_config()", "make_config(arm)\nmake_config(leg)", "if(X)\nmake_config(arm)\nendif()"]
 )
 def test_what_a_foreign_macro_installs_is_unknown(lines: str) -> None:
     assert lint(lines) == (set(), ["make_config"])
@@ -50,7 +50,7 @@ def test_what_a_foreign_macro_installs_is_unknown(lines: str) -> None:
     "lines",
     [
         "",
-        "make_config()",
+        "make_warning_flags()",
         DEFINED + "make_config(arm)",
         "if(BUILD_TESTING)\nmake_config(arm)\nendif()",
         "set(arm leg)\nif(arm)\nmessage(STATUS arm)\nelse()\nendif()\nforeach(x a b)\nendforeach()",
