@@ -40,7 +40,8 @@ ALL = {("CMK101", "robot"), *((code, name) for code in CODES[1:] for name in ("r
 
 
 @pytest.mark.parametrize(
-    "lines", ["make_config(arm)", "make_config()", "make_config(arm)\nmake_config(leg)", "if(X)\nmake_config(arm)\nendif()"]
+    "lines",
+    ["make_config(arm)", "make_config()", "make_config(arm)\nmake_config(leg)", "if(X)\nmake_config(arm)\nendif()"],
 )
 def test_what_a_foreign_macro_installs_is_unknown(lines: str) -> None:
     assert lint(lines) == (set(), ["make_config"])

@@ -17,6 +17,8 @@ IMPORTED = (
 )
 LIST = 'target_include_directories(talker PRIVATE "$<BUILD_INTERFACE:{}>" "$<INSTALL_INTERFACE:include>")\n'
 BOTH = "${PROJECT_BINARY_DIR};${PROJECT_SOURCE_DIR}/include;${PROJECT_SOURCE_DIR}/sdk/include"
+SDK = {"sdk/lib/amd64/libapi.so": ""}
+ON = 'if(CMAKE_SYSTEM_PROCESSOR MATCHES "{}")\n  install(DIRECTORY sdk/lib/arm64/ DESTINATION lib)\nendif()\n'
 ASKED = "if($ENV{{{}}} STREQUAL a)\nendif()\n"
 
 
@@ -26,7 +28,12 @@ def package(lines: str, files: dict[str, str] = HEADERS, body: str = "") -> Exam
 
 
 CASES = {
-    "CMK123": tuple(package(ASKED.format(name), {}) for name in ("HOME", "AMENT_PREFIX_PATH", "ROBOT_HOME")),
+    "CMK102": tuple(package(ON.format(name), SDK) for name in ("aarch64", "arm64|armv7l", "x86_64")),
+    "CMK123": (
+        *(package(ASKED.format(name), {}) for name in ("HOME", "AMENT_PREFIX_PATH", "ROBOT_HOME")),
+        package('if($ENV{ROBOT} MATCHES "a" OR $ENV{ARM} MATCHES "b")\nendif()\n', {}),
+        package('if($ENV{ROBOT} MATCHES "a")\nendif()\n', {}),
+    ),
     "CMK201": (
         package(PROGRAM + TOLD),
         package(IMPORTED.format("INTERFACE_INCLUDE_DIRECTORIES") + PROGRAM + TOLD),

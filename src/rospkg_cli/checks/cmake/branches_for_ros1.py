@@ -14,18 +14,17 @@ Body = list["CommandInvocation | Block"]
 
 
 def only_for_ros1(cmake: CMake) -> frozenset[int]:
-    """Return the identities of the commands in such branches."""
-    return frozenset(id(command) for file in cmake.files for command in commands_for_ros1(file.body))
+    """Return the identities of the commands in such branches, of the outermost blocks."""
+    blocks = (each for file in cmake.files for each in file.body if isinstance(each, Block))
+    return frozenset(id(command) for block in blocks for command in commands_for_ros1(block))
 
 
-def commands_for_ros1(body: Body) -> Iterator[CommandInvocation]:
-    for block in body:
-        if isinstance(block, Block):
-            branches = [each.body for each in block.branches]
-            has_ament = any(map(is_for_ament, branches))
-            for branch in branches:
-                is_old = has_ament and is_for_catkin(branch) and not is_for_ament(branch)
-                yield from commands_in(branch) if is_old else commands_for_ros1(branch)
+def commands_for_ros1(block: Block) -> Iterator[CommandInvocation]:
+    branches = [each.body for each in block.branches]
+    has_ament = any(map(is_for_ament, branches))
+    for branch in branches:
+        if has_ament and is_for_catkin(branch) and not is_for_ament(branch):
+            yield from commands_in(branch)
 
 
 def is_for_catkin(body: Body) -> bool:
@@ -47,9 +46,10 @@ def first_of(command: CommandInvocation) -> str:
 
 
 def commands_in(body: Body) -> Iterator[CommandInvocation]:
-    for each in body:
+    waiting = [*body]
+    while waiting:
+        each = waiting.pop()
         if isinstance(each, CommandInvocation):
             yield each
         else:
-            for branch in each.branches:
-                yield from commands_in(branch.body)
+            waiting += [inner for branch in each.branches for inner in branch.body]

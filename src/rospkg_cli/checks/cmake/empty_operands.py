@@ -43,7 +43,7 @@ class EmptyOperands:
         seen: set[str] = set()
         for file in self.package.cmake.files if self.package.is_ament else ():
             for condition, is_inner in conditions(file):
-                for argument, following in zip(condition.arguments, condition.arguments[1:], strict=False):
+                for argument, following in compared(condition):
                     found = OPERAND.fullmatch(argument.text) if argument.kind == "unquoted" else None
                     if found and following.text in BINARY and argument.text not in seen:
                         seen.add(argument.text)
@@ -63,6 +63,16 @@ class EmptyOperands:
         """All arguments as they are written: what sets a variable, or asks for it, names it."""
         commands = (command for file in self.package.cmake.files for command in file.syntax.commands)
         return frozenset(argument.text for command in commands for argument in command.arguments)
+
+
+def compared(condition: CommandInvocation) -> Iterator[tuple[CommandArgument, CommandArgument]]:
+    """Yield the arguments of a condition that may be operands, each with the next one.
+
+    Where nothing stands before a first MATCHES, CMake takes it for false, and goes on. (cmConditionEvaluator)
+    """
+    pairs = list(zip(condition.arguments, condition.arguments[1:], strict=False))
+    has_matches = bool(pairs) and pairs[0][1].text == "MATCHES"
+    yield from pairs[1:] if has_matches else pairs
 
 
 def conditions(file: CMakeFile) -> Iterator[tuple[CommandInvocation, bool]]:

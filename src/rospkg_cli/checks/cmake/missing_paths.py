@@ -12,6 +12,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.cmake.meant_paths import meant_path
 from ...package.cmake.referenced_paths import ReferencedPath, ReferencedPaths
 from ...suggest import near_names
+from .branch_names import names_around
 from .distro_guards import guarded_commands
 from .mistyped_links import differ_in_long_words, digits
 from .refused_arguments import FOREIGN
@@ -20,6 +21,7 @@ from .switched_off import SwitchedOff
 ASKED_FOR = regex(r"EXISTS|IS_DIRECTORY|ROS_VERSION|ROS1|CATKIN|catkin|ROS_DISTRO")
 """What a condition tests for before it names what is not always there: the path itself, or ROS 1."""
 OTHER_SYSTEMS = regex(r"\b(?:WIN32|MSVC|MINGW|APPLE|ANDROID|IOS|Windows|Darwin)\b")
+PROCESSORS = regex(r"(?i)aarch64|\barm(?:64|hf|v\d\w*)?\b|riscv|ppc64|i\d86")
 
 STOPPING = ("test", "subdirectory", "extras")
 """What stops CMake at once, where it gets there, as sources do."""
@@ -53,9 +55,10 @@ class MissingPaths:
         return digits(stem) == digits(other) and differ_in_long_words(stem, other) and bool(near_names(stem, [other]))
 
     def is_elsewhere(self, named: ReferencedPath) -> bool:
-        """Return whether a path is named in a branch for another system than Linux."""
+        """Return whether a path is named in a branch for another system than Linux, or another processor than most."""
         is_for_some = named.call.maybe or named.word.maybe
-        return is_for_some and id(named.call.command) in self.of_other_systems
+        command = id(named.call.command)
+        return is_for_some and (command in self.of_other_systems or bool(self.of_processors.get(command)))
 
     def is_idle(self, named: ReferencedPath) -> bool:
         """Return whether a path is named in a branch that is not taken on Linux, or that nobody is shown to take."""
@@ -65,6 +68,11 @@ class MissingPaths:
     def of_other_systems(self) -> frozenset[int]:
         """The commands inside an `if` that tests for Windows, macOS or the like."""
         return frozenset(id(each) for file in self.cmake.files for each in guarded_commands(file.body, OTHER_SYSTEMS))
+
+    @cached_property
+    def of_processors(self) -> dict[int, tuple[str, ...]]:
+        """Command → the processors, of those that few have, for which the branches are that it is in."""
+        return names_around(self.cmake, lambda texts: filter(PROCESSORS.search, texts))
 
     @cached_property
     def off(self) -> SwitchedOff:
