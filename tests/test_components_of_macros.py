@@ -35,7 +35,11 @@ def test_a_slip_of_a_registered_name_is_told_beside_any_macro(more: str) -> None
     assert lint("my_pkg::Tallker", more) == ["error"]
 
 
-@pytest.mark.parametrize("more", ["", "nav2_package()\n", "append_coverage_compiler_flags()\n", "set_options()\n"])
+FETCHED = "include(FetchContent)\nFetchContent_Declare(json URL a)\nFetchContent_MakeAvailable(json)\n"
+OPTIONS = ["", "nav2_package()\n", "append_coverage_compiler_flags()\n", "set_options()\n"]
+
+
+@pytest.mark.parametrize("more", [*OPTIONS, FETCHED, "add_subdirectory(third_party/json)\n"])
 def test_what_only_sets_options_registers_nothing(more: str) -> None:
     assert lint("corp::Health", more) == ["error"]
 

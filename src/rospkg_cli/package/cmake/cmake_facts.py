@@ -28,7 +28,7 @@ def registered_components(reading: ReaderInput) -> tuple[frozenset[str], bool]:
 def may_register_more(reading: ReaderInput) -> bool:
     """Return whether macros or files that can't be read here may register components."""
     cmake = reading.parts(CMake).only if is_built_with_cmake(reading) else None
-    return cmake is not None and (cmake.reads_unknown_files or may_make_targets(cmake))
+    return cmake is not None and (cmake.includes_unknown_files or may_make_targets(cmake))
 
 
 def has_targets(reading: ReaderInput) -> bool:
