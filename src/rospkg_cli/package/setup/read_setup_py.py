@@ -19,6 +19,8 @@ from .setup_py import SetupPy
 
 LEFT_TO_SETUP = regex(r"\ndynamic\s*=\s*\[[^\]]*['\"](?:scripts|entry-points)['\"]")
 """Where pyproject.toml says that setup.py has the entry points."""
+ASKS_WHERE = regex(r"__file__|cwd|path\b.*\(|resolve|absolute")
+"""What code holds that may come to the name of its folder."""
 
 
 def read_setup_py(reading: ReaderInput) -> Iterator[SetupPy]:
@@ -32,6 +34,10 @@ def read_setup_py(reading: ReaderInput) -> Iterator[SetupPy]:
     evaluator.run_file()
     cfg = reading.parts(SetupCfg)
     call, call_unknown = setup_call(evaluator)
+    if call is not None and ASKS_WHERE.search(file.source.text):
+        from .folder_names import without_folder_names  # few setup.py ask where they are
+
+        call = without_folder_names(call)
     yield SetupPy(
         file=file,
         folder=folder,
