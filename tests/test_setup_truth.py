@@ -155,7 +155,6 @@ setup(name=package_name, data_files=[
     (f'share/{package_name}/{folder}', glob(f'{folder}/{pattern}')) for folder, pattern in files.items()
 ])
 """,
-    "by the name of the folder": "setup(name=Path(os.path.realpath(__file__)).parent.name + package_name[:0])\n",
     "zip and ternaries": """\
 names, functions = ('a', 'b'), ('main', 'run')
 setup(name=package_name, entry_points={
