@@ -35,7 +35,7 @@ def read_setup_py(reading: ReaderInput) -> Iterator[SetupPy]:
     cfg = reading.parts(SetupCfg)
     call, call_unknown = setup_call(evaluator)
     if call is not None and ASKS_WHERE.search(file.source.text):
-        from .folder_names import without_folder_names  # few setup.py ask where they are
+        from ...languages.python.evaluate.folder_names import without_folder_names  # few setup.py ask where they are
 
         call = without_folder_names(call)
     yield SetupPy(

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from ...languages.python.evaluate.sandbox_filesystem import ROOT
-from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Unknown, Value
-from ...light_dataclasses import replace
+from ....light_dataclasses import replace
+from .sandbox_filesystem import ROOT
+from .values import Call, Mapping, Sequence, Text, Unknown, Value
 
 NAME = ROOT.lstrip("/")
 DEEPEST = 20
