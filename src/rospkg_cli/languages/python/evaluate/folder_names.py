@@ -9,7 +9,7 @@ from .values import Call, Mapping, Sequence, Text, Unknown, Value
 NAME = ROOT.lstrip("/")
 DEEPEST = 20
 """How deep lists are looked through; `data_files` has three levels."""
-WHY = "the name of the package's folder is not known here"
+WHY = "the folder's name is not known here"
 
 
 def without_folder_names(call: Call) -> Call:
