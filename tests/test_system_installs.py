@@ -16,7 +16,6 @@ install(TARGETS node DESTINATION lib/${PROJECT_NAME})
 """
 INSTALLS = "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n"
 XACRO = "<launch><let name='a' value=\"$(command 'xacro a.xacro')\"/></launch>\n"
-WORLD = "<launch><include file='$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py'/></launch>\n"
 
 
 def launching(text: str) -> dict[str, str]:
@@ -39,7 +38,7 @@ def level_with(code: str, name: str, files: dict[str, str], on: str = "ament_cma
         ("util/ubuntu-packages.txt", "# libsdl2-dev\n", "warning"),
         ("docker/Dockerfile", "FROM ros:jazzy\nRUN apt-get update && apt-get install -y \\\n    libsdl2-dev\n", "info"),
         (".github/workflows/ci.yml", "jobs:\n  a:\n    steps:\n      - run: sudo apt install libsdl2-dev\n", "info"),
-        ("README.md", "    sudo apt-get -y install libsdl2-dev\n", "info"),
+        ("README.md", "    sudo apt-get -y install libsdl2-dev\n", "warning"),
         ("README.md", "It needs no libsdl2-dev.\n", "warning"),
         ("install.sh", "PACKAGES=(libsdl2-dev)\nsudo apt install ${PACKAGES[@]}\n", "info"),
         ("install.sh", "# PACKAGES=(libsdl2-dev)\n", "warning"),
@@ -67,23 +66,22 @@ def test_libraries(path: str, text: str, level: str) -> None:
 )
 def test_what_comes_with_them(text: str, level: str) -> None:
     cmake = CMAKE.replace("ament_package()", "find_package(Boost REQUIRED COMPONENTS system)\nament_package()")
-    assert level_with("DEP104", "Boost", {"src/my_pkg/CMakeLists.txt": cmake, "README.md": text}) == level
+    assert level_with("DEP104", "Boost", {"src/my_pkg/CMakeLists.txt": cmake, "setup.sh": text}) == level
 
 
-@pytest.mark.parametrize(
-    ("text", "level"),
-    [
-        ("sudo apt install ros-jazzy-xacro\n", "info"),
-        ("sudo apt install ros-${ROS_DISTRO}-xacro\n", "info"),
-        ("sudo apt install ros-<distro>-xacro\n", "info"),
-        ("sudo apt install ros-noetic-xacro\n", "warning"),
-        ("sudo apt install ros-jazzy-desktop\n", "warning"),
-        ("sudo apt install ros-jazzy-xacro-msgs\n", "warning"),
-    ],
-)
-def test_packages_of_ros(text: str, level: str) -> None:
-    files = {**launching(XACRO), "README.md": text}
-    assert level_with("DEP103", "xacro", files) == level
+@pytest.mark.parametrize("path", ["README.md", "setup.sh", "util/ubuntu-packages.txt"])
+def test_packages_of_ros_are_found_by_the_manifest(path: str) -> None:
+    files = {**launching(XACRO), path: "sudo apt install ros-jazzy-xacro\n"}
+    assert level_with("DEP103", "xacro", files) == "warning"
+
+
+@pytest.mark.parametrize("path", ["README.md", "setup.sh", ".github/workflows/ci.yml"])
+def test_where_rosdep_is_run_it_installs_what_is_declared(path: str) -> None:
+    cmake = CMAKE.replace("ament_package()", "find_package(Boost REQUIRED COMPONENTS system)\nament_package()")
+    files = {"src/my_pkg/CMakeLists.txt": cmake, "apt.txt": "libboost-all-dev\n"}
+    assert level_with("DEP104", "Boost", files) == "info"
+    run = "rosdep update\nrosdep install --from-paths src -y\n"
+    assert level_with("DEP104", "Boost", {**files, path: run}) == "warning"
 
 
 @pytest.mark.parametrize(
@@ -91,23 +89,18 @@ def test_packages_of_ros(text: str, level: str) -> None:
     [("apt install python3-serial\n", "info"), ("apt install libserial-dev\n", "warning")],
 )
 def test_libraries_of_python(text: str, level: str) -> None:
-    files = {"src/my_pkg/my_pkg/node.py": "import serial\n", "README.md": text}
+    files = {"src/my_pkg/my_pkg/node.py": "import serial\n", "setup.sh": text}
     assert level_with("DEP101", "python3-serial", files, "ament_python") == level
 
 
-def test_members_of_a_metapackage() -> None:
-    files = {**launching(WORLD), "README.md": "apt install ros-jazzy-ros-gz\n"}
-    assert level_with("DEP103", "ros_gz_sim", files) == "info"
-
-
 def test_a_release_is_installed_without_them() -> None:
-    files = {**launching(XACRO), "README.md": "apt install ros-jazzy-xacro\n", "tracks.yaml": ""}
-    assert level_with("DEP103", "xacro", files) == "warning"
+    files = {"src/my_pkg/my_pkg/node.py": "import serial\n", "setup.sh": "apt install python3-serial\n"}
+    assert level_with("DEP101", "python3-serial", {**files, "tracks.yaml": ""}, "ament_python") == "warning"
 
 
 def test_another_repository_beside_it() -> None:
     other = {"other/.git/HEAD": "", "other/package.xml": manifest().replace("my_pkg", "other")}
-    files = {"src/.git/HEAD": "", **launching(XACRO), **other}
-    told = "apt install ros-jazzy-xacro\n"
-    assert level_with("DEP103", "xacro", {**files, "other/README.md": told}) == "warning"
-    assert level_with("DEP103", "xacro", {**files, "src/README.md": told}) == "info"
+    files = {"src/.git/HEAD": "", "src/my_pkg/my_pkg/node.py": "import serial\n", **other}
+    for path, level in (("other/setup.sh", "warning"), ("src/setup.sh", "info")):
+        given = {**files, path: "apt install python3-serial\n"}
+        assert level_with("DEP101", "python3-serial", given, "ament_python") == level

@@ -10,14 +10,12 @@ from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.workspace import Workspace
-from ...ros.read_table import rows
 from ...tree import READABLE
+from ..pages_and_scripts import pages_and_scripts
 from .brought_dependencies import brought_by
 from .declared_beside import repository_of
 from .hand_installs import plain
 
-PAGE = regex(r"(?i)(?:^|/)(?:readme[^/]*|[^/]*\.(?:md|rst))$")
-"""What people read: of it only commands count."""
 READ = regex(
     r"(?i)(?:^|/)(?:[^/]*(?:dockerfile|containerfile)[^/]*|[^/]*compose[^/]*\.ya?ml|devcontainer\.json|makefile|justfile"
     r"|\.github/workflows/[^/]+\.ya?ml|\.gitlab-ci\.yml|snapcraft\.ya?ml|[^/]*\.(?:sh|bash)"
@@ -40,12 +38,7 @@ COMMAND = regex(
     r"[ \t]+(?:install|add|-S\w*)\b((?:[^\n&|;\\`]|\\\n?)*)"
 )
 WORD = regex(r"(?<![\w./:${}-])[A-Za-z][A-Za-z0-9.+_-]*[A-Za-z0-9+]")
-OF_ROS = regex(
-    r"\bros-(?!(?:noetic|melodic|kinetic|lunar|indigo|jade)-)"
-    r"(?:[a-z]+|\$\{?\{?[^}\n-]{0,40}\}{0,2}|\$\([^)\n]{0,40}\)|<[^>\n]{0,40}>|\[[^\]\n]{0,40}\]|\{+[^}\n]{0,40}\}+)"
-    r"-([a-z0-9][a-z0-9-]*)"
-)
-"""A released package, as apt calls it, whatever stands for the distribution."""
+ROSDEP = regex(r"\brosdep[ \t]+(?:[^\n]*[ \t])?install\b")
 TOLD = "; this repository installs it by a list or a command of its own"
 MIN_LETTERS = 3
 
@@ -56,19 +49,20 @@ class SystemInstalls:
     workspace: Workspace
 
     def has(self, names: Iterable[str]) -> bool:
-        """Return whether one of some packages or keys of rosdep is installed so."""
+        """Return whether one of some keys of rosdep is installed so, and nothing here runs rosdep.
+
+        Packages of ROS are none: who builds a part of the repository has rosdep find them by package.xml.
+        """
         for name in names:
-            if name.replace("-", "_") in self.of_ros:
-                return True
-            if self.workspace.index.is_key(name) and (name in self.keys or spelt(name) in self.plain_names):
+            is_library = self.workspace.index.is_key(name) and not self.runs_rosdep
+            if is_library and (name in self.keys or spelt(name) in self.plain_names):
                 return True
         return False
 
     @cached_property
-    def of_ros(self) -> frozenset[str]:
-        """The packages of ROS, and the members of metapackages among them."""
-        found = {each.replace("-", "_") for text in self.texts.values() for each in OF_ROS.findall(text)}
-        return frozenset({*found, *(each for name in found for each in rows("metapackages.txt").get(name, ()))})
+    def runs_rosdep(self) -> bool:
+        """Whether a page, a script or a workflow has rosdep install what package.xml declares."""
+        return any(map(ROSDEP.search, pages_and_scripts(self.files)))
 
     @cached_property
     def keys(self) -> Mapping[str, str]:
@@ -103,7 +97,7 @@ class TellingPaths(dict[str, tuple[str, ...]]):
     def of(self, whole: PackageFiles, key: str) -> tuple[str, ...]:
         if key not in self:
             paths = (path for path, kind in whole.tree.files().items() if kind in READABLE)
-            self[key] = tuple(path for path in paths if any(each.search(path) for each in (PAGE, LIST, OTHERS, READ)))
+            self[key] = tuple(path for path in paths if any(each.search(path) for each in (LIST, OTHERS, READ)))
         return self[key]
 
 
@@ -111,15 +105,13 @@ def told_in(path: str, files: PackageFiles) -> str:
     """Return the part of a file that names packages which are installed; "" for other files."""
     if posixpath.basename(path) in NO_LIST:
         return ""
-    if PAGE.search(path):
-        return " ".join(COMMAND.findall(files.readable_text(path)))
     if LIST.search(path) or OTHERS.search(path):
         return COMMENT.sub("", files.readable_text(path))
     if not READ.search(path):
         return ""
     text = COMMENT.sub("", files.readable_text(path))
     dashed = (word for word in WORD.findall(text) if "-" in word)
-    return " ".join([*COMMAND.findall(text), *dashed, *(found[0] for found in OF_ROS.finditer(text))])
+    return " ".join([*COMMAND.findall(text), *dashed])
 
 
 def spelt(name: str) -> str:

@@ -50,7 +50,7 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
     one info, which names who brings it. What may come with a declared one is another: with a package that is neither
     here nor in the table of what is installed with what, anything may come. It is an info, too, where setup.py does not
     ask for pytest: `colcon test` runs unittest then; where another package of the repository declares it, or a list or
-    a command of it installs it (`apt install`), and nothing shows a release; and for a launch test that CMake does not
+    a command of it installs it (apt alone), and nothing shows a release; and for a launch test that CMake does not
     register, or whose name pytest does not look for. Left out are optional imports, helpers that no test uses,
     launch_ros and launch_testing where a declared dependency certainly brings them, and what installed code imports as
     well (DEP101).

@@ -83,7 +83,7 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     launch files need that nothing installs and no page or other file names, what stands in a function that nothing
     calls or behind `if="false"`, and unknown packages where a `.repos` file lists repositories that are not here, or a
     README links to theirs, or that begin like this package and like no other one here, and what another package of the
-    repository declares, or a list or a command of it installs (`apt install`), where nothing shows a release. Left out
+    repository declares, or a list or a script of it installs (apt alone), where nothing shows a release. Left out
     are computed names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`),
     files for ROS 1, actions that nothing adds, and what a module imports too (DEP101).
 

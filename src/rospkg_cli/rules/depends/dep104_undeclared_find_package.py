@@ -80,8 +80,8 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
     What a declared dependency certainly installs, or may, as anything may come with a package that is not here, is one
     info, with what only C++ includes of the kind (DEP105). So is a library that a page tells to install by hand, or
     that CMake looks for in a folder that is named here (`HINTS`, `set(OpenCV_DIR …)`, CMAKE_PREFIX_PATH, a Find module
-    that names folders of the package), what another package of the repository declares, or a list or a command of it
-    installs (`apt install`), where nothing shows a release, and a key of rosdep that no supported distribution has a
+    that names folders of the package), what another package of the repository declares, or a list or a script of it
+    installs (apt alone), where nothing shows a release, and a key of rosdep that no supported distribution has a
     rule for, as vendor packages took the place of `gz-math7`. What is optional (QUIET, without use) or under a
     condition that depends on the machine is left alone, and so is what comes with the build tools.
 

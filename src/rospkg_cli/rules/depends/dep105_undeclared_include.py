@@ -69,7 +69,7 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     does not hold (`$ROS_VERSION == 1`), where no build is sure to compile what includes it, and types whose package
     comes with another undeclared one. What an empty submodule that CMake looks into may hold is an info, and a library
     that a page tells to install by hand, and what another package of the repository declares, or a list or a command of
-    it installs (`apt install`), where nothing shows a release. So is what only targets include that stop at a source of
+    it installs (apt alone), where nothing shows a release. So is what only targets include that stop at a source of
     ROS 1 before. Headers of ROS 1 (`std_msgs/String.h`), and others that no package of interfaces has, come with no
     declaration: CMK201 tells of them.
 

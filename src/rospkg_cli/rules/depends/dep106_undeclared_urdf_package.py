@@ -77,8 +77,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     all, one whose type is in a comment, a plugin that no list beside it names (`plugins: [static_layer]`), a type that
     comes with the node which loads it (`geometry_msgs` with joy_teleop), and what a robot needs that nothing opens, or
     only where an argument turns it on (`GAZEBO:=true`), or in a macro that nothing calls, what stands as `$(find …)` in
-    SDF without a word of xacro, and what another package of the repository declares, or a list or a command of it
-    installs (`apt install`), where nothing shows a release.
+    SDF without a word of xacro, and what another package of the repository declares, or a list or a script of it
+    installs (apt alone), where nothing shows a release.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. Where this

@@ -62,7 +62,7 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
     Interface files that CMakeLists.txt does not generate are left alone (see IDL005). What a declared dependency
     certainly installs is one info, which names who brings it. What may come with a declared one is another: with a
     package that is neither here nor in the table of what is installed with what, anything may come. What another
-    package of the repository declares, or a list or a command of it installs (`apt install`), is an info where nothing
+    package of the repository declares, or a list or a script of it installs (apt alone), is an info where nothing
     shows a release.
 
     ## Fix safety

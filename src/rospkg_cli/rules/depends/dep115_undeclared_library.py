@@ -67,8 +67,8 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
 
     ## When it is quiet
     What a declared dependency certainly installs is one info, which names who brings it, and what may come with one is
-    another, as is what another package of the repository declares, or a list or a command of it installs (`apt
-    install`), where nothing shows a release, and what a page tells to install by hand. Targets and library files of the
+    another, as is what another package of the repository declares, or a list or a script of it installs (apt
+    alone), where nothing shows a release, and what a page tells to install by hand. Targets and library files of the
     package are left alone, what CMake downloads or takes from a folder of its own (`link_directories()`, `HINTS`),
     calls under a condition, and libraries that DEP104 or DEP105 tell of.
 

@@ -59,7 +59,7 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     nothing installs are left alone. What an `if` chooses, whose other branch looks for another package, is an info, and
     so is what stands in a module that nothing starts or imports, in a program that nothing starts beside others that
     are started, in a function that nothing calls, or in a source that no target compiles, beside others, and what
-    another package of the repository declares, or a list or a command of it installs (`apt install`), where nothing
+    another package of the repository declares, or a list or a script of it installs (apt alone), where nothing
     shows a release. What a library without programs looks for is an info where that package uses the library itself,
     where no package here uses it nor a page builds it by name or imports it, or where each that calls the function or
     links the library declares what is looked for, or something that brings it, or starts something of it. So is a

@@ -54,7 +54,7 @@ def undeclared_crate(needs: CargoNeeds) -> Iterator[Hit]:
     ## When it is quiet
     A crate with a path, a repository or a registry of its own is left alone, and so is one that is optional, that is
     asked for in a certain version, or that `.cargo/config.toml` or `[patch]` may point elsewhere. What another package
-    of the repository declares, or a list or a command of it installs (`apt install`), is an info where nothing shows a
+    of the repository declares, or a list or a script of it installs (apt alone), is an info where nothing shows a
     release.
 
     ## References
