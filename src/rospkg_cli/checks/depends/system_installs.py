@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -53,11 +53,10 @@ class SystemInstalls:
 
         Packages of ROS are none: who builds a part of the repository has rosdep find them by package.xml.
         """
-        for name in names:
-            is_library = self.workspace.index.is_key(name) and not self.runs_rosdep
-            if is_library and (name in self.keys or spelt(name) in self.plain_names):
-                return True
-        return False
+        libraries = [name for name in names if self.workspace.index.is_key(name)]
+        if not libraries or self.runs_rosdep:
+            return False
+        return any(name in self.keys or spelt(name) in self.plain_names for name in libraries)
 
     @cached_property
     def runs_rosdep(self) -> bool:
@@ -65,12 +64,12 @@ class SystemInstalls:
         return any(map(ROSDEP.search, pages_and_scripts(self.files)))
 
     @cached_property
-    def keys(self) -> Mapping[str, str]:
+    def keys(self) -> frozenset[str]:
         """The keys that stand for packages which apt installs, and for what comes with these."""
         index = self.workspace.index
         first = {name for name in self.words if index.is_key(name)}
         first |= {key for name in self.words for key in index.apt.get(name, ())}
-        return {**brought_by(sorted(first), self.workspace), **dict.fromkeys(first, "")}
+        return frozenset({*first, *brought_by(sorted(first), self.workspace)})
 
     @cached_property
     def plain_names(self) -> frozenset[str]:
@@ -79,16 +78,16 @@ class SystemInstalls:
 
     @cached_property
     def words(self) -> frozenset[str]:
-        return frozenset(word for text in self.texts.values() for word in WORD.findall(text))
+        return frozenset(word for text in self.texts for word in WORD.findall(text))
 
     @cached_property
-    def texts(self) -> dict[str, str]:
-        """What is installed, by the paths of the files that say so; a word of a script counts if it has a dash."""
+    def texts(self) -> tuple[str, ...]:
+        """What files say that is installed; a word of a script counts if it has a dash."""
         whole = PackageFiles(self.files.whole) if self.files.whole is not None else self.files
         root = repository_of(self.files.folder, self.workspace)
         key = "" if self.files.whole is not None else self.files.folder
         paths = self.workspace.index_of(TellingPaths).of(whole, key)
-        return {path: text for path in paths if path.startswith(root) and (text := told_in(path, whole))}
+        return tuple(told_in(path, whole) for path in paths if path.startswith(root))
 
 
 class TellingPaths(dict[str, tuple[str, ...]]):

@@ -126,16 +126,12 @@ class CMakeTableBuilder:
             if self.may_install(call):
                 for what in ALL[:2]:
                     yield UnknownPart(what, f"`{call.name}` may install anything", call.path, call.command.span)
-        for call in (each for each in foreign_commands(self.cmake) if not MAKES_HEADERS.fullmatch(each.name)):
-            why = f"`{call.name}` of another package may install anything"
-            yield UnknownPart("share", why, call.path, call.command.span, command=call.name)
-            is_open = not self.has_programs and not MAKES_LIBRARIES.search(call.name)
-            if is_open or MAKES_PROGRAMS.search(call.name) or "EXECUTABLE" in call.texts:
-                yield UnknownPart("executable", why, call.path, call.command.span)
-        for call in commands_without_words(self.cmake):
-            for what in ALL[:2] if not self.has_programs else ALL[1:2]:
+        for call in (*foreign_commands(self.cmake), *commands_without_words(self.cmake)):
+            if not (call.words and MAKES_HEADERS.fullmatch(call.name)):
                 why = f"`{call.name}` of another package may install anything"
-                yield UnknownPart(what, why, call.path, call.command.span, command=call.name)
+                yield UnknownPart("share", why, call.path, call.command.span, command=call.name)
+                if self.may_make_programs(call):
+                    yield UnknownPart("executable", why, call.path, call.command.span)
 
     def unknown_rule(self, rule: InstallRule) -> Iterator[UnknownPart]:
         places = [rule.destination] if rule.kind != "TARGETS" else list((rule.destinations or {}).values())
@@ -165,6 +161,12 @@ class CMakeTableBuilder:
         """Return whether a folder is a link, behind which we do not look."""
         path = path_in_package(word.text, rule.call.folder) or ""
         return self.cmake.package_files.tree.files().get(path.rstrip("/")) in LINKED
+
+    def may_make_programs(self, call: EvaluatedCommand) -> bool:
+        """Return whether a macro of another package may: what is given nothing has no name that tells otherwise."""
+        if call.words and (MAKES_PROGRAMS.search(call.name) or "EXECUTABLE" in call.texts):
+            return True
+        return not self.has_programs and not (call.words and MAKES_LIBRARIES.search(call.name))
 
     @cached_property
     def has_programs(self) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...lazy_regex import regex
@@ -47,9 +48,15 @@ def foreign_commands(cmake: CMake) -> Iterator[EvaluatedCommand]:
 
 def unfamiliar_commands(cmake: CMake) -> Iterator[EvaluatedCommand]:
     """Yield the calls of macros of other packages; those for tests are left out."""
+    for call in cmake.calls:
+        is_known = call.name in everybodys() or call.name in cmake.functions
+        if not is_known and not call.testing and not FAMILIAR.fullmatch(call.name):
+            yield call
+
+
+@lru_cache(maxsize=1)
+def everybodys() -> frozenset[str]:
+    """Return the commands of CMake and of ament."""
     from ...languages.cmake.commands import COMMANDS  # two dozen modules that other packages need not import
 
-    known = {*COMMANDS, *words("cmake_commands.txt"), *cmake.functions}
-    for call in cmake.calls:
-        if call.name not in known and not call.testing and not FAMILIAR.fullmatch(call.name):
-            yield call
+    return frozenset({*COMMANDS, *words("cmake_commands.txt")})

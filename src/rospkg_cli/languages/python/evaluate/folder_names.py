@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from operator import is_
+
 from ....light_dataclasses import replace
 from .sandbox_filesystem import ROOT
 from .values import Call, Mapping, Sequence, Text, Unknown, Value
@@ -18,26 +20,17 @@ def without_folder_names(call: Call) -> Call:
 
 
 def cleared(value: Value, depth: int = 0) -> Value:
-    if isinstance(value, Text):
-        return Unknown(value.span, WHY) if holds_name(value.text) else value
-    if depth == DEEPEST or not holds_any(value, depth):
-        return value
-    if isinstance(value, Sequence):
-        return replace(value, items=[cleared(each, depth + 1) for each in value.items])
-    if isinstance(value, Mapping):
-        items = {key: (name, cleared(each, depth + 1)) for key, (name, each) in value.items.items()}
-        return replace(value, items=items)
+    """Return a value, itself where nothing in it holds the name."""
+    if isinstance(value, Text) and holds_name(value.text):
+        return Unknown(value.span, WHY)
+    if isinstance(value, Sequence) and depth < DEEPEST:
+        items = [cleared(each, depth + 1) for each in value.items]
+        return value if all(map(is_, items, value.items)) else replace(value, items=items)
+    if isinstance(value, Mapping) and depth < DEEPEST:
+        pairs = {key: (name, cleared(each, depth + 1)) for key, (name, each) in value.items.items()}
+        is_same = all(pairs[key][1] is each for key, (_, each) in value.items.items())
+        return value if is_same else replace(value, items=pairs)
     return value
-
-
-def holds_any(value: Value, depth: int) -> bool:
-    if isinstance(value, Text):
-        return holds_name(value.text)
-    if depth == DEEPEST:
-        return False
-    inner = value.items if isinstance(value, Sequence) else []
-    inner = [each for _, each in value.items.values()] if isinstance(value, Mapping) else inner
-    return any(holds_any(each, depth + 1) for each in inner)
 
 
 def holds_name(text: str) -> bool:
