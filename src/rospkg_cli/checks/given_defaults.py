@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from ..languages.python.file import PythonFile
-from ..languages.python.nodes import FunctionNode, functions_of, last_name, nodes_of, nodes_of_kind
+from ..languages.python.nodes import FunctionNode, defaults_of, functions_of, last_name, nodes_of, nodes_of_kind
 from ..source import Span
 
 
@@ -14,18 +14,10 @@ def is_always_given(files: Iterable[PythonFile], file: PythonFile, place: Span) 
     """Return whether a place is in the default of a parameter that all calls give; one that nothing calls has none."""
     files = tuple(files)
     for function in functions_of(file.tree):
-        for name, default in defaults_of(function):
+        for parameter, default in defaults_of(function.args):
             if file.span(default).holds(place):
-                return is_given(files, file, function, name)
+                return is_given(files, file, function, parameter.arg)
     return False
-
-
-def defaults_of(function: FunctionNode) -> Iterator[tuple[str, ast.expr]]:
-    given = function.args
-    places = [*given.posonlyargs, *given.args]
-    yield from ((each.arg, value) for each, value in zip(reversed(places), reversed(given.defaults), strict=False))
-    named = zip(given.kwonlyargs, given.kw_defaults, strict=True)
-    yield from ((each.arg, value) for each, value in named if value is not None)
 
 
 def is_given(files: tuple[PythonFile, ...], file: PythonFile, function: FunctionNode, name: str) -> bool:

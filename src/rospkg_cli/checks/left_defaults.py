@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 from ..languages.python.file import PythonFile
-from ..languages.python.nodes import FunctionNode, functions_of, last_name, nodes_of_kind
+from ..languages.python.nodes import FunctionNode, defaults_of, functions_of, last_name, nodes_of_kind
 from ..languages.python.settled_names import Held, Values, constant_of
 
 START = "__init__"
@@ -21,7 +21,7 @@ class LeftDefaults:
 
     def of(self, function: FunctionNode) -> Values:
         """Return the parameters that no call gives, with their defaults; none where something else may call."""
-        given, (called, skipped) = defaults_of(function), self.called.get(id(function), ("", 0))
+        given, (called, skipped) = literal_defaults(function), self.called.get(id(function), ("", 0))
         if not given or not called or function.decorator_list or self.names.count(called) > 1:
             return {}
         calls = self.calls.get(called, [])
@@ -82,11 +82,9 @@ class LeftDefaults:
         return frozenset(text for text in texts if isinstance(text, str) and text.isidentifier())
 
 
-def defaults_of(function: FunctionNode) -> dict[str, Held]:
+def literal_defaults(function: FunctionNode) -> dict[str, Held]:
     """Return the parameters with a literal default."""
-    taken = function.args
-    last = [*taken.posonlyargs, *taken.args][-len(taken.defaults) :] if taken.defaults else []
-    pairs = [*zip(last, taken.defaults, strict=False), *zip(taken.kwonlyargs, taken.kw_defaults, strict=True)]
+    pairs = defaults_of(function.args)
     return {each.arg: held for each, value in pairs if (held := constant_of(value)) is not None}
 
 

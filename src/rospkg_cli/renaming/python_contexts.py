@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Container, Iterable, Iterator
 
-from ..languages.python.nodes import nodes_of
+from ..languages.python.nodes import defaults_of, nodes_of
 from ..lazy_regex import regex
 
 PACKAGE = regex(r"(?i)(?:^|_)(?:pkg|package)s?(?:$|_)|package(?:s|_?name)?$|^pkg|pkg$")
@@ -57,9 +57,7 @@ def held_texts(node: ast.AST, variables: frozenset[str]) -> Iterator[tuple[bool,
                     if isinstance(value, ast.Constant):
                         yield isinstance(key.value, str) and is_package(key.value, variables), value
         case ast.arguments():
-            positional = [*node.posonlyargs, *node.args]
-            pairs = [*zip(reversed(positional), reversed(node.defaults), strict=False)]
-            for argument, default in [*pairs, *zip(node.kwonlyargs, node.kw_defaults, strict=True)]:
+            for argument, default in defaults_of(node):
                 if isinstance(default, ast.Constant):
                     yield is_package(argument.arg, variables), default
         case ast.List(elts=items) | ast.Tuple(elts=items):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...languages.cmake.command_blocks import Block
+from ...languages.cmake.command_blocks import Block, commands_in
 from ...languages.cmake.syntax import CommandInvocation
 from ...package.cmake.cmake_project import CMake
 from ...ros.read_table import rows
@@ -43,13 +43,3 @@ def is_for_ament(body: Body) -> bool:
 
 def first_of(command: CommandInvocation) -> str:
     return command.arguments[0].text if command.arguments else ""
-
-
-def commands_in(body: Body) -> Iterator[CommandInvocation]:
-    waiting = [*body]
-    while waiting:
-        each = waiting.pop()
-        if isinstance(each, CommandInvocation):
-            yield each
-        else:
-            waiting += [inner for branch in each.branches for inner in branch.body]

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 
-from ...languages.cmake.command_blocks import Block
+from ...languages.cmake.command_blocks import Block, commands_in
 from ...languages.cmake.commands import COMMANDS
 from ...languages.cmake.file import CMakeFile
-from ...languages.cmake.syntax import CommandInvocation
 from ...languages.cmake.targets import MAKERS
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -78,7 +77,7 @@ class RedefinedCommands:
     def judged(self, file: CMakeFile, block: Block) -> Iterator[RedefinedCommand]:
         for argument in block.command.arguments[:1]:
             name = argument.text.lower()
-            called = {each.name for each in inside(block)}
+            called = {each.name for each in commands_in([block])}
             is_wrapper = bool(OF_QT.fullmatch(name)) and any(OF_QT.fullmatch(each) for each in called)
             is_copy = is_definer(file.path, name)
             if name in self.known and f"_{name}" not in called and not is_wrapper and not is_copy:
@@ -98,7 +97,7 @@ class RedefinedCommands:
 
     def is_called(self, name: str, block: Block) -> bool:
         """Return whether a command is run besides in its own definition, which calls nothing by itself."""
-        own = {id(each) for each in inside(block)}
+        own = {id(each) for each in commands_in([block])}
         return name in EVERYWHERE or any(id(call.command) not in own for call in self.cmake.named(name))
 
     @cached_property
@@ -111,14 +110,3 @@ def is_definer(path: str, command: str) -> bool:
     """Return whether a file is called like that in which CMake or ament defines a command."""
     stem = path.rpartition("/")[2].lower().removesuffix(".cmake").replace("_", "")
     return path.endswith(".cmake") and (stem == command.replace("_", "") or stem in MODULES)
-
-
-def inside(block: Block) -> Iterator[CommandInvocation]:
-    """Yield the commands of a block, those of inner blocks too."""
-    waiting = [each for branch in block.branches for each in branch.body]
-    while waiting:
-        each = waiting.pop()
-        if isinstance(each, Block):
-            waiting += [below for branch in each.branches for below in branch.body]
-        else:
-            yield each

@@ -59,7 +59,7 @@ def owners_in(file: PythonFile) -> Iterator[tuple[int, tuple[str, ast.ClassDef |
     around = {id(each): owner for owner in nodes_of_kind(file.tree, ast.ClassDef) for each in ast.walk(owner)}
     for call in nodes_of_kind(file.tree, ast.Call):
         if isinstance(call.func, ast.Attribute) and call.func.attr.startswith("get_parameter") and call.args:
-            yield file.span(call.args[0]).start, (last_name(call.func.value) or "", around.get(id(call)))
+            yield file.span(call.args[0]).start, (last_name(call.func.value), around.get(id(call)))
 
 
 def hands_itself(file: PythonFile, owner: ast.ClassDef, own: frozenset[str]) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from ...light_dataclasses import dataclass, field
 from ...read_problem import ReadProblem
@@ -39,6 +39,17 @@ class Block:
     @property
     def command(self) -> CommandInvocation:
         return self.branches[0].command
+
+
+def commands_in(body: Iterable[CommandInvocation | Block]) -> Iterator[CommandInvocation]:
+    """Yield, in no order, the commands of a body, those of inner blocks too."""
+    waiting = [*body]
+    while waiting:
+        each = waiting.pop()
+        if isinstance(each, Block):
+            waiting += [below for branch in each.branches for below in branch.body]
+        else:
+            yield each
 
 
 def nest(commands: Sequence[CommandInvocation]) -> tuple[list[CommandInvocation | Block], list[SyntaxProblem]]:

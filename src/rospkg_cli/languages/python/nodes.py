@@ -6,7 +6,9 @@ What a tree repeats at every name (`ast.Load` and the like) is left out: it says
 from __future__ import annotations
 
 import ast
-from typing import TypeVar, cast
+import operator
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar, cast
 
 NodeT = TypeVar("NodeT", bound=ast.AST)
 FunctionNode = ast.FunctionDef | ast.AsyncFunctionDef
@@ -15,6 +17,12 @@ NO_NODES = frozenset({int, str, float, bool, bytes, complex, type(None), *ast.ex
 """The classes of values that are no node."""
 
 CHILDLESS = frozenset({ast.Name, ast.Constant, ast.alias, ast.Global, ast.Nonlocal, ast.Pass, ast.Break, ast.Continue})
+
+COMPARISONS: Mapping[type[ast.cmpop], Callable[[Any, Any], bool]] = {
+    ast.Eq: operator.eq, ast.NotEq: operator.ne,
+    ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge,
+}  # fmt: skip
+"""What the signs mean that compare by value."""
 
 
 class NodeList(list[ast.AST]):
@@ -84,3 +92,10 @@ def nodes_of_kind(root: ast.AST, kind: type[NodeT]) -> list[NodeT]:
 
 def functions_of(root: ast.AST) -> list[FunctionNode]:
     return [*nodes_of_kind(root, ast.FunctionDef), *nodes_of_kind(root, ast.AsyncFunctionDef)]
+
+
+def defaults_of(arguments: ast.arguments) -> list[tuple[ast.arg, ast.expr]]:
+    """Return the parameters with a default, each with it."""
+    last = [*arguments.posonlyargs, *arguments.args][-len(arguments.defaults) :] if arguments.defaults else []
+    named = zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)
+    return [*zip(last, arguments.defaults, strict=True), *((each, value) for each, value in named if value is not None)]

@@ -8,7 +8,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from typing import Any
 
 from .file import PythonFile
-from .nodes import FunctionNode, nodes_of, nodes_of_kind
+from .nodes import COMPARISONS, FunctionNode, nodes_of, nodes_of_kind
 
 Constant = str | bytes | int | float | complex | bool | None
 Held = tuple[type, Constant]
@@ -16,8 +16,7 @@ Values = Mapping[str, frozenset[Held]]
 """All that each name may hold, with its type, as `True == 1`; of a member the name begins with `self.`."""
 
 OPERATORS: Mapping[type[ast.cmpop], Callable[[Any, Any], Any]] = {
-    ast.Eq: operator.eq, ast.NotEq: operator.ne, ast.Is: operator.is_, ast.IsNot: operator.is_not,
-    ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge,
+    **COMPARISONS, ast.Is: operator.is_, ast.IsNot: operator.is_not,
 }  # fmt: skip
 
 OF_TEXT: Mapping[str, Callable[[str], str]] = {"lower": str.lower, "upper": str.upper, "strip": str.strip}

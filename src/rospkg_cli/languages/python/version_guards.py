@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import ast
-import operator
-from collections.abc import Callable, Iterator
-from typing import Any
+from collections.abc import Iterator
 
 from ...lazy_regex import regex
 from .file import PythonFile
-from .nodes import nodes_of, nodes_of_kind
+from .nodes import COMPARISONS, nodes_of, nodes_of_kind
 
 ASKS = regex(
     r"(?i)version_info|hexversion|\bsys\.version|python_version|ROS_(PYTHON_)?VERSION|ROS_DISTRO"
@@ -21,14 +19,6 @@ CALLED = regex(r"(?i)_*(?:is_?)?py(?:thon)?_?([23])_*")
 MINORS = range(8, 15)
 """The versions 3.x that ROS 2 runs with."""
 FIELDS = {"major": 0, "minor": 1}
-COMPARES: dict[type[ast.cmpop], Callable[[Any, Any], bool]] = {
-    ast.Eq: operator.eq,
-    ast.NotEq: operator.ne,
-    ast.Lt: operator.lt,
-    ast.LtE: operator.le,
-    ast.Gt: operator.gt,
-    ast.GtE: operator.ge,
-}
 
 
 def guarded_by_version(file: PythonFile) -> Iterator[int]:
@@ -61,7 +51,7 @@ def holds_in_python_3(test: ast.expr) -> bool | None:
 
 
 def compared(left: ast.expr, asked: ast.cmpop, right: ast.expr) -> bool | None:
-    compare = COMPARES.get(asked.__class__)
+    compare = COMPARISONS.get(asked.__class__)
     try:
         bound = ast.literal_eval(right)
         found = {compare(value_of(left, minor), bound) for minor in MINORS} if compare is not None else set()

@@ -7,13 +7,14 @@ import operator
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from ...languages.python.nodes import COMPARISONS
+
 TEXT_METHODS = frozenset({"lower", "upper", "strip", "casefold", "startswith", "endswith"})
 FUNCTIONS: dict[str, Callable[[Any], object]] = {"str": str, "bool": bool, "len": len}
 SIGNS: dict[type[ast.cmpop], Callable[[Any, Any], bool]] = {
-    ast.Eq: operator.eq, ast.NotEq: operator.ne, ast.Is: operator.eq, ast.IsNot: operator.ne,
+    **COMPARISONS, ast.Is: operator.eq, ast.IsNot: operator.ne,
     ast.In: lambda left, right: left in right,
     ast.NotIn: lambda left, right: left not in right,
-    ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge,
 }  # fmt: skip
 WORDS = {"true": True, "false": False}
 """What launch arguments are to an expression that they are put into without quotes."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 
 from ....source import Span
+from ..nodes import defaults_of
 from .containers import Containers
 from .iterables import is_many, items_of
 from .methods import call_method
@@ -33,10 +34,7 @@ class Calls(Containers):
         return Function(self.span(node), "<lambda>", node, scope, self.defaults(node.args, scope))
 
     def defaults(self, arguments: ast.arguments, scope: Namespace) -> dict[str, Value]:
-        positional = [*arguments.posonlyargs, *arguments.args]
-        pairs = list(zip(positional[len(positional) - len(arguments.defaults) :], arguments.defaults, strict=True))
-        pairs += [(a, d) for a, d in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True) if d is not None]
-        return {argument.arg: self.evaluate(default, scope) for argument, default in pairs}
+        return {argument.arg: self.evaluate(default, scope) for argument, default in defaults_of(arguments)}
 
     def on_Call(self, node: ast.Call, scope: Namespace) -> Value:
         receiver: Value | None = None

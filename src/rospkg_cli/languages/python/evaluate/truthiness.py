@@ -7,16 +7,12 @@ import operator
 from collections.abc import Callable
 from typing import Any
 
+from ..nodes import COMPARISONS
 from .conversion import NoPythonValueError, to_python
 from .values import Class, Constant, Function, Mapping, OpenedFile, PartialText, Sequence, Symbol, Text, Unknown, Value
 
-COMPARISONS: dict[type, Callable[[Any, Any], Any]] = {
-    ast.Eq: operator.eq,
-    ast.NotEq: operator.ne,
-    ast.Lt: operator.lt,
-    ast.LtE: operator.le,
-    ast.Gt: operator.gt,
-    ast.GtE: operator.ge,
+SIGNS: dict[type, Callable[[Any, Any], Any]] = {
+    **COMPARISONS,
     ast.In: lambda a, b: a in b,
     ast.NotIn: lambda a, b: a not in b,
     ast.Is: operator.is_,
@@ -47,7 +43,7 @@ def compare(kind: type, left: Value, right: Value) -> bool | None:
     if kind in (ast.Is, ast.IsNot, ast.Eq, ast.NotEq) and is_none(right) and not_none(left):
         return kind in (ast.IsNot, ast.NotEq)
     try:
-        return bool(COMPARISONS[kind](to_python(left), to_python(right)))
+        return bool(SIGNS[kind](to_python(left), to_python(right)))
     except (NoPythonValueError, TypeError, KeyError):
         return None
 

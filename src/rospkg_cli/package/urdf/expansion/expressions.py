@@ -8,7 +8,7 @@ import operator
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from ....languages.python.nodes import nodes_of
+from ....languages.python.nodes import COMPARISONS, nodes_of
 from .values import Value, XacroUnknown
 
 MATH = frozenset(name for name in dir(math) if not name.startswith("_"))
@@ -28,12 +28,7 @@ OPERATORS: Mapping[type, Callable[[Any, Any], Any]] = {
     ast.FloorDiv: operator.floordiv,
     ast.Mod: operator.mod,
     ast.Pow: operator.pow,
-    ast.Eq: operator.eq,
-    ast.NotEq: operator.ne,
-    ast.Lt: operator.lt,
-    ast.LtE: operator.le,
-    ast.Gt: operator.gt,
-    ast.GtE: operator.ge,
+    **COMPARISONS,
 }
 FUNCTIONS: Mapping[str, Callable[..., Any]] = {
     **{name: getattr(math, name) for name in MATH if callable(getattr(math, name)) and "fact" not in name},
