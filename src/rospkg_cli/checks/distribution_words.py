@@ -9,6 +9,7 @@ from ..files import PackageFiles
 from ..lazy_regex import regex
 from ..package.file_role import role_of
 from ..tree import READABLE
+from .denied_distributions import without_denied
 
 CLEAR = "foxy|eloquent|jazzy|kilted|lyrical"
 PLAIN = "bouncy|crystal|dashing|galactic|humble|iron|rolling"
@@ -76,4 +77,5 @@ def docstring(text: str) -> str:
 
 
 def words_in(texts: Iterable[str]) -> frozenset[str]:
-    return frozenset(filter(None, (name for text in texts for found in NAMES.findall(text.lower()) for name in found)))
+    said = (without_denied(text.lower()) for text in texts)
+    return frozenset(filter(None, (name for text in said for found in NAMES.findall(text) for name in found)))

@@ -8,7 +8,8 @@ from ..files import PackageFiles
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
-from ..ros.distros import DISTROS, Targets
+from ..ros.distros import Targets
+from .denied_distributions import EVERY, without_denied
 from .setup.linked_build import build_texts
 
 STARTABLE = (".py", ".xml", ".yaml", ".yml")
@@ -19,7 +20,6 @@ OLDER = (*BEFORE_ELOQUENT, "eloquent", "foxy")
 UNSUPPORTED = (*OLDER, "galactic")
 BEFORE_JAZZY = (*UNSUPPORTED, "humble", "iron")
 BEFORE_LYRICAL = (*BEFORE_JAZZY, "jazzy", "kilted")
-EVERY = "|".join(("dashing", "eloquent", "foxy", "galactic", "iron", *(each.name for each in DISTROS)))
 NAMES = regex(rf"(?<![a-z])({EVERY})(?![a-z])")
 EARLY = regex(rf"\bros[ _-]?2?(?:_?distro)?[\s:=/_-]{{0,3}}[\"']?({'|'.join(BEFORE_DASHING)})\b")
 OF_BRANCH = regex(rf"\bthis (?:\w+ )?branch (?:\w+ ){{1,4}}[`'\"*_]{{0,3}}({EVERY})(?![a-z])")
@@ -142,7 +142,8 @@ class OlderDistribution:
 
 @lru_cache(maxsize=1000)
 def names_in(text: str) -> frozenset[str]:
-    """Return the distributions that a text names, in lower case; it is one page for all packages of a repository."""
+    """Return the distributions that a text names, in lower case, and does not deny: one page for all packages."""
+    text = without_denied(text)
     return frozenset((*NAMES.findall(text), *EARLY.findall(text)))
 
 

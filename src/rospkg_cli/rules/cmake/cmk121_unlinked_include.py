@@ -70,7 +70,8 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     a package (`${tf2_INCLUDE_DIRS}`); where one link or folder is not known, nothing is said of the target, and where
     that is not known of one package, or it brings it on some distributions alone, all that it may bring is one info.
     What rclcpp is linked with for itself alone from Jazzy on, as it is with ament_index_cpp, it does not bring; where
-    the run checks for Humble alone, or nothing of the repository names Jazzy or a later distribution, that is an info,
+    the run checks for Humble alone, or nothing of the repository names Jazzy or a later distribution (but to say that
+    it does not work there), that is an info,
     and all is where pages, scripts and workflows name distributions before Humble alone.
     A target with a source that includes headers of ROS 1 (`ros/ros.h`, `std_msgs/String.h`) or calls
     `ros::NodeHandle` and the like stops there: an info. A header that no package of interfaces has, as rosidl makes
