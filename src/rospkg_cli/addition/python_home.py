@@ -10,6 +10,7 @@ from ..light_dataclasses import dataclass
 from ..package.cmake.cmake_project import CMake
 from ..package.manifest import Manifest
 from ..package.package import Package
+from ..package.setup.find_packages import dotted
 from ..package.setup.setup_py import SetupPy
 from .entry_point import setup_of
 from .rendered import identifier
@@ -49,7 +50,7 @@ def checked(module: str) -> str:
 
 def chosen_package(setup: SetupPy, name: str) -> str | None:
     """Return the package that is called like the manifest says, else that of most executables, else the first."""
-    packages = [each.text.replace("/", ".") for each in setup.packages]
+    packages = [dotted(each.text) for each in setup.packages]
     there = [each for each in packages if setup.kind(posixpath.join(setup.folder_of(each), "__init__.py")) == "file"]
     if name in there:
         return name

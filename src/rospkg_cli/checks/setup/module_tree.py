@@ -76,8 +76,8 @@ class ModuleTree:
 
         colcon links the folder of each listed package without a dot in its name, and so all that is in it.
         """
-        listed = {said.text for said in self.setup.packages}
-        is_reached = bool(packages) and all(each.partition(".")[0] in listed for each in packages)
+        names = self.setup.package_names
+        is_reached = bool(packages) and all(each.partition(".")[0] in names for each in packages)
         return self.linking if is_reached else ""
 
     @cached_property
@@ -165,7 +165,7 @@ class ModuleTree:
     @cached_property
     def unlisted(self) -> tuple[str, ...]:
         """The Python packages below listed ones that `packages` leaves out, without those of entry points."""
-        listed = {package.text.replace("/", ".") for package in self.setup.packages}
+        listed = self.setup.package_names
         started = {entry.module.rpartition(".")[0] for entry in self.setup.entry_points}
         found: dict[str, None] = {}
         for name in sorted(

@@ -41,7 +41,7 @@ class PythonPackage:
     @cached_property
     def on_disk(self) -> dict[str, str]:
         """Every module below a folder with `__init__.py`, whether it is installed or not: dotted name to file."""
-        listed = {item.text.partition(".")[0] for item in self.setup.packages}
+        listed = {name.partition(".")[0] for name in self.setup.package_names}
         base = self.setup.package_dir.get("", "")
         found: dict[str, str] = {}
         for path in self.files.below(base):
@@ -56,7 +56,8 @@ class PythonPackage:
     @cached_property
     def roots(self) -> frozenset[str]:
         """The first parts of the names of its own modules."""
-        own = {item.text.partition(".")[0] for item in (*self.setup.packages, *self.setup.py_modules)}
+        listed = (*self.setup.package_names, *(item.text for item in self.setup.py_modules))
+        own = {name.partition(".")[0] for name in listed}
         return frozenset(own | {module.partition(".")[0] for module in self.on_disk} | {self.name})
 
     def is_missing(self, module: str) -> bool:
@@ -77,7 +78,7 @@ class PythonPackage:
     def is_of_missing_folder(self, module: str) -> bool:
         """Return whether `packages` lists the module's package and its folder is not there: the build stops at that."""
         setup, package = self.setup, module.rpartition(".")[0]
-        is_listed = not setup.searches and package in {said.text for said in setup.packages}
+        is_listed = not setup.searches and package in setup.package_names
         return is_listed and setup.kind(setup.folder_of(package)) is None
 
     def is_expected(self, module: str) -> bool:

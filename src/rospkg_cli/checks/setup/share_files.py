@@ -122,7 +122,7 @@ class ShareFiles:
         """Folders for run time of which nothing is installed and that no glob names."""
         globbed = {folder_of(glob.pattern).partition("/")[0] for glob in self.package.setup.globs}
         globbed |= {self.suggestion(folder) or folder for folder in globbed}
-        modules = {name.text.partition(".")[0] for name in self.package.setup.packages}
+        modules = {name.partition(".")[0] for name in self.package.setup.package_names}
         return tuple(
             folder
             for folder in FOLDERS

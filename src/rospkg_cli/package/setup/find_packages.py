@@ -111,6 +111,11 @@ def package_folder(package: str, places: Mapping[str, str]) -> str:
     return posixpath.normpath(posixpath.join(places.get("", ""), tail)) if tail else places.get("", "")
 
 
+def dotted(package: str) -> str:
+    """Return the dotted name of a package; setuptools takes one with slashes, too: `my_pkg/modules`."""
+    return package.replace("/", ".").rstrip(".")
+
+
 def knows(searches: list[PackageSearch]) -> Mapping[str, Intrinsic]:
     """Return the functions of setuptools that the evaluator needs; what they find is added to `searches`."""
     ordinary, namespace = finder(searches, namespace=False), finder(searches, namespace=True)

@@ -16,7 +16,7 @@ from . import data_files, entry_points
 from .data_files import DataEntry, DataFile
 from .entry_points import EntryPoint
 from .file_writing_calls import GENERATORS, may_write
-from .find_packages import PackageSearch, package_folder
+from .find_packages import PackageSearch, dotted, package_folder
 from .setup_arguments import SetupArguments
 from .setup_text import SetupText
 
@@ -79,6 +79,11 @@ class SetupPy(SetupArguments):
         return self.texts("packages")
 
     @cached_property
+    def package_names(self) -> frozenset[str]:
+        """The dotted names of the packages that are installed."""
+        return frozenset(dotted(said.text) for said in self.packages)
+
+    @cached_property
     def py_modules(self) -> tuple[SetupText, ...]:
         return self.texts("py_modules")
 
@@ -117,7 +122,7 @@ class SetupPy(SetupArguments):
         """The modules that are installed: dotted name to file."""
         found: dict[str, str] = {}
         for package in self.packages:
-            name_of, folder = package.text.replace("/", "."), self.folder_of(package.text)
+            name_of, folder = dotted(package.text), self.folder_of(package.text)
             for name in self.folder.children.get(folder, {}):
                 path = f"{folder}/{name}" if folder else name
                 if name.endswith(".py") and path != "setup.py" and self.folder.kind(path) == "file":

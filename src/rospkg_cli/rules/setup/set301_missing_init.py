@@ -60,7 +60,8 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
     ## When it is quiet
     With `find_namespace_packages()`, in folders of launch files that nothing imports, in folders of tests and below
     them, where setup.py generates the folder's modules, and where git ignores the `__init__.py`. What only tests import
-    is an info: pytest runs them in the source.
+    is an info: pytest runs them in the source. So is one that `packages` lists (`my_pkg.speech`, or `my_pkg/speech`):
+    setuptools installs it.
 
     ## Fix safety
     It is unsafe for a folder of examples, scripts or tools that nothing imports: it would be installed with the rest.
@@ -71,7 +72,7 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
             continue
         name = tree.dotted(folder)
         link = tree.link_of(name)
-        is_listed = name in {said.text for said in tree.setup.packages}
+        is_listed = name in tree.setup.package_names
         imported = tree.imports_from(folder) and not is_listed
         if is_listed:
             what = "setuptools says so at each build, and find_packages() would pass it over"
@@ -96,7 +97,6 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
 
 def listed_too(tree: ModuleTree, name: str) -> tuple[tuple[Edit, ...], str]:
     """Return how a package gets into a `packages` that is a list, and the words for it."""
-    listed = {each.text.replace("/", ".") for each in tree.setup.packages}
-    if tree.setup.searches or name in listed or not tree.setup.argument("packages"):
+    if tree.setup.searches or name in tree.setup.package_names or not tree.setup.argument("packages"):
         return (), ""
     return add_packages(tree.setup, name), f", and list `{name}` in `packages`"

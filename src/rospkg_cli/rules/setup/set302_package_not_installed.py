@@ -73,7 +73,7 @@ def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
         return
     for said in tree.missing_folders:
         own = tree.package.name
-        is_meant = setup.kind(setup.folder_of(own)) == "dir" and own not in {each.text for each in setup.packages}
+        is_meant = setup.kind(setup.folder_of(own)) == "dir" and own not in setup.package_names
         todo = f"did you mean `{own}`?" if is_meant else "list packages that are there"
         message = f"there is no folder `{setup.folder_of(said.text)}`: setuptools stops; {todo}"
         yield Hit(said.path, said.shown, message)
