@@ -17,6 +17,12 @@ from .unreadable import Unreadable, UnreadableError
 UTF16 = (b"\xff\xfe", b"\xfe\xff")
 """The marks at the start of texts in which a letter takes two bytes."""
 
+STAND_INS = {
+    b"version https://git-lfs.github.com/spec/": ReadProblem.LFS_POINTER,
+    b"\0GITCRYPT\0": ReadProblem.GIT_CRYPT,
+}
+"""How a file begins that git holds in place of the one that people work with, who fetch or unlock that."""
+
 T = TypeVar("T")
 T_co = TypeVar("T_co", covariant=True)
 
@@ -119,7 +125,9 @@ class PackageFiles:
         """Return a file's text; raises UnreadableError where it has none."""
         if path not in self._sources:
             try:
-                text = self.tree.entry(path).text.text
+                entry = self.tree.entry(path)
+                refuse_stand_in(path, entry.data)
+                text = entry.text.text
             except UnicodeError as error:
                 raise undecodable(path, error) from None
             except SkippedError as error:
@@ -170,6 +178,12 @@ def folders_of(paths: Iterable[str]) -> frozenset[str]:
                 break
             found.add(path)
     return frozenset(found)
+
+
+def refuse_stand_in(path: str, data: bytes) -> None:
+    for start, problem in STAND_INS.items():
+        if data.startswith(start):
+            raise UnreadableError(path, Span(0, 0), problem, skipped=True)
 
 
 def undecodable(path: str, error: UnicodeError) -> UnreadableError:

@@ -12,6 +12,8 @@ class ReadProblem(Enum):
     UNDECODABLE = auto()  # the codec's own text
     SKIPPED = auto()  # why, with the path
     NO_ACCESS = auto()  # the system's own text
+    LFS_POINTER = auto()
+    GIT_CRYPT = auto()
     READER_CRASH = auto()  # the model
 
     CMAKE_LENGTH = auto()  # the most characters

@@ -63,6 +63,8 @@ SENTENCES = {
     ReadProblem.UNDECODABLE: "`{path}`: {0}",
     ReadProblem.SKIPPED: "{0}",
     ReadProblem.NO_ACCESS: "`{path}` can't be read: {0}",
+    ReadProblem.LFS_POINTER: "`{path}` is a pointer of Git LFS, not the file itself: `git lfs pull` fetches that",
+    ReadProblem.GIT_CRYPT: "`{path}` is encrypted by git-crypt: `git-crypt unlock` makes it readable",
     ReadProblem.READER_CRASH: "the reader of {0} failed",
     ReadProblem.CMAKE_LENGTH: (
         "`{path}` is not read: it has more than {0} characters; split what is generated in it off"

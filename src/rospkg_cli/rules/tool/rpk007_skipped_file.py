@@ -22,7 +22,8 @@ def skipped_file(file: Unreadable) -> Iterator[Hit]:
     ## What it does
     Reports a file that exists and is not read.
     It is larger than 4 MB or nested too deeply, or a link to a file that is neither in the package nor in its git
-    repository. Rules that need the file are skipped.
+    repository, a pointer of Git LFS that `git lfs pull` was not run for, or encrypted by git-crypt. Rules that need the
+    file are skipped.
 
     ## Why is this bad?
     What is not read is not checked. A link that leads out is never followed, so that a repository can't make its
