@@ -9,6 +9,7 @@ import pytest
 
 from rospkg_cli.config.file import Config
 from rospkg_cli.config.hierarchy import ConfigTree
+from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.discovery.locate import LocateError, locate
 
 
@@ -197,6 +198,7 @@ def test_it_says_what_hides_the_packages(tmp_path: Path, marks: list[str], says:
             "the packages below `ws/build/` and another folder are made by colcon and do not count",
         ),
         (["ws/env/pyvenv.cfg", "ws/env/share/a/package.xml"], ""),
+        (["install/a/share/a/package.xml", "install/a/lib/a/go"], "the packages below `install/a/share/a/` are made"),
         (
             ["install/local_setup.sh", "install/a/package.xml", "b/AMENT_IGNORE", "b/package.xml"],
             "1 package below, hid",
@@ -225,6 +227,40 @@ def test_it_says_that_packages_lie_below_a_dot(tmp_path: Path, write, files: lis
     found = locate([tmp_path]).hidden
     assert found.startswith(says)
     assert bool(found) is bool(says)
+
+
+@pytest.mark.parametrize(
+    ("made", "beside"),
+    [
+        ("install/a/share/a", "cmake/aConfig.cmake"),
+        ("install/share/a", "launch/a.launch.py"),
+        ("old_install/a/share/a", "local_setup.dsv"),
+        ("sysroot/opt/ros/humble/share/a", "environment/path.sh"),
+        ("image/share/a", "hook/path.dsv"),
+        ("build_arm/a", "colcon_build.rc"),
+    ],
+)
+def test_what_a_build_made_of_a_package_is_none(tmp_path: Path, write, made: str, beside: str) -> None:
+    write(tmp_path, {f"{each}/package.xml": "" for each in ("src/a", "src/b", made)} | {f"{made}/{beside}": ""})
+    assert locate([tmp_path]).scope.selected == {"src/a", "src/b"}
+    write(tmp_path, {"package.xml": ""})
+    assert "src/a/package.xml" in (found := DiskTree(tmp_path).files())
+    assert f"{made}/package.xml" not in found
+
+
+@pytest.mark.parametrize(
+    ("folder", "beside"),
+    [
+        ("share/a", "launch/a.launch.py"),
+        ("share/a", "CMakeLists.txt"),
+        ("install/share/a", "setup.py"),
+        ("install/a", "CMakeLists.txt"),
+        ("a", "hook/go.sh"),
+    ],
+)
+def test_folders_that_are_only_called_so_are_packages(tmp_path: Path, write, folder: str, beside: str) -> None:
+    write(tmp_path, {f"{folder}/package.xml": "", f"{folder}/{beside}": "", "b/package.xml": ""})
+    assert locate([tmp_path]).scope.selected == {folder, "b"}
 
 
 def test_folders_of_others_hide_packages_too(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from .disk_trace import MAX_BYTES, kind_of, link_target, read_limited, scan
 from .fence import Fence
-from .leftovers import is_build_output, is_never_source
+from .leftovers import is_build_output, is_made_package, is_never_source
 from .light_dataclasses import dataclass, field
 from .tree import Kind, SkippedError, TreeEntry
 
@@ -89,7 +89,8 @@ def walk(root: Path, fence: Fence) -> Iterator[tuple[str, Kind]]:
         except OSError:
             continue
         entries = [entry for entry in found if not is_never_source(entry.name)]
-        if prefix and is_build_output(prefix, {entry.name for entry in entries}):
+        names = {entry.name for entry in entries}
+        if prefix and (is_build_output(prefix, names) or is_made_package(prefix, names)):
             continue
         if not entries and prefix:
             yield prefix.rstrip("/"), "dir"

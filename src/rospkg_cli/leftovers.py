@@ -12,8 +12,9 @@ SKIPPED = frozenset(
 )
 """Folders that are never part of a package's source."""
 
-MARKER_FILES = frozenset({"pyvenv.cfg", "CMakeCache.txt", "CACHEDIR.TAG"})
-"""A folder that holds one of them is a virtual environment, CMake's build folder, or a cache, under any name."""
+MARKER_FILES = frozenset({"pyvenv.cfg", "CMakeCache.txt", "CACHEDIR.TAG", "colcon_build.rc"})
+"""A folder that holds one of them is a virtual environment, CMake's or colcon's build folder, or a cache, under any
+name."""
 
 BUILD_FOLDERS = {
     "build": regex(r"COLCON_IGNORE|\.built_by|(bdist|lib|temp)\..+"),
@@ -21,6 +22,9 @@ BUILD_FOLDERS = {
     "log": regex(r"COLCON_IGNORE|latest(_\w+)?|(build|test|list)_\d{4}-\d\d-\d\d_.*"),
 }
 """Output folders of colcon and setuptools, with names in them that mark one as output."""
+
+MADE_BESIDE = regex(r"(?:local_setup|package)\.(?:bash|dsv|ps1|sh|zsh)|hook|environment|ament_index")
+"""What a build installs beside a package.xml, in `share/<package>`."""
 
 STRAY = regex(r"\.(?P<name>.+)\.(?P<process>\d+)-\w+\.rospkg-tmp", re.DOTALL)
 """A file of ours that was being written when the process was killed."""
@@ -40,3 +44,15 @@ def is_build_output(folder: str, names: Set[str]) -> bool:
         return True
     marks = BUILD_FOLDERS.get(folder.rstrip("/").rpartition("/")[2])
     return marks is not None and any(marks.fullmatch(name) for name in names)
+
+
+def is_made_package(folder: str, names: Set[str]) -> bool:
+    """Return whether a folder with a package.xml is what a build made of a package: installed, or linked by colcon."""
+    if "package.xml" not in names:
+        return False
+    if "colcon_build.rc" in names:
+        return True
+    above = folder.rstrip("/").split("/")[:-1]
+    if above[-1:] != ["share"] or not names.isdisjoint({"CMakeLists.txt", "setup.py"}):
+        return False
+    return "install" in above or any(MADE_BESIDE.fullmatch(name) for name in names)

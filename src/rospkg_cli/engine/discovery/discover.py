@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence, Set
 from pathlib import Path
 
 from ...disk_trace import exists, is_file, real_path, scan
 from ...fence import is_within
 from ...gitignore import folders_above
-from ...leftovers import is_build_output, is_never_source
+from ...leftovers import is_build_output, is_made_package, is_never_source
 from ...tree import Tree
 
 REPOSITORY_MARKS = (".git",), (".github", ".gitlab-ci.yml", ".gitmodules", ".circleci", ".travis.yml")
@@ -72,10 +72,11 @@ def crawl(root: Path, found: dict[str, Path], passed: PassedBy, given: bool, mar
             continue
         if not (marked or (given and folder == root)) and not entries.keys().isdisjoint(IGNORE_MARKERS):
             continue
-        if "package.xml" in entries and is_there(entries["package.xml"]):
-            found.setdefault(real_path(folder), folder)
-        elif folder != root and is_build_output(folder.name, entries.keys()):
+        is_package = "package.xml" in entries and is_there(entries["package.xml"])
+        if folder != root and is_made(root, folder, entries.keys(), is_package):
             passed.outputs.append(folder)
+        elif is_package:
+            found.setdefault(real_path(folder), folder)
         else:
             passed.plain += [folder] if "CMakeLists.txt" in entries else []
             shown = [entry for name, entry in entries.items() if not name.startswith(".")]  # as colcon's crawl does
@@ -83,6 +84,13 @@ def crawl(root: Path, found: dict[str, Path], passed: PassedBy, given: bool, mar
             passed.dotted += [Path(each.path) for each in hidden if each.is_dir(follow_symlinks=False)]
             waiting += [Path(each.path) for each in shown if each.is_dir(follow_symlinks=False)]
             yield from sorted(Path(each.path) for each in shown if each.is_symlink() and is_folder(each))
+
+
+def is_made(root: Path, folder: Path, names: Set[str], is_package: bool) -> bool:
+    """Return whether a folder below a root is output of a build; one with a package.xml only where that is, too."""
+    if is_package:
+        return is_made_package(f"{root.name}/{folder.relative_to(root).as_posix()}", names)
+    return is_build_output(folder.name, names)
 
 
 def is_there(entry: os.DirEntry[str]) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from ...disk_trace import is_folder, real_path
+from ...disk_trace import is_file, is_folder, real_path
 from ...leftovers import BUILD_FOLDERS
 from .discover import PassedBy, marker_above, packages_below
 
@@ -30,12 +30,21 @@ def describe_hidden(paths: Iterable[Path]) -> str:
 
 def describe_made(tops: Sequence[Path], outputs: Iterable[Path]) -> str:
     """Return a clause on the folders of colcon that have package.xml files, where nothing else has; "" for none."""
-    made = [each for each in sorted(outputs) if each.name in MADE_BY_COLCON and next(packages_below(each), None)]
+    made = [each for each in sorted(outputs) if holds_made_packages(each)]
     if not made:
         return ""
     top = next(top for top in tops if made[0].is_relative_to(top))
     others = {1: "", 2: " and another folder"}.get(len(made), f" and {len(made) - 1} other folders")
     return f"the packages below `{made[0].relative_to(top).as_posix()}/`{others} are made by colcon and do not count"
+
+
+def holds_made_packages(output: Path) -> bool:
+    """Return whether output of a build is that of colcon, with a package.xml in it or below it."""
+    passed = PassedBy()
+    is_of_colcon = output.name in MADE_BY_COLCON
+    return is_file(output / "package.xml") or (
+        is_of_colcon and (next(packages_below(output, passed=passed), None) is not None or bool(passed.outputs))
+    )
 
 
 def describe_dotted(tops: Sequence[Path], dotted: Iterable[Path]) -> str:
