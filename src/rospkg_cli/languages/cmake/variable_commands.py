@@ -19,11 +19,12 @@ def run_set(interpreter: Interpreter, call: EvaluatedCommand) -> None:
     if not call.words or call.texts[0].startswith("ENV{"):
         return
     name, words = call.texts[0], list(call.words[1:])
-    keywords = [word.text for word in words if not word.quoted]
+    keywords = ["" if word.quoted else word.text for word in words]
     if "CACHE" in keywords:
         at = keywords.index("CACHE")
-        is_switch = keywords[at + 1 : at + 2] == ["BOOL"]
-        if interpreter.value_if_set(name) is None:
+        is_forced = keywords[-1] == "FORCE" or keywords[at + 1 : at + 2] == ["INTERNAL"]
+        is_switch = keywords[at + 1 : at + 2] == ["BOOL"] and not is_forced  # its user may choose another value
+        if is_forced or interpreter.value_if_set(name) is None:
             interpreter.set(name, interpreter.unknown() if is_switch else as_value(words[:at]))
     elif keywords[-1:] == ["PARENT_SCOPE"]:
         if interpreter.scope.around is not None:
