@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from ...package.file_role import role_of
+from ...package.launch.file_references import OPEN
 from ..fault import Level
 from ..left_to_people import files_of, why_left
 from .idle_actions import NEVER_CALLED, NO_ENTRY, OFF, level_at
 from .include_arguments import IncludeContext
 from .missing_references import LaunchContext, MissingReference
+from .open_paths import ANYTHING
 from .read_when_off import ReadWhenOff
 from .relative_parameter_files import has_others_beside, is_for_nodes
 from .undeclared_files import undeclared_for
@@ -26,7 +29,7 @@ def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None
     lacked = package_lacked(scope.file, each.span, scope.workspace) if softer != "info" else ""
     if lacked and lacked != each.package:
         softer, why = "info", ENDS_BEFORE.format(lacked)
-    if softer != "info" and (left := left_to_people(scope, each)):
+    if softer != "info" and (left := left_to_people(scope, each) or written_by_program(scope, each)):
         softer, why = "info", left
     if softer != "info" and each.state in ("absent", "no slash") and has_others(scope, each):
         softer = "info"
@@ -66,6 +69,19 @@ def left_to_people(scope: LaunchContext, each: MissingReference) -> str:
     facts = scope.package if own else scope.workspace.named(each.package)
     if facts is None or each.state != "absent" or each.better_path or each.use == "include":
         return ""
-    return why_left(files_of(scope.files, facts, own=own), each.path, is_code=each.stops_launch) or written_for(
-        scope, each
+    why = why_left(files_of(scope.files, facts, own=own), each.path, is_code=each.stops_launch)
+    return why or written_for(scope, each)
+
+
+def written_by_program(scope: LaunchContext, each: MissingReference) -> str:
+    """Return that the code of a program writes a missing file; what tests write is there for other tests alone."""
+    from ..written_by_programs import UNTIL_WRITTEN, writer_of  # few packages miss a file
+
+    if each.state != "absent":
+        return ""
+    is_named = each.better_path is not None  # the folder and the suffix are those of another file, too
+    is_test = role_of(scope.file.path) == "test"
+    writer = writer_of(
+        scope.files, each.package, each.path.replace(OPEN, ANYTHING), is_named=is_named, with_tests=is_test
     )
+    return UNTIL_WRITTEN.format(writer) if writer else ""

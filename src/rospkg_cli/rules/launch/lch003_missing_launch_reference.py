@@ -100,10 +100,10 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     package, which is here, declares or gets, that a well-known node does not have, or of any other node where its name
     says nothing of a file (`…_file`, `…_path`, `yaml`, `map`, `url`), and what stands behind the place where every
     launch ends, as it looks for a package that nothing here brings. It is an info, too, where people bring the file and
-    launch does not include it: a page or a script fetches, saves or copies it there by its name, a node writes it (of
-    the package, or named like `octomap_saver_node`, `log_file`), or its folder has only a `.gitkeep` or the like and is
-    for what people make (`maps`, `data`), has a README alone, or launch says the name, or git ignores a folder that the
-    build installs as a whole (`resource/`).
+    launch does not include it: a page or a script fetches, saves or copies it there by its name, or its folder has only
+    a `.gitkeep` or the like and is for what people make (`maps`, `data`), has a README alone, or launch says the name,
+    or git ignores a folder that the build installs as a whole (`resource/`). So it is where a program writes it: its
+    code here puts such a name together (`'modified_' + world`), or it is called like `octomap_saver_node`, `log_file`.
     """
     for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):
