@@ -37,7 +37,7 @@ INCLUDE = '<xacro:include filename="$(find ur_description)/urdf/ur_macro.xacro"/
         ("<xacro:if value=\"${mode in ('gz', 'isaac')}\">{}</xacro:if>", "info"),
         ("<xacro:if value=\"${not lidar and mode == 'none'}\">{}</xacro:if>", "warning"),
         ("<xacro:if value=\"${xacro.arg('arm')}\">{}</xacro:if>", "info"),
-        ('<xacro:if value="${len(mode) - 4}">{}</xacro:if>', "warning"),
+        ('<xacro:if value="${len(mode) - 4}">{}</xacro:if>', "info"),
         ('<xacro:macro name="add" params="lidar">{}</xacro:macro>', "info"),
         ('<xacro:macro name="add" params="lidar">{}</xacro:macro><xacro:add lidar="true"/>', "warning"),
         (

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
@@ -25,6 +26,9 @@ from .found_by_parameters import found_by_parameters, named_by_parameters, typed
 from .opened_parameters import OpenedParameters
 from .spawned_blocks import block_of, is_commented_out, types_beside
 from .undeclared_launch_packages import LaunchDependencies
+
+if TYPE_CHECKING:
+    from ..urdf.ways_into_robots import WaysIntoRobots
 
 INTERFACES = regex(r".*_(?:msgs|srvs|interfaces|actions)")
 LOADS_PLUGINS = regex(
@@ -95,7 +99,8 @@ class RobotUses:
             for each in robot.references if self.is_used(robot.path) else ():
                 if not self.declared.has([each.package]):
                     is_off = self.is_off(robot.path) or self.is_switched_off(robot, each.span)
-                    use = reference_use(robot, each, is_off=is_off)
+                    why = SWITCHED_OFF if is_off else self.why_unmet(robot, each.span)
+                    use = reference_use(robot, each, why)
                     yield each.package, use if self.opened.has(robot.path) else unopened(use)
 
     def found_by_parameters(self) -> Iterator[tuple[str, RobotUse]]:
@@ -136,7 +141,8 @@ class RobotUses:
             named = (each for each in robot.references if each.use == "include")
             own = [(each.path, each.span) for each in named if each.package == self.declared.facts.name]
             own += [(each.path, each.span) for each in robot.includes]
-            found += [self.is_switched_off(robot, span) for included, span in own if included == path]
+            places = [span for included, span in own if included == path]
+            found += [self.is_switched_off(robot, each) or self.why_unmet(robot, each) != "" for each in places]
         return bool(found) and all(found)
 
     def is_switched_off(self, robot: RobotFile, place: Span) -> bool:
@@ -148,6 +154,21 @@ class RobotUses:
         defaults = RobotDefaults(robot.document.root)
         is_uncalled = any(not self.calls.is_called(each) for each in defaults.macros_around(place))
         return is_uncalled or defaults.leaves_out(place)
+
+    def why_unmet(self, robot: RobotFile, place: Span) -> str:
+        """Return why no robot of the package comes to a place, as the end of a sentence; "" where one may."""
+        return self.ways.why_unmet(robot.path, robot.document.root, place)
+
+    @cached_property
+    def ways(self) -> WaysIntoRobots:
+        """What xacro makes of the robots; imported where they use what is not declared."""
+        from ..urdf.off_conditions import OffConditions
+        from ..urdf.reached_files import ReachedFiles
+        from ..urdf.ways_into_robots import WaysIntoRobots
+
+        files, package, workspace = self.launch.files, self.declared.facts, self.declared.workspace
+        off = OffConditions(files, package, workspace)
+        return WaysIntoRobots(ReachedFiles(files, package, workspace, self.calls, off), self.opened)
 
     def renamed(self, name: str) -> tuple[str, list[str]]:
         """Return who has each file that robots name in a package that is not known, and the files; "" for nobody.
@@ -262,14 +283,15 @@ class RobotUses:
         return frozenset(row.source for row in self.table.rows) if self.table else frozenset()
 
 
-def reference_use(robot: RobotFile, reference: ResourceReference, *, is_off: bool) -> RobotUse:
-    """xacro fills in `$(find …)` wherever it stands; what shows a robot looks for `package://…`."""
+def reference_use(robot: RobotFile, reference: ResourceReference, why: str) -> RobotUse:
+    """Return the use of a file, and `why` nobody meets it; "" where somebody may.
+
+    xacro fills in `$(find …)` wherever it stands; what shows a robot looks for `package://…`."""
     is_filled_in = reference.use == "include" or robot.source.text.startswith("$(find", reference.span.start)
     if is_filled_in and robot.path.endswith(OF_GAZEBO) and "xacro" not in robot.source.text:
         return RobotUse(robot.path, reference.span, "and its files are used here", "it is not found", True, UNFILLED)
     consequence = "xacro stops" if is_filled_in else "it is missing wherever this is shown"
-    why = SWITCHED_OFF if is_off else ""
-    return RobotUse(robot.path, reference.span, "and its files are used here", consequence, is_off, why)
+    return RobotUse(robot.path, reference.span, "and its files are used here", consequence, bool(why), why)
 
 
 def unopened(use: RobotUse) -> RobotUse:

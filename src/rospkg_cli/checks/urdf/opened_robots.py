@@ -29,6 +29,9 @@ PAGES = (".md", ".rst", ".txt")
 LETTERS = regex(r"[^\W\d_]{2}")
 COMMAND = r"(?:\b(?:ros2|xacro\w*|check_urdf|urdf_to_\w+|rviz2?|gz|gazebo|ign|python3?)[\s(]|:=)"
 """What stands in a line of a page that tells how to open a robot; others only tell that it is there."""
+GIVES = r"\b{0}:=|\bmappings\b[^)]{{0,500}}[\"']{0}[\"']"
+KEY = r"[\"']{0}[\"']\s*:"
+"""How a launch file gives an argument to xacro, in a command or in a table, which may stand elsewhere."""
 LOOKS = "MoveItConfigsBuilder"
 """MoveIt looks for the robot by its name alone."""
 
@@ -207,14 +210,20 @@ class OpenedRobots:
         ]
 
     def is_always_given(self, path: str, argument: str) -> bool:
-        """Return whether each launch file that runs xacro and names a robot gives it an argument, and one does."""
-        stem = re.compile(rf"\b{re.escape(path.rpartition('/')[2].partition('.')[0])}\b")
-        given = re.compile(rf"\b{re.escape(argument)}:=|mappings\b[^)]{{0,500}}[\"']{re.escape(argument)}[\"']")
+        """Return whether each launch file that runs xacro and names a robot gives it an argument, and one does.
+
+        One that names another file of the robot's name in full (`arm.urdf`, beside `arm.urdf.xacro`) opens that.
+        """
+        name = path.rpartition("/")[2]
+        stem = re.compile(rf"\b{re.escape(name.partition('.')[0])}\b")
+        given, key = (re.compile(each.format(re.escape(argument))) for each in (GIVES, KEY))
         names = [text for other, text in self.texts if other.endswith(LAUNCH) and "xacro" in text]
-        gives = [given.search(text) is not None for text in names if stem.search(text)]
+        naming = [text for text in names if stem.search(text) and not opens_a_twin(name, words_of(text))]
+        gives = [bool(given.search(text) or ("mappings" in text and key.search(text))) for text in naming]
         others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
-        wanted = {self.package.name, path.rpartition("/")[2].partition(".")[0]}
-        gives += [argument in words for each in others for words in each.robot_words if wanted <= words]
+        wanted = {self.package.name, name.partition(".")[0]}
+        words = [each for facts in others for each in facts.robot_words if wanted <= each]
+        gives += [argument in each for each in words if not opens_a_twin(name, each)]
         return bool(gives) and all(gives)
 
     @cached_property
@@ -231,3 +240,9 @@ def may_end(path: str, text: str, name: str) -> bool:
 def has_folders(folder: str, text: str) -> bool:
     """Return whether all folders of a path stand in a text, joined or one by one; no suffix is one."""
     return all(re.search(rf"(?<![\w.]){re.escape(each)}(?![\w.])", text) for each in folder.split("/"))
+
+
+def opens_a_twin(name: str, words: frozenset[str]) -> bool:
+    """Return whether words have a file in full that is called like a robot but for the suffix, and not that itself."""
+    start = f"{name.partition('.')[0]}."
+    return name not in words and any(each.startswith(start) for each in words)

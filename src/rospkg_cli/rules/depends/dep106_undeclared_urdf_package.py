@@ -76,9 +76,10 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     without them. So is a controller that is not spawned where launch files spawn others of its file, or load none at
     all, one whose type is in a comment, a plugin that no list beside it names (`plugins: [static_layer]`), a type that
     comes with the node which loads it (`geometry_msgs` with joy_teleop), and what a robot needs that nothing opens, or
-    only where an argument turns it on (`GAZEBO:=true`), or in a macro that nothing calls, what stands as `$(find …)` in
-    SDF without a word of xacro, and what another package of the repository declares, or a list or a script of it
-    installs (apt alone), where nothing shows a release.
+    only where an argument turns it on (`GAZEBO:=true`), in a macro that nothing calls, in the default of an argument
+    that each launch file gives, or in a property that nothing reads, what stands as `$(find …)` in SDF without a word
+    of xacro, and what another package of the repository declares, or a list or a script of it installs (apt alone),
+    where nothing shows a release.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. Where this
@@ -107,7 +108,7 @@ def undeclared(robots: RobotUses, tag: str, name: str, uses: list[RobotUse]) -> 
     meant = owner or robots.launch.meant(name)
     todo = f"did you mean `{meant}`{having(files)}?" if meant else advice(declared, tag, name)
     message = f"`{name}` is not declared, {first.usage}: {where_absent(declared, name)} {first.consequence}; {todo}"
-    message += first.why if all(use.why for use in uses) else ""
+    message += first.why if all(use.is_optional for use in uses) else ""
     fix = None if meant else declaration(declared, tag, name)
     mild = is_unmet(declared, name) or all(use.is_optional for use in uses)
     places = related((use.path, use.span) for use in uses)

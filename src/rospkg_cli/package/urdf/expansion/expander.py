@@ -120,6 +120,7 @@ class Expander(ExpansionState):
     def argument(self, element: Element, _: list[Node], context: Context) -> None:
         default, name = element.attributes.get("default"), element.get("name") or ""
         value = self.evaluate(default.value_span, context) if default is not None else None
+        self.pass_by(element, context, goes_in=name not in self.texts.arguments)
         if self.with_defaults and value is not None:
             self.texts.defaults.setdefault(name, value)
         self.texts.arguments.add(name)
@@ -130,10 +131,15 @@ class Expander(ExpansionState):
         holds = truth(value)
         if holds is None and written is not None and not isinstance(value, XacroUnknown):
             self.problem(XacroProblem.CONDITION, written.value_span, shown(value), ())
+        self.pass_by(element, context, goes_in=holds in (None, element.tag == "xacro:if"))
         if holds is None:
             self.inside(element, into, replace(context, is_certain=False))
         elif holds is (element.tag == "xacro:if"):
             self.inside(element, into, context)
+
+    def pass_by(self, element: Element, context: Context, *, goes_in: bool) -> None:
+        place = (context.source.path, element.span)
+        self.found.ways[place] = goes_in or self.found.ways.get(place, False)
 
     def insert(self, element: Element, into: list[Node], context: Context) -> None:
         name = element.attributes.get("name")

@@ -74,3 +74,5 @@ class Expansion:
     """The paths of the files that were read."""
     certain: set[str] = field(default_factory=set)
     """Those of them that xacro certainly reads."""
+    ways: dict[tuple[str, Span], bool] = field(default_factory=dict)
+    """Conditions and arguments that xacro comes to, by path and place: whether it may go in, or take the default."""
