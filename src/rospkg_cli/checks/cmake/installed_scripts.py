@@ -17,6 +17,7 @@ from ...package.cmake.install_rules import InstallRule
 from ...package.launch.live_text import live_text
 from ...package.workspace import Workspace
 from ...ros.share_layout import LAUNCH
+from ..pages_and_scripts import pages_and_scripts
 from .left_out_nodes import USES_ROS, is_last, is_left_out, is_node
 from .module_imports import dotted_imports, is_only_imported
 
@@ -137,6 +138,12 @@ class InstalledScripts:
         texts = (*self.texts, *(files.readable_text(each) for each in files.paths if is_readme(each)))
         named = re.compile(rf"(?<![\w.-]){re.escape(name)}(?!\w)")
         return any(map(named.search, self.live_launches)) or any(map(started.search, texts))
+
+    def is_run(self, path: str) -> bool:
+        """Return whether a page or a script, here or above, runs a script with `ros2 run`."""
+        name = re.escape(posixpath.basename(path))
+        started = re.compile(rf"\bros2[ \t]+run[ \t]+{re.escape(self.package.facts.name)}[ \t]+{name}(?![.-]?\w)")
+        return any(map(started.search, pages_and_scripts(self.package.cmake.package_files)))
 
     def is_tool(self, script: BrokenScript) -> bool:
         """Return whether a script without `#!` has no word of ROS, and nothing starts it: people give it to Python."""

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import Literal
 
+from ..path_starts import is_started_by_path_alone
+from ..spare_files import is_spare
 from .installed_scripts import BrokenScript, InstalledScripts
 from .left_out_nodes import is_node
+from .script_sentences import BY_PATH, KEPT, LOST
 from .swept_scripts import is_swept_along
 
 Harm = Literal["error", "warning", "info"]
@@ -17,16 +20,23 @@ MILD = ("directory", "neither")
 
 def harm(scripts: InstalledScripts, script: BrokenScript) -> Harm:
     """Return an error where the script is started, or where `ros2 run` never finds a node, whoever builds it."""
-    if scripts.is_module(script) or is_swept_along(scripts, script) or may_be_lost(scripts, script):
+    if scripts.is_module(script) or is_swept_along(scripts, script) or why_mild(scripts, script):
         return "info"
     is_started = scripts.is_wanted(script.copy.source)
     is_mild = script.wrong == "no bit" or (script.wrong in MILD and scripts.uses_programs) or scripts.is_tool(script)
     return "warning" if is_mild or not (is_started or is_program(scripts, script)) else "error"
 
 
-def may_be_lost(scripts: InstalledScripts, script: BrokenScript) -> bool:
-    """Return whether a script only lacks its bit here, and nothing of the repository starts it."""
-    return script.wrong in ONLY_THE_BIT and not scripts.is_wanted(script.copy.source)
+def why_mild(scripts: InstalledScripts, script: BrokenScript) -> str:
+    """Return what is said of a script that nothing of the repository starts as a program; "" for others."""
+    path, files = script.copy.source, scripts.package.cmake.package_files
+    if scripts.is_wanted(path):
+        return ""
+    if script.wrong in ONLY_THE_BIT:
+        return LOST
+    if is_spare(files, path) and not scripts.is_run(path):
+        return KEPT
+    return BY_PATH if is_started_by_path_alone(files, scripts.package.facts.name, path) else ""
 
 
 def is_program(scripts: InstalledScripts, script: BrokenScript) -> bool:

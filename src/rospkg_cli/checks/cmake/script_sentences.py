@@ -11,6 +11,8 @@ FEW = 3
 """So many scripts are named one by one."""
 LOST = " (nothing here starts it, and a copy of files may lose the bit)"
 """What is added where only the bit of a script is missing."""
+KEPT = " (nothing here starts it, and its name or its own text says that nobody uses it)"
+BY_PATH = " (the pages and scripts here start it by its path alone, with Python)"
 SHEBANG = "#!/usr/bin/env python3"
 
 

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator
 from itertools import chain
 
 from ...checks.cmake.installed_scripts import BrokenScript, InstalledScripts
-from ...checks.cmake.script_harm import harm, may_be_lost
-from ...checks.cmake.script_sentences import LOST, message, title
+from ...checks.cmake.script_harm import harm, why_mild
+from ...checks.cmake.script_sentences import message, title
 from ...edits.cmake_scripts import make_executable
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -35,7 +35,8 @@ def cmake(lines: str) -> str:
     levels={
         Severity.WARNING: "only the bit of its source is missing: it can't be run after `colcon build "
         "--symlink-install`; or it is no node, and nothing starts it",
-        Severity.INFO: "only its bit is missing, which a copy may have lost, and nothing starts it; or it has no bit, "
+        Severity.INFO: "only its bit is missing, which a copy may have lost, and nothing starts it, or it says that "
+        "nobody uses it, or pages and scripts start it by its path alone; or it has no bit, "
         "and another file of its folder imports it; or it came with its folder or by a pattern, nothing starts it, and "
         "a file imports it, a comment names it, or it has no word of ROS",
     },
@@ -81,7 +82,8 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     without `#!` that has no word of ROS, and a script that is no node (it uses rclpy and asks for `__name__`), are
     warnings there. What a rule takes along with its folder, or by a pattern (`file(GLOB scripts scripts/*.py)`), is an
     info where neither does so and any file of the package imports it, a comment of CMake names it (its line was taken
-    out), or it has no word of ROS.
+    out), or it has no word of ROS. So is a script that nothing starts and whose name (`talker_old.py`) or first lines
+    (`# no longer used`) say that it is only kept, and one that pages and scripts give to Python by its path alone.
     """
     if not scripts.package.is_ament:
         return
@@ -89,15 +91,15 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
         related = tuple(Related(other.copy.source, Span(0, 0), "the same") for other in others)
         operations = [make_executable(scripts, each) for each in (script, *others)]
         fix = Fix(title(script, others), tuple(dict.fromkeys(chain(*operations)))) if all(operations) else None
-        text = message(scripts, script, others) + (LOST if may_be_lost(scripts, script) else "")
+        text = message(scripts, script, others) + why_mild(scripts, script)
         yield Hit(script.copy.item.path, script.copy.item.span, text, Severity(harm(scripts, script)), related, fix)
 
 
 def together(scripts: InstalledScripts) -> Iterable[list[BrokenScript]]:
     """Return the scripts of one install() that are broken in the same way and as badly, which is one fault."""
-    calls: dict[tuple[str, int, str, str, bool], list[BrokenScript]] = {}
+    calls: dict[tuple[str, int, str, str, str], list[BrokenScript]] = {}
     for script in scripts.broken():
         call = script.copy.rule.call
-        place, how = (call.path, call.command.span.start), (harm(scripts, script), may_be_lost(scripts, script))
+        place, how = (call.path, call.command.span.start), (harm(scripts, script), why_mild(scripts, script))
         calls.setdefault((*place, script.wrong, *how), []).append(script)
     return calls.values()
