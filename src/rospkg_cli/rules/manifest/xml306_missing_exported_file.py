@@ -47,6 +47,14 @@ CORE = GOOD.replace("rqt_gui", "nav2_core")
         ),
         Example(
             on="ament_cmake",
+            bad={
+                "package.xml": GOOD.replace("${prefix}/plugin.xml", "«${prefix}/plugin.ml»"),
+                "plugin.xml": "<library path='x'/>\n",
+            },
+            good={"package.xml": GOOD, "CMakeLists.txt": INSTALLED},
+        ),
+        Example(
+            on="ament_cmake",
             bad={"package.xml": CORE.replace("${prefix}/plugin.xml", "«${prefix}/old.xml»")},
             good={"package.xml": CORE, "plugin.xml": "<library path='x'/>\n"},
         ),
@@ -74,14 +82,14 @@ def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
     manifest = package.manifest
     for element in manifest.exports:
         attribute = element.attributes.get("plugin")
-        if attribute is None or not attribute.value.endswith(".xml"):
+        if attribute is None:
             continue
         path = posixpath.normpath(attribute.value.strip().replace("${prefix}", "").lstrip("/"))
         rqt = element.tag in RQT
         what = f"`{path}`, exported to `{element.tag}`,"
         if "$" in path or not may_hold(element.get("condition"), package.targets.environments()):
             continue
-        if package.files.absent.is_expected(path):
+        if package.files.absent.is_expected(path) or not may_be_description(package, path):
             continue
         if not package.files.exists(path):
             meant = suggested(package, path)
@@ -99,6 +107,11 @@ def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
             wrong = f"is installed as `{goes}`" if goes else "is not installed"
             message = f"{what} {wrong}: rqt will not offer the plugin; install it to `{place}`"
             yield Hit(manifest.path, attribute.value_span, message)
+
+
+def may_be_description(package: ManifestAndInstalls, path: str) -> bool:
+    """Return whether a path is one of XML, or nearly that of a file of XML that is there."""
+    return path.endswith(".xml") or nearest(path, [e for e in package.files.paths if e.endswith(".xml")]) is not None
 
 
 def has_plugin(package: ManifestAndInstalls) -> bool:
