@@ -144,8 +144,9 @@ def test_names_that_launch_fills_in_are_left_alone() -> None:
     assert not faults("$(var name)_node:\n  ros__parameters:\n    a: [1.0, $(var x)]\n")
 
 
-def test_broken_yaml_with_parameters_is_unreadable() -> None:
-    files = {**BACKDROPS["config"], "config/robot.yaml": BLOCK + "    a: [1\n"}
+@pytest.mark.parametrize("text", [BLOCK + "    a: [1\n", "robot:\n  ros__parameters\n    rate: 5\n    name: a\n"])
+def test_broken_yaml_with_parameters_is_unreadable(text: str) -> None:
+    files = {**BACKDROPS["config"], "config/robot.yaml": text}
     assert [finding.code for finding in lint_files(files, ["RPK001", "PRM004"]).findings] == ["RPK001"]
 
 

@@ -14,7 +14,7 @@ from ..file_role import role_of
 from .parameter_file import ParameterFile
 from .passed_files import handed_files
 
-MENTIONS = regex(r"""^[ \t{]*["']?_*ros_+parameters?_*["']?[ \t]*:""", re.MULTILINE | re.IGNORECASE)
+MENTIONS = regex(r"""^[ \t{]*["']?_*ros_+parameters?_*["']?[ \t]*(?::|$)""", re.MULTILINE | re.IGNORECASE)
 WILD = regex(r"""^["']?/?\*\*?(?:/[\w*/]+)?["']?[ \t]*:""", re.MULTILINE)
 """A name for many nodes, at the top: nothing but parameters begins like this."""
 TEMPLATE = regex(r"\{\{|\{%|<%")
