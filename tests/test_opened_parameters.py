@@ -18,6 +18,7 @@ def generate_launch_description():
     return [Node(package='controller_manager', executable='ros2_control_node')]
 """
 PLUGIN = "a:\n  ros__parameters:\n    one:\n      type: {}\n"
+OPENED = "ROBOT = share + '/urdf/r.xacro'\n"
 GAZEBO = "<gazebo><plugin><parameters>$(find my_pkg)/config/{}</parameters></plugin></gazebo>"
 
 
@@ -53,11 +54,12 @@ def test_a_robot_that_is_passed_over(launch: str, others: tuple[str, ...], level
         ("LOADED = 'walking.yaml'\n", "", (), "info"),
         ("LOADED = MoveItConfigsBuilder('a')\n", "", (), "info"),
         ("LOADED = f'{NAME}.yaml'\n", "", (), "warning"),
-        ("", GAZEBO.format("walk.yaml"), (), "warning"),
-        ("", GAZEBO.format("run.yaml"), (), "info"),
-        ("", GAZEBO.format("walk.yaml").replace("$(find my_pkg)", "/home/me/my_pkg"), (), "info"),
-        ("", GAZEBO.format("walk.yaml").replace("$(find my_pkg)", "package://my_pkg"), (), "warning"),
-        ("", GAZEBO.format("walk.yaml").replace("$(find my_pkg)", "${HERE}"), (), "warning"),
+        (OPENED, GAZEBO.format("walk.yaml"), (), "warning"),
+        (OPENED, GAZEBO.format("run.yaml"), (), "info"),
+        (OPENED, GAZEBO.format("walk.yaml").replace("$(find my_pkg)", "/home/me/my_pkg"), (), "info"),
+        (OPENED, GAZEBO.format("walk.yaml").replace("$(find my_pkg)", "package://my_pkg"), (), "warning"),
+        (OPENED, GAZEBO.format("walk.yaml").replace("$(find my_pkg)", "${HERE}"), (), "warning"),
+        ("", GAZEBO.format("walk.yaml"), (), "info"),
         ("", "", ("PATH = get('my_pkg') + '/walk.yaml'\n",), "warning"),
         ("", "", ("PATH = get('my_pkg') + '/run.yaml'\n",), "info"),
         ("", "", (XACRO.format(GAZEBO.format("walk.yaml")),), "warning"),
@@ -73,6 +75,21 @@ def test_parameters_that_something_opens(launch: str, robot: str, others: tuple[
     files["package.xml"] = manifest("  <exec_depend>controller_manager</exec_depend>\n", "ament_cmake")
     files["launch/a.launch.py"] = launch + LAUNCH
     assert levels(files, *others, body="  <depend>my_pkg</depend>\n") == [level]
+
+
+@pytest.mark.parametrize(
+    ("owner", "found"),
+    [("$(find ur_description)", ["warning", "info"]), ("$(find former_pkg)", ["warning", "warning"])],
+)
+def test_parameters_of_another_package_that_are_called_like_own(owner: str, found: list[str]) -> None:
+    """A package that is known has its own file; one that is known nowhere may be a former name of this one."""
+    files = {
+        "config/walk.yaml": PLUGIN.format("joint_state_broadcaster/JointStateBroadcaster"),
+        "urdf/r.xacro": XACRO.format(GAZEBO.format("walk.yaml").replace("$(find my_pkg)", owner)),
+        "package.xml": manifest("  <exec_depend>controller_manager</exec_depend>\n", "ament_cmake"),
+        "launch/a.launch.py": OPENED + LAUNCH,
+    }
+    assert sorted(levels(files), reverse=True) == found
 
 
 def test_an_example_is_there_to_be_copied() -> None:

@@ -14,6 +14,7 @@ from ...package.package_facts import PackageFacts
 from ...package.params.named_yaml import ANY
 from ...package.urdf.robot_file import RobotFile
 from ...package.workspace import Workspace
+from ...ros.names import NameKind
 from ..yaml_elsewhere import is_named_elsewhere
 
 EXAMPLE = regex(r"(?:^|[_/.-])examples?(?:[_/.-]|$)")
@@ -32,17 +33,23 @@ class OpenedParameters:
     workspace: Workspace
     launch_files: tuple[LaunchFile, ...]
     robots: tuple[RobotFile, ...]
+    """Those that something opens."""
 
     def may_have(self, path: str) -> bool:
         """Return whether something may give a file to a node; others are there to be copied, or left over."""
         stem = path.rpartition("/")[2].rpartition(".")[0]
         word = re.compile(rf"\b{re.escape(stem)}\b")
-        found = re.compile(rf"(?:\$\(find|package:/|\$\{{)[^<>\"'\n]*{word.pattern}")
+        found = re.compile(rf"(?:\$\(find\s+([\w-]*)|package:/+([\w-]*)|\$\{{)[^<>\"'\n]*{word.pattern}")
         is_usual = USUAL.fullmatch(stem) is not None
         opens = any((is_usual and LOOKS in text) or word.search(text) for text in self.launches)
-        if opens or any(map(found.search, self.texts)):
+        if opens or any(self.may_be_own(each[1] or each[2]) for text in self.texts for each in found.finditer(text)):
             return True
         return not EXAMPLE.search(path) and (ANY in self.package.named_yaml or self.is_named_elsewhere(stem))
+
+    def may_be_own(self, name: str) -> bool:
+        """Return whether a robot may mean this package by a name: a former one of it is known nowhere."""
+        is_known = self.workspace.is_available(name) or self.workspace.kind_of(name) is NameKind.PACKAGE
+        return name in ("", self.package.name) or not is_known
 
     def is_spawned(self, controller: str) -> bool:
         """Return whether a launch file of the package names a controller, other than in a path or a topic."""

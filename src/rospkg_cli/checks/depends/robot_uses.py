@@ -250,8 +250,9 @@ class RobotUses:
 
     @cached_property
     def parameters(self) -> OpenedParameters:
-        declared = self.declared
-        return OpenedParameters(declared.facts, declared.workspace, tuple(self.launch.launch_files), self.robots)
+        opened = tuple(each for each in self.robots if self.is_used(each.path) and self.opened.has(each.path))
+        launches = tuple(self.launch.launch_files)
+        return OpenedParameters(self.declared.facts, self.declared.workspace, launches, opened)
 
     @cached_property
     def loads_plugins(self) -> bool:

@@ -72,9 +72,9 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     come. Left alone are files that are not installed, what comes with RViz itself, plugins of a metapackage or of a
     package whose node is launched, and what launch files need as well (DEP103). Plugins of robots and RViz configs are
     infos, and so are those of parameter files in a package that launches nothing that loads plugins
-    (controller_manager, nav2, MoveIt), or in a file that no launch file for ROS 2 names: others may use the file
-    without them. So is a controller that is not spawned where launch files spawn others of its file, or load none at
-    all, one whose type is in a comment, a plugin that no list beside it names (`plugins: [static_layer]`), a type that
+    (controller_manager, nav2, MoveIt), or in a file that no launch file for ROS 2 names, nor an opened robot: others
+    may use it without them. So is a controller that is not spawned where launch files spawn others of its file, or
+    load none at all, one whose type is in a comment, a plugin that no list beside it names (`plugins: [static_layer]`), a type that
     comes with the node which loads it (`geometry_msgs` with joy_teleop), and what a robot needs that nothing opens, or
     only where an argument turns it on (`GAZEBO:=true`), in a macro that nothing calls, in the default of an argument
     that each launch file gives, or in a property that nothing reads, what stands as `$(find …)` in SDF without a word
