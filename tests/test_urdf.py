@@ -57,6 +57,16 @@ def test_a_circle_beside_the_root_is_reported() -> None:
     assert "circle" in fault.message
 
 
+@pytest.mark.parametrize("block", ['xacro:if value="$(arg arm)"', 'xacro:macro name="arm" params="x"'])
+def test_two_joints_of_a_block_have_one_name(block: str) -> None:
+    """An include that is not here may hide the rest of the robot, but not what stands side by side."""
+    other = JOINT.format("").replace('"j"', '"k"')
+    inside = f"{JOINT.format('')}\n<{block}>{other * 2}<joint name='k'/></{block.split()[0]}>"
+    text = f'<xacro:include filename="$(find other)/a.xacro"/>{PAIR}{inside}'
+    (fault,) = robot_faults(read(text, "urdf/a.urdf.xacro", XACRO))
+    assert fault.message.startswith("two joints are called `k")
+
+
 def test_names_are_suggested() -> None:
     (fault,) = robot_faults(read(PAIR.replace('"b"', '"wheel"') + JOINT.format("").replace('"b"', '"whele"')))
     assert "did you mean `wheel`" in fault.message

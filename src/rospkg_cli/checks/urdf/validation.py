@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from ...languages.xml.parser import Document, Element
 from ...package.urdf.reader import ROBOTS
@@ -12,9 +12,10 @@ from ...package.urdf.robot_file import RobotFile
 from ...source import Span
 from ...suggest import did_you_mean
 from ..fault import Fault, Level, joined
-from .element_checks import ElementCheck, first, name_span
+from .element_checks import ElementCheck, first
 from .kinematic_tree import KinematicTree
 from .loose_parts import loose_faults
+from .repeated_names import is_named_only, repeated, repeated_in_blocks
 from .robot_words import control_faults, misspelt_parts
 from .substitutions import substitution_fault
 from .xacro_calls import XacroCalls
@@ -57,6 +58,7 @@ def unsorted_faults(robot: RobotFile, piece: bool) -> Iterator[Fault]:
     if robot.is_xacro:
         yield from loose_faults(root, check)
     yield from control_faults(root)
+    yield from repeated_in_blocks(root)
     if not links and not joints:
         return  # part of a robot, for other files to include
     for link in links:
@@ -77,14 +79,6 @@ def unsorted_faults(robot: RobotFile, piece: bool) -> Iterator[Fault]:
         yield from (fault for joint in joints for fault in check.ends(joint))
 
 
-def is_named_only(joint: Element) -> bool:
-    """Return whether a joint has nothing of one of URDF: xacro puts it into a ros2_control, a transmission or an SRDF.
-
-    A macro, or an included file, stands for its elements wherever it is called.
-    """
-    return joint.get("type") is None and not any(first(joint, tag) for tag in ("parent", "child"))
-
-
 def robot_element(root: Element) -> Iterator[Fault]:
     if root.get("name") is None:
         yield Fault(root.open, "`<robot>` has no `name`: urdfdom refuses it")
@@ -101,23 +95,6 @@ def is_whole(root: Element, parts: Sequence[Element]) -> bool:
     ends = [end for part in parts for end in part.children if end.tag in ("parent", "child")]
     values = [*(part.get("name") for part in parts), *(end.get("link") for end in ends)]
     return all(value is None or "$" not in value for value in values)
-
-
-def repeated(root: Element, tag: str, among: Collection[Element] | None = None) -> Iterator[Fault]:
-    """Yield the children of the robot that have no name, or a repeated one; of some elements where they are given."""
-    seen: dict[str, Span] = {}
-    for element in root.children:
-        if element.tag != tag or (among is not None and element not in among):
-            continue
-        name = element.get("name")
-        if name is None:
-            if tag != "material":
-                yield Fault(element.open, f"the {tag} has no `name`: urdfdom refuses the robot")
-        elif "$" not in name:
-            span = seen.setdefault(name, name_span(element))
-            if span != name_span(element):
-                message = f"two {tag}s are called `{name}`: urdfdom refuses the robot"
-                yield Fault(name_span(element), message, related=((span, "the first one"),))
 
 
 def named_joints(root: Element, joints: Sequence[Element]) -> Iterator[Fault]:
