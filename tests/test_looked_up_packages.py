@@ -6,7 +6,7 @@ import pytest
 
 from rospkg_cli.checks.looked_up_packages import may_be_elsewhere
 from rospkg_cli.checks.lookups_for_users import THEIRS, UNUSED
-from rospkg_cli.example import SETUP_CFG, SETUP_PY, manifest, scripts, setup_py
+from rospkg_cli.example import SETUP_CFG, SETUP_PY, SETUP_PY_FOR_ALL, manifest, scripts, setup_py
 from rospkg_cli.package.package_facts import PackageFacts
 from rospkg_cli.package.workspace import Workspace
 from rospkg_cli.ros.distros import DISTROS
@@ -133,7 +133,7 @@ def test_what_a_library_looks_for_in_the_name_of_its_users(
 def test_a_library_with_a_program_of_its_own_looks_for_itself() -> None:
     program = "from .helpers import limits\n\n\ndef main():\n    print(limits())\n"
     setup = setup_py(scripts("show = lib.show:main"))
-    ((level, _),) = from_library({"arm": ("limits", "")}, **{"lib/show.py": program, "setup.py": setup})
+    ((level, _),) = from_library({"one": ("limits", HAS_ARM)}, **{"lib/show.py": program, "setup.py": setup})
     assert level == "warning"
 
 
@@ -266,7 +266,7 @@ def test_a_package_that_starts_this_ones_programs_is_not_to_be_declared_by_it(st
     lookup = f"{HEAD}A = get_package_share_directory('app')"
     own = {**MARKER, "package.xml": manifest(NEEDS), "my_pkg/talker.py": lookup}
     other = {"package.xml": manifest().replace("my_pkg<", "app<", 1), "launch/app.launch.xml": STARTS.format(starts)}
-    other |= {"resource/app": "", "setup.py": SETUP_PY.replace("my_pkg", "app")}
+    other |= {"resource/app": "", "setup.py": SETUP_PY_FOR_ALL.replace("my_pkg", "app")}
     files = {f"one/{path}": text for path, text in own.items()} | {f"app/{path}": text for path, text in other.items()}
     (only,) = lint_files(files, ["DEP116"]).findings
     assert only.severity.value == level

@@ -17,7 +17,7 @@ from .cpp.share_names import share_names
 from .depends.declared_dependencies import DeclaredDependencies
 from .depends.undeclared_imports import ImportDependencies
 from .depends.undeclared_launch_packages import LaunchDependencies
-from .lookups_for_users import CIRCLE, LookupsForUsers, starts_programs_of
+from .lookups_for_users import LookupsForUsers
 from .share_lookups import CATCHES, LOOKUPS, ShareLookups, literal_of
 from .unstarted_programs import UNSTARTED
 
@@ -89,12 +89,7 @@ class LookedUpPackages:
 
     def why_mild(self, path: str, span: Span, name: str) -> str:
         """Return what is said of a look-up by who comes to it; "" where somebody lacks what is looked for."""
-        return self.why_round(name) or (self.users.why_mild(path, span, name) if self.users else "")
-
-    def why_round(self, name: str) -> str:
-        """Return what is said of a package that itself starts this one's programs; "" for others."""
-        other = self.declared.workspace.named(name)
-        return CIRCLE if other is not None and starts_programs_of(other, self.declared.facts.name) else ""
+        return self.users.why_mild(path, span, name) if self.users else ""
 
     @property
     def included(self) -> set[str]:

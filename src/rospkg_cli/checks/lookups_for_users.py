@@ -12,7 +12,6 @@ from .library_users import LibraryUsers
 from .workspace.wanted_packages import is_used
 
 ROUND = "; that package uses this library, to declare it here would make a circle: let those declare it who call this"
-CIRCLE = "; that package starts programs of this one, to declare it here would make a circle: let a parameter give it"
 THEIRS = "; this library has no program, and each package that comes here has that one itself"
 UNUSED = "; this library has no program, and no package here uses it"
 
@@ -39,8 +38,3 @@ def has(facts: PackageFacts, name: str, workspace: Workspace) -> bool:
     """Return whether a package certainly has another one: it declares it, or something that brings it, or uses it."""
     declared = [need.name for need in facts.dependencies if need.certain]
     return name in declared or is_used(name, facts) or name in brought_by(declared, workspace)
-
-
-def starts_programs_of(facts: PackageFacts, name: str) -> bool:
-    """Return whether launch files of a package start programs of another one, and so need it, declared or not."""
-    return any(package == name for package, _ in facts.started_nodes)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from ..checks.depends.brought_dependencies import Bringer
+from ..checks.depends.circles import circle_with
 from ..checks.depends.declared_dependencies import DeclaredDependencies
 from ..checks.depends.name_source import is_of_family, newer_distros, source_of
 from ..checks.depends.similar_names import SimilarNames
@@ -68,6 +69,8 @@ def where_absent(declared: DeclaredDependencies, *names: str, built: bool = Fals
 
 def advice(declared: DeclaredDependencies, tag: str, name: str, *serving: str) -> str:
     """Return what to do about a missing dependency, and where else its repository gets it, by any name that serves."""
+    if circle := circle_with(declared, name):
+        return circle.why(name)
     if name in declared.for_other_distributions:
         return "package.xml declares it for distributions alone that are supported no more: widen the condition"
     match source_of(declared, name):
@@ -88,8 +91,10 @@ def advice(declared: DeclaredDependencies, tag: str, name: str, *serving: str) -
             return "no supported distribution has it: correct the name, or list its repository in a .repos file"
 
 
-def declaration(declared: DeclaredDependencies, tag: str, name: str) -> Fix:
-    """Return the fix that declares a dependency."""
+def declaration(declared: DeclaredDependencies, tag: str, name: str) -> Fix | None:
+    """Return the fix that declares a dependency; None where it would make a circle."""
+    if circle_with(declared, name):
+        return None
     edits = add_dependencies(declared.manifest, ((each, name) for each in tags(declared, tag)))
     return Fix(f"add {written(declared, tag, name)}", edits, safety_of(declared, name))
 
@@ -113,10 +118,19 @@ def safety_of(declared: DeclaredDependencies, name: str) -> Safety:
 def left_to_others(declared: DeclaredDependencies, uses: Sequence[BroughtUse], used: str) -> Iterator[Hit]:
     """Yield one info for all that declared dependencies bring, or may bring; what certainly comes is named first.
 
-    `used` is what is done: "imported".
+    `used` is what is done: "imported". What may not be declared, as it needs this package, has one of its own.
     """
-    if uses:
-        yield left_to_some(declared, sorted(uses, key=lambda use: not use.bringer.is_certain), used)
+    circles = {use.name: circle for use in uses if (circle := circle_with(declared, use.name))}
+    for use in uses:
+        if use.name in circles:
+            yield left_in_circle(use, circles[use.name].why(use.name), used)
+    if rest := [use for use in uses if use.name not in circles]:
+        yield left_to_some(declared, sorted(rest, key=lambda use: not use.bringer.is_certain), used)
+
+
+def left_in_circle(use: BroughtUse, why: str, used: str) -> Hit:
+    message = f"`{use.name}` is {used} and not declared: {comes_with(use.bringer)}; {why}"
+    return Hit(use.path, use.span, message, Severity.INFO)
 
 
 def left_to_some(declared: DeclaredDependencies, uses: Sequence[BroughtUse], used: str) -> Hit:

@@ -38,6 +38,7 @@ from .read_install_table import installed_facts
 from .settled_folders import settled_folders
 from .uninstalled_files import made_files, uninstalled_files
 from .urdf.robot_words import robot_includes, robot_words
+from .used_packages import used_packages
 
 Part = Callable[[ReaderInput, Targets, Manifest], tuple[dict[str, Any], set[UnknownField]]]
 """Returns some fields of the facts of a package, and which of them are unknown."""
@@ -122,6 +123,7 @@ PARTS: dict[tuple[str, ...], Part] = {
     ("yaml_readers",): one("yaml_readers", yaml_readers),
     ("robot_words",): one("robot_words", robot_words),
     ("robot_includes",): one("robot_includes", robot_includes),
+    ("used_packages",): one("used_packages", used_packages),
     ("launch_files",): one("launch_files", launch_signatures),
     ("launch_summaries",): one("launch_summaries", launch_summaries),
     ("given_parameters",): one("given_parameters", given_parameters),

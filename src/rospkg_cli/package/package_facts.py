@@ -105,6 +105,8 @@ class PackageFacts:
     launch file."""
     robot_includes: frozenset[tuple[str, str, str]] = frozenset()
     """The files that its robots include: package, path, and the file that includes it."""
+    used_packages: frozenset[tuple[str, str]] = frozenset()
+    """The packages that its files but tests start or load something of, or look for files of, each with the file."""
     interfaces: frozenset[str] = frozenset()
     """`msg/Name`, `srv/Name`, `action/Name`."""
     unlisted_interfaces: frozenset[str] = frozenset()

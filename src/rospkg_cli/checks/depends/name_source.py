@@ -9,6 +9,7 @@ from ...package.missing_repositories import COMMON
 from ...ros.distros import DISTROS, Targets
 from ...ros.names import NameKind
 from ...suggest import near_names
+from .circles import circle_with
 from .declared_dependencies import DeclaredDependencies
 from .similar_names import SimilarNames
 
@@ -75,10 +76,11 @@ def is_unmet(declared: DeclaredDependencies, name: str, serving: Iterable[str] =
     """Return whether nobody is known to meet the lack of a dependency, by its name and others that would do.
 
     It is missing on purpose, or another package of the repository declares it, which nobody shows to be released, or a
-    list or a command of the repository installs it.
+    list or a command of the repository installs it, or to declare it would make a circle.
     """
     names = (name, *serving)
-    return is_left_out(declared, name) or is_lacked_by_nobody(declared, names) or declared.is_installed_otherwise(names)
+    is_there = is_lacked_by_nobody(declared, names) or declared.is_installed_otherwise(names)
+    return is_there or is_left_out(declared, name) or circle_with(declared, name) is not None
 
 
 def is_lacked_by_nobody(declared: DeclaredDependencies, names: Collection[str]) -> bool:

@@ -23,6 +23,7 @@ from ...ros.names import NameKind
 from ...source import Span
 from ...suggest import begins_alike, is_misspelt, nearest
 from ...unreadable import READABLE
+from ..launch.example_files import is_example
 from ..launch.idle_parts import idle_parts
 from ..launch.launched_programs import is_program
 from ..launch.package_references import NAME, PackageReference, package_references
@@ -33,7 +34,6 @@ from .declared_dependencies import DeclaredDependencies, normalized
 from .import_provider import import_providers
 from .undeclared_imports import ImportDependencies
 
-EXAMPLE = regex(r"(?:^|[_.-])(?:example|demo|test|debug(?:ging)?|gdb|valgrind|profiling|benchmark)s?(?:[_.-]|$)")
 FOR_DEMOS = regex(r"turtlesim|demo_nodes_\w+")
 """Packages that no one installs a robot for."""
 OF_VARIABLES = regex(r"_(?:dir|path|pkg|package|share)$")
@@ -42,7 +42,6 @@ STARTER = "ros2launch"
 READMES = ("README.md", "README.rst", "readme.md", "README.txt", "README")
 README = regex(r"(?i:readme)(?:\.\w+)?")
 LINK = regex(r"\bgit(?:hub|lab)\.com[/:][\w.-]+/([\w.-]{3,})")
-ENDING = regex(r"[._]launch\.\w+$|\.launch$")
 
 
 @dataclass(frozen=True)
@@ -67,14 +66,7 @@ class LaunchDependencies:
         return "launch" if path in {row.source for row in self.table.rows} else "aside"
 
     def is_example(self, path: str) -> bool:
-        """Return whether a launch file, or its folder, is called after examples, tests or debugging, which few start.
-
-        MoveIt's `demo.launch.py` is none: it is the one that all users start.
-        """
-        folder, _, file = path.rpartition("/")
-        name = ENDING.sub("", file)
-        parts = (*folder.split("/"), *(() if name == "demo" else (name,)))
-        return any(EXAMPLE.search(part) for part in parts)
+        return is_example(path)
 
     def is_for_examples(self, name: str, uses: Iterable[PackageReference]) -> bool:
         """Return whether only examples need a package, or it is one of the demos of ROS."""

@@ -14,7 +14,6 @@ from ...rule import rule
 
 RUN = "the import raises ModuleNotFoundError"
 LACKS = {"on a clean machine": "rosdep does not install it, and ", "in a release": "it is not installed, and "}
-"""What happens first, by the place where a module is missing."""
 BUILD = "`colcon build` stops with ModuleNotFoundError"
 
 BAD = "import rclpy\nfrom «trajectory_msgs.msg» import JointTrajectory\n"
@@ -33,7 +32,7 @@ OPTIONAL = "; this module is imported only where that may fail"
         "for older distributions alone, where an unreleased repository declares it in another package or installs it "
         "by apt, where only PyPI has it or the repository has it installed by pip or by hand, where nothing but "
         "launch files, only `try`, or nothing at all imports the module or starts the script, where nothing leads to "
-        "the function, and where another Python runs the file or an image may bring it"
+        "the function, where another Python runs the file or an image may bring it, and where it needs this one itself"
     },
     examples=(
         Example(
@@ -85,7 +84,8 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     than ROS and Ubuntu, which may bring it. Left out are optional imports: under `try` … `except ImportError`,
     `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
     get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, the package's own
-    modules, and libraries that rosdep has for older releases of Ubuntu alone.
+    modules, and libraries that rosdep has for older releases of Ubuntu alone. A package here that needs this one itself
+    is an info, for to declare it would make a circle; where it declares this one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, no released package has the name, or a comment leaves it out.

@@ -24,7 +24,7 @@ NEVER_RUN = "; `colcon test` does not run this file today"
         Severity.INFO: "where a declared dependency or colcon brings or may bring it, an unreleased repository "
         "declares it in another package or installs it by apt, package.xml has it in a comment or for older "
         "distributions alone, a page tells to install it by hand, setup.py does not ask for pytest, or `colcon test` "
-        "does not run the file or comes to the function"
+        "does not run the file or comes to the function, or it needs this package itself"
     },
     examples=(
         Example(
@@ -53,7 +53,8 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
     a command of it installs it (apt alone), and nothing shows a release; and for a launch test that CMake does not
     register, or whose name pytest does not look for. Left out are optional imports, helpers that no test uses,
     launch_ros and launch_testing where a declared dependency certainly brings them, and what installed code imports as
-    well (DEP101).
+    well (DEP101). A package here that needs this one itself is an info, for to declare it would make a circle; where it
+    declares this one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, where no released package has the name, or where a comment of

@@ -42,8 +42,8 @@ BAD_XML = """\
         Severity.INFO: "for launch itself, which users of launch files have, where a declared dependency brings it, "
         "where an argument must turn it on, for examples and debugging, for launch files that nothing installs or "
         "names, for what no launch comes to, for nodes that other code describes, where an unreleased repository "
-        "declares it in another package or installs it by apt, and where package.xml has it in a comment or for older "
-        "distributions alone"
+        "declares it in another package or installs it by apt, where package.xml has it in a comment or for older "
+        "distributions alone, and where it needs this package itself"
     },
     examples=(
         Example(
@@ -83,9 +83,10 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     launch files need that nothing installs and no page or other file names, what stands in a function that nothing
     calls or behind `if="false"`, and unknown packages where a `.repos` file lists repositories that are not here, or a
     README links to theirs, or that begin like this package and like no other one here, and what another package of the
-    repository declares, or a list or a script of it installs (apt alone), where nothing shows a release. Left out
-    are computed names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`),
-    files for ROS 1, actions that nothing adds, and what a module imports too (DEP101).
+    repository declares, or a list or a script of it installs (apt alone), where nothing shows a release. Left out are
+    computed names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`),
+    files for ROS 1, actions that nothing adds, and what a module imports too (DEP101). A package here that needs this
+    one itself is an info, for to declare it would make a circle; where it declares this one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, where a comment of package.xml leaves it out, or where

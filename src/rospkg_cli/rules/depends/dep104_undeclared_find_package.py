@@ -37,7 +37,7 @@ FOUND_IN_TESTS = CMAKE.replace(
         Severity.INFO: "where a declared dependency brings or may bring it, an unreleased repository declares it in "
         "another package or installs it by apt, package.xml has it in a comment or for older distributions alone, a "
         "page tells to install it by hand, CMake looks into a folder of its own, its key has no rule for a supported "
-        "distribution, or no one here knows it",
+        "distribution, it needs this package itself, or no one here knows it",
     },
     examples=(
         Example(
@@ -81,9 +81,10 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
     info, with what only C++ includes of the kind (DEP105). So is a library that a page tells to install by hand, or
     that CMake looks for in a folder that is named here (`HINTS`, `set(OpenCV_DIR …)`, CMAKE_PREFIX_PATH, a Find module
     that names folders of the package), what another package of the repository declares, or a list or a script of it
-    installs (apt alone), where nothing shows a release, and a key of rosdep that no supported distribution has a
-    rule for, as vendor packages took the place of `gz-math7`. What is optional (QUIET, without use) or under a
-    condition that depends on the machine is left alone, and so is what comes with the build tools.
+    installs (apt alone), where nothing shows a release, and a key of rosdep that no supported distribution has a rule
+    for, as vendor packages took the place of `gz-math7`. What is optional (QUIET, without use) or under a condition
+    that depends on the machine is left alone, and so is what comes with the build tools. A package here that needs this
+    one itself is an info, for to declare it would make a circle; where it declares this one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.

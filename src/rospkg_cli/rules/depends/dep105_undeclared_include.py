@@ -31,7 +31,7 @@ MAIN = "int main() {return 0;}\n"
         Severity.INFO: "where a dependency brings it, or may bring it, as an empty submodule may, a page tells to "
         "install it by hand, an unreleased repository declares it in another package or installs it by apt, "
         "package.xml has it in a comment or for older distributions alone, or no file that includes it is compiled, "
-        "or installed where a package of the workspace builds against this one"
+        "or installed where a package of the workspace builds against this one, or it needs this one itself"
     },
     examples=(
         Example(
@@ -69,9 +69,10 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     does not hold (`$ROS_VERSION == 1`), where no build is sure to compile what includes it, and types whose package
     comes with another undeclared one. What an empty submodule that CMake looks into may hold is an info, and a library
     that a page tells to install by hand, and what another package of the repository declares, or a list or a command of
-    it installs (apt alone), where nothing shows a release. So is what only targets include that stop at a source of
-    ROS 1 before. Headers of ROS 1 (`std_msgs/String.h`), and others that no package of interfaces has, come with no
-    declaration: CMK201 tells of them.
+    it installs (apt alone), where nothing shows a release. So is what only targets include that stop at a source of ROS
+    1 before. Headers of ROS 1 (`std_msgs/String.h`), and others that no package of interfaces has, come with no
+    declaration: CMK201 tells of them. A package here that needs this one itself is an info, for to declare it would
+    make a circle; where it declares this one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.

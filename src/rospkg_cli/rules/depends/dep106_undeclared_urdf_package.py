@@ -37,7 +37,7 @@ Visualization Manager:
         Severity.INFO: "for plugins of robots and of RViz configs, in a package that launches nothing, in a file that "
         "nothing opens, and where an argument must turn it on, a declared dependency brings or may bring it, an "
         "unreleased repository declares it in another package or installs it by apt, or package.xml has it in a "
-        "comment or for older distributions alone"
+        "comment or for older distributions alone, or it needs this package itself"
     },
     examples=(
         Example(
@@ -79,7 +79,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     only where an argument turns it on (`GAZEBO:=true`), in a macro that nothing calls, in the default of an argument
     that each launch file gives, or in a property that nothing reads, what stands as `$(find …)` in SDF without a word
     of xacro, and what another package of the repository declares, or a list or a script of it installs (apt alone),
-    where nothing shows a release.
+    where nothing shows a release. A package here that needs this one itself is an info, for to declare it would make a
+    circle; where it declares this one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. Where this

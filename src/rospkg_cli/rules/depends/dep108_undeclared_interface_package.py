@@ -31,7 +31,8 @@ RUNTIME = "  <exec_depend>rosidl_default_runtime</exec_depend>\n"
     levels={
         Severity.ERROR: "no package has that name, and one has nearly it",
         Severity.INFO: "where a declared dependency brings or may bring it, an unreleased repository declares it in "
-        "another package or installs it by apt, or package.xml has it in a comment or for older distributions alone",
+        "another package or installs it by apt, package.xml has it in a comment or for older distributions alone, or "
+        "it needs this package itself",
     },
     examples=(
         Example(
@@ -62,8 +63,9 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
     Interface files that CMakeLists.txt does not generate are left alone (see IDL005). What a declared dependency
     certainly installs is one info, which names who brings it. What may come with a declared one is another: with a
     package that is neither here nor in the table of what is installed with what, anything may come. What another
-    package of the repository declares, or a list or a script of it installs (apt alone), is an info where nothing
-    shows a release.
+    package of the repository declares, or a list or a script of it installs (apt alone), is an info where nothing shows
+    a release. A package here that needs this one itself is an info, for to declare it would make a circle; where it
+    declares this one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.

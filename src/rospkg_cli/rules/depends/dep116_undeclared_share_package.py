@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_unmet
 from ...checks.looked_up_packages import LookedUpPackages
-from ...checks.lookups_for_users import CIRCLE, ROUND
+from ...checks.lookups_for_users import ROUND
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest, scripts, setup_py
 from ...finding import Hit, Safety, Severity
@@ -32,7 +32,7 @@ NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
         Severity.INFO: "a dependency brings or may bring it, an unreleased repository declares it in another package "
         "or installs it by apt, package.xml has it in a comment or for older distributions alone, an `if` chooses it, "
         "nothing leads to the place, nothing starts the program, or only packages that have it, or none, use the "
-        "library that looks for it"
+        "library that looks for it, or it needs this package itself"
     },
     examples=(
         Example(
@@ -63,7 +63,8 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     shows a release. What a library without programs looks for is an info where that package uses the library itself,
     where no package here uses it nor a page builds it by name or imports it, or where each that calls the function or
     links the library declares what is looked for, or something that brings it, or starts something of it. So is a
-    package whose launch files start programs of this one.
+    package of the workspace that itself needs this one, as its launch files start programs of it: to declare it would
+    make a circle.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. There is none
@@ -81,7 +82,7 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
         if bringer := bringers.get(name):
             brought.append(BroughtUse(name, bringer, "exec_depend", first.path, first.span))
             continue
-        goes_round = first.why_seldom in (ROUND, CIRCLE)
+        goes_round = first.why_seldom == ROUND
         todo = "" if goes_round else f"; {advice(declared, 'exec_depend', name)}"
         message = (
             f"`{name}` is not declared, and this looks for files of it: {where_absent(declared, name)} the node "
