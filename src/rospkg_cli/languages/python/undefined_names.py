@@ -44,11 +44,11 @@ class UndefinedName:
     """Whether it is in a `try` that catches every exception."""
 
 
-def undefined_names(file: PythonFile, *, everywhere: bool = False) -> Iterator[UndefinedName]:
+def undefined_names(file: PythonFile, *, everywhere: bool = False, with_types: bool = False) -> Iterator[UndefinedName]:
     """Yield uses of names that no scope around them binds; none where a file may have names that it does not show.
 
-    Everywhere: also in annotations and where any exception is caught, and in files with star imports, of which whoever
-    asks knows what they bring.
+    With types: also in annotations. Everywhere: there, where any exception is caught, and in files with star imports,
+    of which whoever asks knows what they bring.
     """
     if file.has_dynamic_names or (not everywhere and any("*" in each.names for each in file.imports)):
         return
@@ -60,7 +60,8 @@ def undefined_names(file: PythonFile, *, everywhere: bool = False) -> Iterator[U
     for name, known in found:
         each = UndefinedName(name.id, file.span(name), known, id(name) in annotations, id(name) in caught)
         is_read = not each.is_annotation or "annotations" not in file.definitions
-        if is_read if everywhere else not (each.is_annotation or each.is_caught):
+        is_asked = everywhere or (not each.is_caught and (with_types or not each.is_annotation))
+        if is_asked and is_read:
             yield each
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.late_names import late_names
+from ...checks.launch.meant_names import hint
 from ...checks.launch.wrong_imports import wrong_attributes, wrong_imports
 from ...checks.module_attributes import absent_attributes
 from ...example import Example, manifest
@@ -15,9 +16,7 @@ from ...languages.python.unreached_functions import unreached_functions
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_evaluator import ENTRIES, stops_with
 from ...package.launch.launch_file import LaunchFile
-from ...ros.launch_exports import exporting_module
 from ...rule import rule
-from ...suggest import nearest
 
 NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
 BAD = """\
@@ -59,7 +58,7 @@ class UseOfName:
     over=LaunchFile,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the name is used in one branch of an `if`",
+        Severity.WARNING: "the name is used in one branch of an `if`, or in an annotation",
         Severity.INFO: "the function that uses it is never called",
     },
     examples=(
@@ -95,7 +94,7 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
         return
     found: dict[str, list[UseOfName]] = {}
     wrong = list(wrong_imports(file.python))
-    for name in undefined_names(file.python):
+    for name in undefined_names(file.python, with_types=True):
         if name.name not in {each.near for each in wrong}:  # its import is misspelt
             found.setdefault(name.name, []).append(weighed(file.python, name))
     for uses in found.values():
@@ -127,14 +126,8 @@ def weighed(file: PythonFile, found: UndefinedName) -> UseOfName:
             ends = f"`{each.name}` raises NameError once something calls it, which nothing here does"
             return UseOfName(found, Severity.INFO, ends)
     ends = f"{stops_with(file)} NameError"
+    if found.is_annotation:
+        return UseOfName(found, Severity.WARNING, f"before Python 3.14, which Lyrical has, {ends}")
     if is_in_branch(file, found.span):
         return UseOfName(found, Severity.WARNING, f"{ends} where it gets here")
     return UseOfName(found, None, ends)
-
-
-def hint(found: UndefinedName) -> str:
-    home = exporting_module(found.name)
-    if home:
-        return f"; add `from {home} import {found.name}`"
-    near = nearest(found.name, found.known)
-    return f"; did you mean `{near}`?" if near else ""
