@@ -164,6 +164,27 @@ def test_packages_of_one_name_for_two_distributions(folders: tuple[str, str], le
 
 
 @pytest.mark.parametrize(
+    "folders, level",
+    [
+        (("week1/a", "week2/a"), "info"),
+        (("lab_01/start/a", "lab_02/start/a"), "info"),
+        (("17-publisher", "21-interfaces/a"), "info"),
+        (("course/week1/a", "course/week2/b/a"), "info"),
+        (("week1/a", "final/a"), "warning"),
+        (("a", "a2"), "warning"),
+        (("week1", "week2"), "warning"),
+        (("src/week1/a", "src/week2/a"), "error"),
+        (("course_ws/week1/a", "course_ws/week2/a"), "error"),
+    ],
+)
+def test_packages_of_one_name_in_the_steps_of_a_course(folders: tuple[str, str], level: str) -> None:
+    files = {f"{each}/package.xml": manifest("", "cmake", "my_pkg") for each in folders}
+    (finding,) = lint_files(files, ["WSP001"]).findings
+    assert finding.severity.value == level
+    assert ("numbered as steps" in finding.message) == (level == "info")
+
+
+@pytest.mark.parametrize(
     ("folders", "selected", "told"),
     [
         (("one_ws/src/a", "two_ws/src/b"), "", 0),

@@ -6,7 +6,7 @@ import posixpath
 import re
 from collections.abc import Iterator, Set
 
-from ...checks.older_distribution import called
+from ...checks.workspace.built_apart import are_of_two, are_steps
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...lazy_regex import regex
@@ -28,7 +28,7 @@ MARKED = manifest(build_type="ament_cmake").replace("<name>my_pkg", "<name>«my_
     levels={
         Severity.WARNING: "no `src` and no folder called `…_ws` is above one of them, or one is laid aside",
         Severity.INFO: "one of them is for ROS 1, lies outside of the workspace around the other, or their folders are "
-        "called as for different distributions",
+        "called as for different distributions, or numbered as steps with no `src` above",
     },
     examples=(
         Example(
@@ -53,11 +53,13 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
     colcon refuses to build the whole workspace: "Duplicate package names not supported".
 
     ## When it is quiet
-    Folders below an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE) are no packages. Two workspaces side by
-    side (`one_ws/src` and `other_ws`, `ws/one/src` and `ws/other/src`) are built apart; so is one within another where
-    only the inner one is linted. Folders that are called as for different distributions (`humble/`, `jazzy/`) are
-    built one at a time: an info. So is a copy outside of the folder called as a workspace that the other one lies in:
-    nothing shows that colcon is started above both. All packages of one name are one finding.
+    Folders below an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE) are no packages. Two workspaces side
+    by side (`one_ws/src` and `other_ws`, `ws/one/src` and `ws/other/src`) are built apart; so is one within another
+    where only the inner one is linted. Folders that are called as for different distributions (`humble/`, `jazzy/`)
+    are built one at a time: an info. So are those that are numbered as the steps of a course (`week1/`, `week2/`;
+    `17-publisher`, `21-interfaces`), unless a `src` or a folder called as a workspace is above them. So is a copy
+    outside of the folder called as a workspace that the other one lies in: nothing shows that colcon is started
+    above both. All packages of one name are one finding.
     """
     for facts, copies in ((each, same) for same in workspace.repeated for each in same):
         others = [each for each in copies if each is not facts and are_built_together(facts, each, workspace.selected)]
@@ -74,6 +76,8 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
                 f"`{first}` is called `{facts.name}` too: {end} (`Duplicate package names not "
                 f"supported`); rename one, or put a COLCON_IGNORE into the copy"
             )
+            if level is Severity.INFO and all(are_steps(facts.folder, each.folder) for each in others):
+                message += "; their folders are numbered as steps, of which one is built at a time"
             related = tuple(Related(each.at("package.xml"), each.name_span, "the other one") for each in others)
             yield Hit(facts.at("package.xml"), facts.name_span, message, level, related=related)
 
@@ -88,13 +92,9 @@ def level_of(facts: PackageFacts, other: PackageFacts) -> Severity:
         return Severity.INFO
     is_one = any(map(is_root, one[:shared])) and not any(map(is_root, one[shared:] + two[shared:]))
     is_aside = any(is_set_aside(f"{each.folder}/") for each in (facts, other))
+    if not is_one and are_steps(facts.folder, other.folder):
+        return Severity.INFO
     return Severity.ERROR if is_one and not is_aside else Severity.WARNING
-
-
-def are_of_two(one: str, other: str) -> bool:
-    """Return whether folders are called as being for different distributions: `humble` and `jazzy`."""
-    here, there = called(one), called(other)
-    return bool(here) and bool(there) and here.isdisjoint(there)
 
 
 def is_root(name: str) -> bool:
