@@ -81,6 +81,8 @@ def advice(declared: DeclaredDependencies, tag: str, name: str, *serving: str) -
             return f"add {written(declared, tag, name)}{only}{told}"
         case "pip":
             return f"<{tag}>{name}</{tag}> installs it from PyPI, and prevents a release"
+        case "unknown" if told := declared.hidden.told(name):
+            return told
         case "unknown" if near := SimilarNames(declared.workspace).meant(name):
             return f"did you mean `{near}`?"
         case "unknown" if not declared.workspace.is_complete:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
@@ -31,6 +32,9 @@ from .brought_dependencies import (
 from .declared_beside import brought_in, is_declared_by_others
 from .intended_names import intended_names, key_of_cmake_name
 from .system_installs import SystemInstalls
+
+if TYPE_CHECKING:
+    from .hidden_packages import HiddenPackages
 
 MAX_DEPTH = 20
 
@@ -225,6 +229,13 @@ class DeclaredDependencies:
     @cached_property
     def installs(self) -> SystemInstalls:
         return SystemInstalls(self.release.files, self.workspace)
+
+    @cached_property
+    def hidden(self) -> HiddenPackages:
+        """The packages that lie where colcon does not look; imported where a name is known nowhere."""
+        from .hidden_packages import HiddenPackages
+
+        return HiddenPackages(self.release.files, self.workspace)
 
     @cached_property
     def commented_out(self) -> frozenset[str]:

@@ -48,13 +48,14 @@ def is_left_out(declared: DeclaredDependencies, name: str) -> bool:
     """Return whether a dependency is missing on purpose: package.xml has it in a comment or for older distributions
     alone, or it may come otherwise.
 
-    A package that no distribution has may lie in a repository that a `.repos` file lists, in an empty submodule, or in
-    another one of the same family.
+    A package that no distribution has may lie in a repository that a `.repos` file lists, in an empty submodule, in
+    another one of the same family, or here where colcon does not look, and be built by a container or a script.
     What only PyPI has is left to pip, since a key of pip keeps a package from being released.
     """
     source = source_of(declared, name)
     is_elsewhere = source == "pip" or (source == "unknown" and not declared.workspace.is_complete)
     is_elsewhere = is_elsewhere or (source == "unknown" and is_of_family(declared, name))
+    is_elsewhere = is_elsewhere or (source == "unknown" and declared.hidden.is_built(name))
     return is_elsewhere or name in declared.commented_out or name in declared.for_other_distributions
 
 

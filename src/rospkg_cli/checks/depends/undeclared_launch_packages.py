@@ -42,6 +42,7 @@ STARTER = "ros2launch"
 READMES = ("README.md", "README.rst", "readme.md", "README.txt", "README")
 README = regex(r"(?i:readme)(?:\.\w+)?")
 LINK = regex(r"\bgit(?:hub|lab)\.com[/:][\w.-]+/([\w.-]{3,})")
+CLONE = regex(r"\bgit[ \t][^\n;&|]*?\bclone\b[^\n;&|]*?[:/][\w.-]+/([\w.-]{3,})(?=[\s\"'`;&|]|$)")
 
 
 @dataclass(frozen=True)
@@ -114,7 +115,9 @@ class LaunchDependencies:
         return not workspace.is_available(name) and workspace.kind_of(name) not in (NameKind.PACKAGE, NameKind.KEY)
 
     def is_told(self, name: str) -> bool:
-        """Return whether a README links to the repository of an unknown package, which users clone by hand."""
+        """Return whether a README links to the repository of an unknown package, which users clone by hand, or a
+        container, a job, a script or a page clones it.
+        """
         return self.is_unknown_package(name) and any(normalized(name).startswith(each) for each in self.linked)
 
     @cached_property
@@ -124,7 +127,9 @@ class LaunchDependencies:
         above = self.files.above(READMES)
         if above is not None and self.files.whole is not None:
             own.append(PackageFiles(self.files.whole).readable_text(above))
-        found = {normalized(match[1].removesuffix(".git")) for text in own for match in LINK.finditer(text)}
+        links = [match[1] for text in own for match in LINK.finditer(text)]
+        links += [match[1] for text in self.declared.hidden.texts for match in CLONE.finditer(text)]
+        found = {normalized(each.removesuffix(".git")) for each in links}
         around = [normalized(name) for name in self.declared.workspace.names]
         return frozenset(each for each in found if not any(name.startswith(each) for name in around))
 
@@ -134,6 +139,8 @@ class LaunchDependencies:
         Another word makes another package: one of the same vendor, which is not here. A variable's `_dir` makes none.
         """
         if not self.is_unknown_package(name) or self.declared.workspace.is_listed(name):
+            return None
+        if self.declared.hidden.folder_of(name):
             return None
         near = nearest(name, self.known_names)
         is_same = near is not None and (is_misspelt(name, near) or OF_VARIABLES.sub("", name) == near)

@@ -73,14 +73,15 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     package whose node is launched, and what launch files need as well (DEP103). Plugins of robots and RViz configs are
     infos, and so are those of parameter files in a package that launches nothing that loads plugins
     (controller_manager, nav2, MoveIt), or in a file that no launch file for ROS 2 names, nor an opened robot: others
-    may use it without them. So is a controller that is not spawned where launch files spawn others of its file, or
-    load none at all, one whose type is in a comment, a plugin that no list beside it names (`plugins: [static_layer]`), a type that
-    comes with the node which loads it (`geometry_msgs` with joy_teleop), and what a robot needs that nothing opens, or
-    only where an argument turns it on (`GAZEBO:=true`), in a macro that nothing calls, in the default of an argument
-    that each launch file gives, or in a property that nothing reads, what stands as `$(find …)` in SDF without a word
-    of xacro, and what another package of the repository declares, or a list or a script of it installs (apt alone),
-    where nothing shows a release. A package here that needs this one itself is an info, for to declare it would make a
-    circle; where it declares this one, nothing is said.
+    may use it without them. So is a controller that is not spawned where launch files spawn others of its file, or load
+    none at all, one whose type is in a comment, a plugin that no list beside it names (`plugins: [static_layer]`), a
+    type that comes with the node which loads it (`geometry_msgs` with joy_teleop), and what a robot needs that nothing
+    opens, or only where an argument turns it on (`GAZEBO:=true`), in a macro that nothing calls, in the default of an
+    argument that each launch file gives, or in a property that nothing reads, what stands as `$(find …)` in SDF without
+    a word of xacro, and what another package of the repository declares, or a list or a script of it installs (apt
+    alone), where nothing shows a release, and unknown packages that a script clones, or builds from a folder here that
+    colcon passes by. A package here that needs this one itself is an info, for to declare it would make a circle; where
+    it declares this one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. Where this
@@ -111,7 +112,8 @@ def undeclared(robots: RobotUses, tag: str, name: str, uses: list[RobotUse]) -> 
     message = f"`{name}` is not declared, {first.usage}: {where_absent(declared, name)} {first.consequence}; {todo}"
     message += first.why if all(use.is_optional for use in uses) else ""
     fix = None if meant else declaration(declared, tag, name)
-    mild = is_unmet(declared, name) or all(use.is_optional for use in uses)
+    is_elsewhere = is_unmet(declared, name) or (meant is None and robots.launch.is_told(name))
+    mild = is_elsewhere or all(use.is_optional for use in uses)
     places = related((use.path, use.span) for use in uses)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)
 
