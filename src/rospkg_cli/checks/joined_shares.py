@@ -27,8 +27,16 @@ REACH = 200
 """The most characters between a share directory and a name that is joined to it."""
 ENDS = regex(r"\n[ \t]*\w+[ \t]*=[^=]|\n[ \t]*\n|\.\w{1,6}[\"']|[;<]")
 """What stands between names that have nothing to do with each other: another statement, or another file."""
+PLACES = r"(?<![\w.-])(?:/home/|/root/|/Users/|~/|\$\{?HOME\b|(?<!/)(?:\./)?src/)(?![^\"'\n]*/share/)"
+BASE = regex(
+    rf"{PLACES}|\bexpanduser\(|\bget_?cwd\(|\bcurrent_path\(|\bPath\.(?:home|cwd)\(|\benv[ \t]+HOME\b"
+    r"|(?:\benviron\b|\bgetenv\b|\bEnvironmentVariable\b)[^\n]{0,20}[\"'](?:HOME|PWD)[\"']"
+)
+"""Where a path begins that leads into the source folder or somebody's home."""
 UNKNOWN = ""
 """A package whose name is not known."""
+ELSEWHERE = "/"
+"""Of no package: what is joined to another folder."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +57,9 @@ class JoinedShares:
     def owner(self, at: int) -> str | None:
         """Return the package in whose share directory a place names a file; None where it looks up none."""
         before = [(end, name) for end, name in self.lookups if at - REACH <= end <= at]
+        start = before[-1][0] if before else max(at - REACH, self.text.rfind("\n", 0, at) + 1)
+        if BASE.search(self.text, start, at):
+            return ELSEWHERE
         if not before:
             return None
         end, name = before[-1]

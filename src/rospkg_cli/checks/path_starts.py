@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Iterator
 
 from ..files import PackageFiles
 from .pages_and_scripts import pages_and_scripts
+from .scripts_above import scripts_above
 
 ALONE = "; the pages and scripts here start this file by its path alone, and there it is found"
 
@@ -17,10 +19,15 @@ def is_started_by_path(files: PackageFiles, path: str) -> bool:
     started = re.compile(
         rf"(?m)^[^#\n]*\bpython[\d.]*[ \t]+(?:-[a-zA-Z]+[ \t]+)*[\"']?(?:[^\s\"';&|]*/)?{name}(?![\w.])"
     )
-    return any(map(started.search, pages_and_scripts(files)))
+    return any(map(started.search, texts_of(files)))
 
 
 def is_started_by_path_alone(files: PackageFiles, package: str, path: str) -> bool:
     """Return whether a text has Python run a file, and none has `ros2` run or launch something of its package."""
     by_name = re.compile(rf"\bros2[ \t]+(?:run|launch)[ \t]+{re.escape(package)}(?![\w-])")
-    return is_started_by_path(files, path) and not any(map(by_name.search, pages_and_scripts(files)))
+    return is_started_by_path(files, path) and not any(map(by_name.search, texts_of(files)))
+
+
+def texts_of(files: PackageFiles) -> Iterator[str]:
+    yield from pages_and_scripts(files)
+    yield from scripts_above(files)

@@ -13,11 +13,7 @@ from ..package.launch.live_text import live_text
 from ..package.workspace import Workspace
 from .joined_shares import JoinedShares
 from .opened_elsewhere import CODE, CPP, is_opened_elsewhere
-from .pages_and_scripts import pages_and_scripts
 from .share_references import references_folder
-
-BY_PATH = regex(r"\b(?:ros2[ \t]+launch|python3?)[ \t]+([^\s`\"']+)")
-"""A launch file that is started where it lies: behind `ros2 launch` stands no package."""
 
 EXAMPLE = regex(r"(?i)(?<![a-z])(?:examples?|samples?|templates?)(?![a-z])")
 """A word in the name of a file that people copy into a package of their own."""
@@ -71,18 +67,13 @@ class ShareUses:
     def opens_in_source(self, folder: str) -> bool:
         """Return whether the README or code opens the folder's files where they lie: `src/…/config/a.yaml`."""
         place = re.escape(folder)
-        written = re.compile(
-            rf"\bsrc/[^\s`]{{0,{REACH}}}\b{place}/|--params-file[ \t](?!\$)[^\s`]{{0,{REACH}}}\b{place}/"
-        )
+        source = r"\bsrc/|(?<![\w.-])(?:/home/|/root/|/Users/|~/)|--params-file[ \t](?!\$)"
+        written = re.compile(rf"(?:{source})(?![^\s`\"']*/share/)[^\s`]{{0,{REACH}}}\b{place}/")
         if any(written.search(text) for text in (*self.readmes, *self.code)):
             return True
-        names = {path.rpartition("/")[2] for path in self.files.below(folder)} if folder == "launch" else set()
-        return any(found[1].rpartition("/")[2] in names for text in self.pages for found in BY_PATH.finditer(text))
+        from .started_by_place import is_started_by_place  # what findings alone need
 
-    @cached_property
-    def pages(self) -> tuple[str, ...]:
-        """The pages and scripts of the package, and those above it that say how all is built."""
-        return pages_and_scripts(self.files)
+        return folder == "launch" and is_started_by_place(self.files, self.name, folder)
 
     @cached_property
     def code(self) -> tuple[str, ...]:

@@ -62,10 +62,11 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     ## When it is quiet
     Where install rules can't be evaluated (what the build makes hides only its destination), where a macro of another
     package is called, which may install files, where another command names the folder, and where git ignores its files.
-    Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`), it is an info. It is
-    one, too, where neither the package nor another one of the workspace that names it seems to open the folder or a
-    file in it: they may be leftovers, or notes. Launch files are opened by `ros2 launch`, but for those whose names all
-    say `example` or `template`, which people copy.
+    Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`), code does so there or in
+    somebody's home, or pages and scripts start launch files by their paths alone (`ros2 launch src/…/a.launch.py`), it
+    is an info. It is one, too, where neither the package nor another one of the workspace that names it seems to open
+    the folder or a file in it: they may be leftovers, or notes. Launch files are opened by `ros2 launch`, but for those
+    whose names all say `example` or `template`, which people copy.
     """
     package, place = folders.package, folders.insertion_call
     if not package.is_ament or place is None:

@@ -58,9 +58,11 @@ def data_folder_not_installed(shared: ShareFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Where `data_files` can't be evaluated, or setup.py may write files, where a glob names the folder, and where git
-    ignores its files. Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`), it is
-    an info. It is one, too, where neither the package nor another one of the workspace that names it seems to open the
-    folder or a file in it: they may be leftovers, or notes. Launch files are opened by `ros2 launch`.
+    ignores its files. Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`), code does
+    so there or in somebody's home, or pages and scripts start launch files by their paths alone
+    (`ros2 launch src/…/a.launch.py`), it is an info. It is one, too, where neither the package nor another one of the
+    workspace that names it seems to open the folder or a file in it: they may be leftovers, or notes. Launch files are
+    opened by `ros2 launch`.
     """
     package = shared.package
     setup = package.setup
