@@ -11,6 +11,7 @@ from ...lazy_regex import regex
 from ...source import Source
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
+from .opened_by_code import is_for_code
 from .parameter_file import ParameterFile
 from .passed_files import handed_files
 
@@ -21,12 +22,16 @@ TEMPLATE = regex(r"\{\{|\{%|<%")
 
 
 def read_parameter_files(reading: ReaderInput) -> Iterator[ParameterFile | Unreadable]:
-    """Read the YAML files that have a block of ROS parameters (perhaps misspelt) or are passed to nodes."""
+    """Read the YAML files that have a block of ROS parameters (perhaps misspelt) or are passed to nodes.
+
+    Those that only code opens are none.
+    """
     handed = handed_files(reading)
     for path in reading.files.paths:
         if path.endswith((".yaml", ".yml")) and role_of(path) not in ("test", "aside"):
             source = text_of(reading, path)
-            if source and is_parameter_file(source, path in handed):
+            is_found = source is not None and is_parameter_file(source, path in handed)
+            if source and is_found and (path in handed or not is_for_code(path, reading)):
                 try:
                     yield ParameterFile(source, tuple(documents(source)))
                 except UnreadableError as error:

@@ -70,7 +70,8 @@ def missing_ros_parameters(scope: RefusedValues) -> Iterator[Hit]:
     ## When it is quiet
     Only YAML files that hold a block of parameters (perhaps misspelt), begin with `/**:`, or are passed to a node by a
     launch file are read; those of tests, and templates, are not. Where a launch file parses the file itself
-    (`yaml.safe_load`) and gives no node its path, a block without the key may be for something else. It is an error
+    (`yaml.safe_load`) and gives no node its path, a block without the key may be for something else; nothing is said of
+    a file that only code opens: launch for single values of it, or a program by a parser of its own. It is an error
     only where a launch file of the workspace gives a node the file by its path, and an info where nothing of the
     workspace names the file, or gives it to nodes alone that nobody starts.
 

@@ -90,14 +90,14 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
 
     ## When it is quiet
     A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
-    three names. Where declarations differ, a type is not known, or a launch file or script fills the value in, nothing
-    is said, nor where the releases of a well-known package differ; what Humble does not declare yet is an info, unless
-    pages name newer distributions alone. Where pages and scripts name Foxy alone, which takes any type, only what
-    well-known packages declare is told, as an info; where other pages or names of files do, all is an info. Where
-    nothing names the file but an argument that no launch file takes, nothing adds the action that starts the node, no
-    node that is started (and configured) with the file reads the block, code declares what only ends so (`prefix +
-    '.x'`), no list of the block has the plugin, or only the name of one tells which well-known package is meant, it is
-    an info; nav2's nodes are known by several blocks together. Launch files that ROS 2 refuses (LCH006) are left alone.
+    three names. Where declarations differ, a type is not known, a launch file or script fills the value in, or only
+    code opens the file, nothing is said, nor where releases of a well-known package differ; what Humble lacks yet is an
+    info, unless pages name newer distributions alone. Where pages and scripts name Foxy alone, which takes any type,
+    only types of well-known packages are told, as an info; where other pages or names of files do, all is an info.
+    Where nothing names the file but an argument that no launch file takes, nothing adds the action that starts the
+    node, no node that is started (and configured) with the file reads the block, code declares what only ends so
+    (`prefix + '.x'`), no list of the block has the plugin, or only the name of one tells which well-known package is
+    meant, it is an info; nav2's nodes are known by several blocks. Launch files for ROS 1 (LCH006) are left alone.
     """
     told, is_old = set(), scope.distribution.is_named_alone
     for group in () if is_old else scope.given.groups():
