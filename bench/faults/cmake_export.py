@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from bench.faults.cmake_names import handed_on
 from bench.faults.cmake_stop import brought_by
 from bench.faults.fault import PutFault
 from bench.faults.kinds import kind
@@ -12,7 +13,7 @@ from bench.faults.source_package import SourcePackage
 
 CMAKE = r"^CMakeLists\.txt$"
 NOT_LINKED = "it has programs alone, or what is loaded at run time, and nothing here links it"
-LOADED = "PLUGINLIB_EXPORT_CLASS|RCLCPP_COMPONENTS_REGISTER_NODE"
+LOADED = r"PLUGINLIB_EXPORT_CLASS|RCLCPP_COMPONENTS_REGISTER_NODE|(?:GZ|GAZEBO|IGNITION)_(?:REGISTER|ADD)_\w*PLUGIN"
 
 
 @kind("cmake export", is_seen_outside=True)
@@ -82,7 +83,9 @@ def generation_dependency_lost(package: SourcePackage) -> Iterator[PutFault]:
     for name in sorted(used - {package.name, "builtin_interfaces"}):  # that one comes with most others
         pattern = rf"rosidl_generate_interfaces\([^()]*DEPENDENCIES[^()]*?(\b{name}\b)[^()]*\)"
         for spot in package.spots(CMAKE, pattern):
-            if name not in brought_by(set(re.findall(r"\w+", spot.match[0])) - {name}):
+            others = set(re.findall(r"\w+", spot.match[0])) - {name}
+            handed = (handed_on(package, each) for each in others & package.siblings.keys())
+            if name not in brought_by(others).union(*handed):
                 yield spot.put("", name)
 
 

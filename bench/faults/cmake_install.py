@@ -108,7 +108,8 @@ def install_of_program_lost(package: SourcePackage) -> Iterator[PutFault]:
         is_ros1 = package.holds(rf"(^|/){re.escape(spot.word)}$", r"^import rospy")
         is_there = spot.word in package.files
         if is_there and package.holds(CMAKE, rf"install\(\s*PROGRAMS[^()]*{spot.word}") and not is_ros1:
-            yield spot.drop(spot.word.rpartition("/")[2])
+            runs = package.holds(rf"^{re.escape(spot.word)}$", r"\A#!|__name__|^(?:main|rclpy\.\w+)\(")
+            yield spot.drop(spot.word.rpartition("/")[2]).known(runs, "it runs nothing: other code imports it")
 
 
 @kind("cmake install")

@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from bench.faults.cmake_names import FAMILIES, handed_on
-from bench.faults.cmake_stop import brought_by
+from bench.faults.cmake_names import handed_on
+from bench.faults.cmake_stop import BROUGHT, brought_by
 from bench.faults.fault import PutFault, Spot
 from bench.faults.kinds import kind
 from bench.faults.known import INTERFACES
 from bench.faults.source_package import SourcePackage
+from rospkg_cli.ros.read_table import rows
 
 CMAKE = r"^CMakeLists\.txt$"
 CALL = r"^{}\(\s*(\$\{{PROJECT_NAME\}}|\w+)\b[^()]*\)[ \t]*\n"
@@ -63,8 +64,9 @@ def target_dependency_lost(package: SourcePackage) -> Iterator[PutFault]:
     package_name = r"(\"?(sensor_msgs|nav_msgs|std_srvs|cv_bridge)\"?)"
     pattern = rf"^ament_target_dependencies\([^()]*?(?<=\s){package_name}(?=[\s)])[^()]*\)"
     for spot in package.spots(CMAKE, pattern) if len(targets) == 1 else ():
-        others = set(re.findall(r"\b[a-z]\w+", spot.match[0])[2:]) - {spot[2]}
-        is_known = all(each in {*package.siblings, *INTERFACES} or each.startswith(FAMILIES) for each in others)
+        others = set(re.findall(r"[a-z]\w+", re.sub(r"^\w+\(\s*\S+", "", spot.match[0]))) - {spot[2]}
+        known = {*package.siblings, *INTERFACES, *BROUGHT, *rows("exported_dependencies.txt")}
+        is_known = others <= known
         if package.holds(r"^(src|include)/.*\.(cpp|hpp)$", rf"#include\s*[<\"]{spot[2]}/"):
             brought = brought_by(others).union(*(handed_on(package, each) for each in others & package.siblings.keys()))
             if spot[2] not in brought:

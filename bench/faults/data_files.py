@@ -78,4 +78,8 @@ def data_without_package_name(package: SourcePackage) -> Iterator[PutFault]:
 @kind("setup.py")
 def data_into_mistyped_share(package: SourcePackage) -> Iterator[PutFault]:
     for spot in in_setup(package, r"['\"](share)['\"],\s*package_name,\s*['\"](\w+)"):
-        yield spot.put("shre", spot[2])
+        ending = re.search(r"\*([\w.*-]*)['\"]", spot.text[spot.match.end() :].split("\n", 1)[0])
+        files = package.matching(
+            rf"^{spot[2]}/.*{re.escape(ending[1]).replace(chr(92) + '*', '.*') if ending else ''}$"
+        )
+        yield spot.put("shre", spot[2]).known(bool(files), "the pattern takes no file there")

@@ -60,6 +60,7 @@ def only(package: SourcePackage, pattern: str) -> Iterator[Spot]:
             yield spot
 
 
+NOT_INSTALLED = "nothing installs Python code"
 TAGGED = r"(<(?P<tag>{tag})>(?P<name>{name})</(?P=tag)>)"
 
 
@@ -76,14 +77,20 @@ def exec_depend_of_what_is_compiled(package: SourcePackage) -> Iterator[PutFault
 def build_depend_of_what_is_imported(package: SourcePackage) -> Iterator[PutFault]:
     for name in sorted(package.words(OWN_PYTHON, r"^(?:from|import)\s+(\w+)")):
         for spot in only(package, TAGGED.format(tag="(?:exec_)?depend", name=name)):
-            yield spot.put(f"<build_depend>{name}</build_depend>", name)
+            fault = spot.put(f"<build_depend>{name}</build_depend>", name)
+            yield fault.known(is_installed(package), NOT_INSTALLED)
 
 
 @kind("manifest")
 def test_depend_of_what_is_imported(package: SourcePackage) -> Iterator[PutFault]:
     for name in sorted(package.words(OWN_PYTHON, r"^(?:from|import)\s+(\w+)")):
         for spot in only(package, TAGGED.format(tag="(?:exec_)?depend", name=name)):
-            yield spot.put(f"<test_depend>{name}</test_depend>", name)
+            fault = spot.put(f"<test_depend>{name}</test_depend>", name)
+            yield fault.known(is_installed(package), NOT_INSTALLED)
+
+
+def is_installed(package: SourcePackage) -> bool:
+    return package.is_python or package.holds(CMAKE, r"install\w*\(|auto_package")
 
 
 @kind("manifest")

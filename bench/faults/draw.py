@@ -12,6 +12,7 @@ from bench.faults.source_package import SourcePackage
 
 MOST = 200
 """So many places are looked at in one package."""
+NOT_BUILT = "colcon builds the package by its setup.py, and nobody runs its CMakeLists.txt"
 
 
 def draw(
@@ -25,6 +26,7 @@ def draw(
         if drawn == count:
             return
         places = [each for each in islice(kind.places(package), MOST) if changes(package, each)]
+        places = [each.known(is_built(package, each), NOT_BUILT) for each in places]
         if places:
             drawn += 1
             yield package, chance.choice(places)
@@ -43,6 +45,11 @@ def in_rounds(packages: Sequence[SourcePackage], chance: random.Random) -> list[
         seen[package.repository] = seen.get(package.repository, 0) + 1
         rounds.append((seen[package.repository], package))
     return [package for _, package in sorted(rounds, key=lambda each: each[0])]
+
+
+def is_built(package: SourcePackage, fault: PutFault) -> bool:
+    """Return whether anything runs the file at fault, if it is one of CMake."""
+    return not (package.is_python and fault.path.endswith("CMakeLists.txt"))
 
 
 def changes(package: SourcePackage, fault: PutFault) -> bool:

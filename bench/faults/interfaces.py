@@ -24,6 +24,9 @@ def interface_kind(places: Places) -> Places:
         for fault in places(package):
             name = re.escape(fault.path.rpartition("/")[2].partition(".")[0])
             is_listed = package.holds(CMAKE, rf"\b{name}\b|GLOB")
+            listed = package.words(CMAKE, rf"([\w/]+/{name}\.(?:msg|srv|action))\b")
+            is_another = bool(listed) and not any(fault.path.endswith(f"/{each}") for each in listed)
+            fault = fault.known(not is_another, "CMake lists another file of that name")
             yield fault.known(is_listed and package.holds(CMAKE, r"rosidl|generate_interfaces"), UNUSED)
 
     return kind("interfaces")(weighed)

@@ -26,5 +26,6 @@ def has_known_interfaces(package: SourcePackage, name: str) -> bool:
     return name in INTERFACES or name in package.siblings
 
 
-def is_in_repository(package: SourcePackage, name: str) -> bool:
-    return any(package.repository.rglob(name))
+def is_in_repository(package: SourcePackage, name: str, but: str = "") -> bool:
+    """Return whether a file of that name is there, other than the one that names it."""
+    return any(each != package.repository / but for each in package.repository.rglob(name))

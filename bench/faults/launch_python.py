@@ -146,8 +146,9 @@ def launch_mistyped_folder(package: SourcePackage) -> Iterator[PutFault]:
 @kind("launch python")
 def launch_mistyped_share(package: SourcePackage) -> Iterator[PutFault]:
     for spot in launch_spots(
-        package, r"(?:get_package_share_directory|FindPackageShare|get_package_share_path)\(\s*['\"](\w+)['\"]"
-    ):
+        package,
+        r"(?:get_package_share_directory|FindPackageShare|get_package_share_path)\(\s*['\"](\w+)['\"](?!\s*\)\.find\()",
+    ):  # `.find(name)` looks for its own name alone
         yield spot.typo()
 
 
@@ -155,8 +156,12 @@ def launch_mistyped_share(package: SourcePackage) -> Iterator[PutFault]:
 def launch_mistyped_include_argument(package: SourcePackage) -> Iterator[PutFault]:
     for spot in launch_spots(package, r"launch_arguments\s*=\s*\{\s*['\"](\w+)['\"]\s*:"):
         included = re.findall(r"['\"/]([\w.-]+\.launch\.\w+|\w+_launch\.\w+)['\"]", spot.text[: spot.match.start()])
-        if included and is_in_repository(package, included[-1]):
-            yield spot.typo()
+        if included and is_in_repository(package, included[-1], spot.path):
+            bound = re.findall(
+                r"^\s*(\w+)\s*=\s*(?:\w+\.)*IncludeLaunchDescription\(", spot.text[: spot.match.start()], re.M
+            )
+            is_added = not bound or len(re.findall(rf"\b{bound[-1]}\b", spot.text)) > 1
+            yield spot.typo().known(is_added, "nothing adds the action")
 
 
 COMPONENT = r"package\s*=\s*['\"](\w+)['\"],\s*plugin\s*=\s*['\"](?:\w+::)+(\w+)['\"]"

@@ -19,7 +19,8 @@ YAML = r"((^|/)launch/.*\.ya?ml|\.launch\.ya?ml)$"
 def frontend(package: SourcePackage, pattern: str, group: int = 1) -> Iterator[Spot]:
     """Yield the places in launch files of ROS 2 in XML."""
     for spot in package.spots(XML, pattern, group):
-        if "<launch" in spot.text and " type=" not in spot.text and is_well_formed(spot.text):
+        is_of_ros1 = " type=" in spot.text or ("$(find " in spot.text and "$(find-pkg" not in spot.text)
+        if "<launch" in spot.text and not is_of_ros1 and is_well_formed(spot.text):
             yield spot
 
 
@@ -100,7 +101,9 @@ def xml_mistyped_argument(package: SourcePackage) -> Iterator[PutFault]:
 def xml_argument_not_declared(package: SourcePackage) -> Iterator[PutFault]:
     for spot in frontend(package, r"^\s*<arg name=\"(\w+)\"[^>]*?default=[^>]*/>[ \t]*\n"):
         if re.search(rf"\$\(var {spot.word}\)", spot.text):
-            yield spot.drop()
+            name = re.escape(spot.path.rpartition("/")[2])
+            given = rf"<include file=\"[^\"]*/{name}\"[^>]*>(?:(?!</include>)[\s\S])*?<arg name=\"{spot.word}\" value"
+            yield spot.drop().known(not package.holds(XML, given), "whoever includes the file gives the argument")
 
 
 @kind("launch xml")
@@ -170,7 +173,12 @@ def yaml_mistyped_package(package: SourcePackage) -> Iterator[PutFault]:
 
 @kind("launch yaml")
 def yaml_mistyped_executable(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.typo() for spot in package.spots(YAML, r"^\s*-?\s*exec:\s*['\"]?(\w+)"))
+    for spot in package.spots(YAML, r"^\s*-?\s*exec:\s*['\"]?(\w+)"):
+        beside = re.findall(
+            r"\bpkg:\s*['\"]?(\w+)", spot.text[max(spot.match.start() - 200, 0) : spot.match.end() + 200]
+        )
+        is_known = any(each in package.siblings or each in WELL_KNOWN for each in beside)
+        yield spot.typo().known(is_known, "the programs of a package that is not here")
 
 
 @kind("launch yaml")

@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from bench.faults.aside import used_kind
-from bench.faults.fault import PutFault, typo
+from bench.faults.fault import PutFault, Spot, typo
 from bench.faults.kinds import kind
 from bench.faults.source_package import SourcePackage
 
 CMAKE = r"^CMakeLists\.txt$"
+NOT_EXPORTED = "nothing tells pluginlib of the description"
+KNOWN_PLUGINS = set(
+    "joint_trajectory_controller joint_state_broadcaster diff_drive_controller velocity_controllers "
+    "position_controllers effort_controllers forward_command_controller imu_sensor_broadcaster "
+    "force_torque_sensor_broadcaster ackermann_steering_controller tricycle_controller bicycle_steering_controller "
+    "gripper_controllers parallel_gripper_action_controller admittance_controller mecanum_drive_controller "
+    "smac_planner teb_local_planner rotation_shim_controller".split()
+)
+"""Packages outside a repository whose plugins every user knows."""
 
 
 @kind("components")
@@ -50,13 +60,20 @@ def component_macro_lost(package: SourcePackage) -> Iterator[PutFault]:
 def plugin_class_mistyped(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(r"\.xml$", r"<class\b[^>]*?\btype=\"(?:\w+::)*(\w+)\""):
         if "nodelet::" not in spot.text:  # of ROS 1, which a package for both still brings
-            yield spot.typo()
+            yield spot.typo().known(is_exported(package, spot), NOT_EXPORTED)
 
 
 @used_kind("plugins")
 def plugin_base_mistyped(package: SourcePackage) -> Iterator[PutFault]:
     for spot in package.spots(r"\.xml$", r"<class\b[^>]*?\bbase_class_type=\"(?!nodelet)(?:\w+::)*(\w+)\""):
-        yield spot.typo()
+        yield spot.typo().known(is_exported(package, spot), NOT_EXPORTED)
+
+
+def is_exported(package: SourcePackage, spot: Spot) -> bool:
+    """Return whether anything tells pluginlib, or rqt, of a description."""
+    name = re.escape(spot.path.rpartition("/")[2])
+    told = package.holds(r"(^|/)CMakeLists\.txt$|\.cmake$", rf"plugin\w*\([^()]*(?:{name}|\$\{{)")
+    return told or package.holds(r"^package\.xml$", rf"<rqt_\w+\s+plugin=\"[^\"]*{name}") or package.is_python
 
 
 @used_kind("plugins")
@@ -108,4 +125,7 @@ def plugin_macro_lost(package: SourcePackage) -> Iterator[PutFault]:
 @used_kind("plugins")
 def plugin_named_mistyped(package: SourcePackage) -> Iterator[PutFault]:
     pattern = r"^\s+(?:plugin|type):\s*['\"]?\w+(?:::|/)(?:\w+(?:::|/))*(\w+)"
-    yield from (spot.typo() for spot in package.spots(r"\.ya?ml$", pattern))
+    for spot in package.spots(r"\.ya?ml$", pattern):
+        home = re.split("::|/", spot.match[0].partition(":")[2].strip(" '\""))[0]
+        is_known = home in package.siblings or home in KNOWN_PLUGINS or home.startswith(("nav2_", "dwb_"))
+        yield spot.typo().known(is_known, "the plugins of a package that is not here")

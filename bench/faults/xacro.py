@@ -27,7 +27,10 @@ def urdf_prefix_lost(package: SourcePackage) -> Iterator[PutFault]:
 
 @urdf_kind
 def urdf_mistyped_find(package: SourcePackage) -> Iterator[PutFault]:
-    yield from (spot.typo() for spot in own(package, r"\$\(find (\w+)\)"))
+    for spot in own(package, r"\$\(find (\w+)\)"):
+        name = re.escape(spot.path.rpartition("/")[2])
+        is_read = spot.path.endswith(".xacro") or "xacro:" in spot.text or package.holds(r"\.(py|xml|launch)$", name)
+        yield spot.typo().known(is_read, "nothing replaces `$(find …)` in a plain robot that is not given to xacro")
 
 
 @urdf_kind
@@ -44,7 +47,9 @@ def urdf_mistyped_macro(package: SourcePackage) -> Iterator[PutFault]:
         r"<(xacro:(?!include|macro|property|arg|if|unless|insert_block|element|attribute|call)(\w+))(?=[\s/>])[^>]*/>",
     ):
         wrong = spot[2][:-1]
-        is_here = package.holds(r"\.(urdf|xacro)$", rf"<xacro:macro\s+name\s*=\s*\"(?:xacro:)?{spot[2]}\"")
+        made = rf"<xacro:macro\s+name\s*=\s*\"(?:xacro:)?{spot[2]}\""
+        is_near = has_all_included(package, spot) or re.search(made, spot.text) is not None
+        is_here = is_near and package.holds(r"\.(urdf|xacro)$", made)
         fault = spot.put(f"xacro:{wrong}", wrong, spot[2])
         yield fault.known(is_here, "the macros of a file that is included and not here")
 
