@@ -27,10 +27,10 @@ from ..package.python.share_paths import SHARE, share_of
 from ..package.workspace import Workspace
 from ..ros.names import NameKind
 from ..source import Span
-from ..suggest import near_names, nearest
+from ..suggest import near_names, nearest, slips
 from .closest_path import closest_path
 from .cpp.share_file_paths import share_file_paths
-from .cpp.share_names import share_names
+from .cpp.share_names import all_share_names
 from .cpp.uncalled_members import is_in_uncalled
 from .depends.compiled_sources import harm_in
 from .install_faults import InstallFaults
@@ -63,6 +63,8 @@ class UnknownShare:
     """Of the package's name, between its quotes."""
     name: str
     near: str
+    is_caught: bool = False
+    """Whether code goes on without the package."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,18 +144,27 @@ class ShareLookups:
         for file in self.modules:
             caught = set(guarded_nodes(file.tree.body, CATCHES))
             for node in nodes_of(file.tree):
-                is_lookup = isinstance(node, ast.Call) and last_name(node.func) in LOOKUPS and id(node) not in caught
+                is_lookup, is_caught = (
+                    isinstance(node, ast.Call) and last_name(node.func) in LOOKUPS,
+                    id(node) in caught,
+                )
                 name = literal_of(node) if is_lookup and isinstance(node, ast.Call) else None
-                near = self.near_package(str(name.value)) if name is not None else None
+                near = self.meant(str(name.value), is_caught) if name is not None else None
                 if name is not None and near and not is_unreached(file, file.span(name)):
-                    whole = file.span(name)
-                    yield UnknownShare(file.path, Span(whole.start + 1, whole.end - 1), str(name.value), near)
+                    whole = Span(file.span(name).start + 1, file.span(name).end - 1)
+                    yield UnknownShare(file.path, whole, str(name.value), near, is_caught)
 
     def unknown_in_cpp(self) -> Iterator[UnknownShare]:
         for source in self.sources:
-            for name, span in share_names(source) if role_of(source.path) == "run" else ():
-                if near := self.near_package(name):
-                    yield UnknownShare(source.path, span, name, near)
+            for name, span, is_caught in all_share_names(source) if role_of(source.path) == "run" else ():
+                if near := self.meant(name, is_caught):
+                    yield UnknownShare(source.path, span, name, near, is_caught)
+
+    def meant(self, name: str, is_caught: bool) -> str | None:
+        """Return the package that is intended; where code goes on without it, the one that is here, of a clear slip."""
+        near = self.near_package(name)
+        here = (self.facts.name, *(each.name for each in self.workspace.packages))
+        return near if near and not (is_caught and slips(name, here) != [near]) else None
 
     def near_package(self, name: str) -> str | None:
         """Return the package that is intended by the name of none; None where it is one, or near to none or several."""

@@ -20,15 +20,20 @@ CATCHES = regex(r"\s*catch\s*\(\s*(?:\.\.\.|[^)]{0,80}\b(?:exception|runtime_err
 
 def share_names(file: CppFile) -> Iterator[tuple[str, Span]]:
     """Yield each name with its place between the quotes; none where code catches that a package is not there."""
+    yield from ((name, span) for name, span, is_caught in all_share_names(file) if not is_caught)
+
+
+def all_share_names(file: CppFile) -> Iterator[tuple[str, Span, bool]]:
+    """Yield each name with its place, and whether code catches that a package is not there."""
     text = file.source.text
-    if "get_package_" not in text or CAUGHT in text:
+    if "get_package_" not in text:
         return  # before the comments are found, which takes longer
     code = code_text(text)
-    guarded = [*guarded_blocks(code)]
+    guarded = [Span(0, len(code))] if CAUGHT in text else [*guarded_blocks(code)]
     for call in LOOKUP.finditer(code):
-        found = NAME.match(text, call.end())
-        if found and not any(each.holds(Span(*found.span(1))) for each in guarded):
-            yield found[1], Span(*found.span(1))
+        if found := NAME.match(text, call.end()):
+            span = Span(*found.span(1))
+            yield found[1], span, any(each.holds(span) for each in guarded)
 
 
 def guarded_blocks(code: str) -> Iterator[Span]:

@@ -45,7 +45,7 @@ NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend
         "it, it is in a program that nothing starts, beside others that are started, no target certainly compiles the "
         "file, or an image that the repository builds on may bring it",
         Severity.INFO: "nothing starts or imports the module or leads to the function, or a page alone names it, a "
-        "switch turns it off, or it stands behind `rclpy.spin`",
+        "switch turns it off, it stands behind `rclpy.spin`, or code catches that the package is not there",
     },
     examples=(
         Example(
@@ -73,8 +73,8 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
 
     ## When it is quiet
     Where the name is near none of the workspace, of the dependencies and of the known packages; where a submodule or a
-    listed repository that is not here is called like that; where the exception is caught; in files that nothing
-    installs, and under a condition that never holds on Linux. In a module that nothing starts or imports, in a function
+    listed repository that is not here is called like that; where the exception is caught, but for a clear slip of a
+    package that is here, which is an info; in files that nothing installs, and under a condition that never holds on Linux. In a module that nothing starts or imports, in a function
     that no program leads to (of C++, that no code calls), behind `rclpy.spin`, and under a switch that nothing throws
     it is an info. Where the repository builds on an image that is none of the plain ones (`ros`, `ubuntu`, …), that may
     bring the package: a warning. Launch files have rules of their own (DEP103).
@@ -85,8 +85,9 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     for found in lookups.unknown_packages():
         image = foreign_image(lookups.files)
         brought = image.may_bring if image is not None else ""
-        message = f"there is no package `{found.name}`: this raises PackageNotFoundError; did you mean `{found.near}`?"
-        level = Severity.WARNING if image is not None else None
+        harm = "the code goes on without it" if found.is_caught else "this raises PackageNotFoundError"
+        message = f"there is no package `{found.name}`: {harm}; did you mean `{found.near}`?"
+        level = Severity.INFO if found.is_caught else Severity.WARNING if image is not None else None
         fix = Fix(f"write `{found.near}`", (Edit(found.path, found.span, found.near),), Safety.UNSAFE)
         yield weighed(lookups, Hit(found.path, found.span, message + brought, level, fix=fix))
     for wrong in wrong_lookups(lookups):
@@ -100,4 +101,4 @@ def weighed(lookups: ShareLookups, hit: Hit) -> Hit:
     if why := lookups.why_seldom(hit.path, hit.span):
         return replace(hit, level=Severity.INFO, message=f"{hit.message}{why}")
     is_certain = lookups.is_run(hit.path) and not lookups.is_conditional(hit.path, hit.span)
-    return hit if is_certain else replace(hit, level=Severity.WARNING)
+    return hit if is_certain or hit.level is Severity.INFO else replace(hit, level=Severity.WARNING)
