@@ -95,3 +95,17 @@ def test_a_group_is_no_package_that_may_bring_others() -> None:
     files = {**existing_files(BACKDROPS["ament_python"]), "launch/a.launch.xml": launch}
     files["package.xml"] = manifest("  <group_depend>parts</group_depend>\n")
     assert [finding.severity.value for finding in lint_files(files, ["DEP103"]).findings] == ["warning"]
+
+
+@pytest.mark.parametrize(
+    ("name", "advice"),
+    [
+        ("tkinter", "write `python3-tk`"),
+        ("python3-tkinter", "write `python3-tk`"),
+        ("python3-json", "remove the line"),
+    ],
+)
+def test_what_debian_leaves_out_of_python_is_a_key(name: str, advice: str) -> None:
+    files = {**existing_files(BACKDROPS["ament_python"]), "package.xml": manifest(f"  <depend>{name}</depend>\n")}
+    (finding,) = lint_files(files, ["DEP001"]).findings
+    assert finding.message.endswith(advice)

@@ -61,8 +61,14 @@ def of_cmake(declared: DeclaredDependencies, dependency: Dependency) -> WrongDep
 
 
 def of_python_itself(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
+    """Debian leaves some modules of Python to packages of their own: `tkinter` to `python3-tk`."""
     module = dependency.name.removeprefix(PYTHON_3).replace("-", "_")
-    return WrongDependencyName("comes with Python itself", advice="remove the line") if module in STANDARD else None
+    if module not in STANDARD:
+        return None
+    keys = (each for each in rows("imports.txt").get(module, ()) if is_installable(each, declared.workspace.index))
+    if key := next(keys, None):
+        return WrongDependencyName("is no rosdep key" if "-" in dependency.name else "is what Python imports", key)
+    return WrongDependencyName("comes with Python itself", advice="remove the line")
 
 
 def of_python_2(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
