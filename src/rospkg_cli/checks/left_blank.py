@@ -8,16 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ..lazy_regex import regex
+from .blank_words import MAKING, OPEN, TO_DO, says_name
 
 COMMENT = regex(r"(?:^|\s)(?:#|//|<!--)(.*)")
-TO_DO = regex(r"(?i)\bto[ -]?dos?\b|\bfix-?me\b|\bexercise\b")
-MAKING = regex(
-    r"(?i)\b(?:creat|add|defin|implement|writ|complet|initiali[sz]|instantiat|fill|declar|insert|import|finish)\w*"
-)
-OPEN = regex(
-    r"(?i)\b(?:your|student'?s?) (?:own )?(?:code|solution|implementation|answer|work)\b|\bcode (?:goes )?here\b"
-    r"|\bfill (?:me )?in\b|\bcomplete (?:this|the (?:code|function|method|class))\b"
-)
+HOLE = regex(r"\?{3}|_{3,}\s*[,)]")
+"""What stands for a part of code that is to be filled in: `create_publisher(???, 10)`."""
 DOTS = regex(r"\W*(?:\.{3,}|…|_{3,})\W*")
 BLANK = regex(
     r"(?i)_*(?:to[ _]?do|tbd|fill[ _]?(?:me(?:[ _]?in)?|in|out|this)(?:[ _]here)?|fix[ _]?me|your_\w+|(?-i:X{3,})"
@@ -49,6 +44,36 @@ def announces(text: str, place: int, name: str, *, behind: bool = False) -> bool
         if is_task(comment_in(lines[number]), name, is_near=is_near):
             return True
     return behind and any(is_task(each, name, is_near=False) for each in comments_behind(lines, at))
+
+
+def is_asked_for(text: str, name: str) -> bool:
+    """Return whether a comment anywhere in a text says that something of a name is to be written, and names it."""
+    return any(is_asked(said) and says_name(said, name) for said in comment_blocks(text))
+
+
+def asks_at_the_top(text: str) -> bool:
+    """Return whether a comment that is in no block asks for code: what a file as a whole lacks belongs there."""
+    return any(OPEN.search(comment_in(line)) for line in text.split("\n") if line.startswith(("#", "//")))
+
+
+def has_task(text: str) -> bool:
+    """Return whether a comment asks for something to be written, or has a hole in commented code."""
+    return any(is_asked(said) or HOLE.search(said) for said in comment_blocks(text))
+
+
+def is_asked(said: str) -> bool:
+    return bool(OPEN.search(said) or (TO_DO.search(said) and MAKING.search(said)))
+
+
+def comment_blocks(text: str) -> Iterator[str]:
+    """Yield what comments say, those of lines that follow each other as one."""
+    block: list[str] = []
+    for line in (*text.split("\n"), ""):
+        if said := comment_in(line):
+            block.append(said)
+        elif block:
+            yield "\n".join(block)
+            block = []
 
 
 def comments_behind(lines: list[str], at: int) -> Iterator[str]:

@@ -27,6 +27,8 @@ MAIN = regex(r"^int\s+main\s*\(", re.MULTILINE)
 MACRO = regex(r"^(?!RCLCPP_|PLUGINLIB_|CLASS_LOADER_|RCUTILS_|Q_)[A-Z][A-Z0-9_]{2,}[ \t]*\(", re.MULTILINE)
 """A macro outside of functions, which may make a `main()` as well."""
 COMPONENT = "RCLCPP_COMPONENTS_REGISTER_NODE"
+CODE = regex(r"(?m)^[ \t]*(?!//|/\*|\*|#|using\b)\S")
+"""A line of C++ that is neither a comment nor for the preprocessor."""
 ON_DEMAND = "EXCLUDE_FROM_ALL"
 SETTINGS = ("set_target_properties", "target_link_options", "set_property")
 
@@ -39,6 +41,8 @@ class MainlessProgram:
     is_component: bool
     is_whole: bool
     """Whether it is built by default, all of its sources are there, and all that it is linked with is known."""
+    is_left: bool = False
+    """Whether a comment in a source says that the code is still to be written."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +64,14 @@ class MainlessPrograms:
                 is_asked = ON_DEMAND in target.options
                 if (lost := self.lost(there)) or is_whole:
                     is_component = any(COMPONENT in self.text(path) for path in there)
-                    yield MainlessProgram(target, lost, is_component, is_whole and not is_asked)
+                    is_left = any(map(self.is_left_to_write, there))
+                    yield MainlessProgram(target, lost, is_component, is_whole and not is_asked, is_left)
+
+    def is_left_to_write(self, path: str) -> bool:
+        from ..left_blank import asks_at_the_top, has_task, is_asked_for
+
+        text = self.text(path)
+        return asks_at_the_top(text) or is_asked_for(text, "main") or (not CODE.search(text) and has_task(text))
 
     def paths(self, target: Target) -> list[str] | None:
         """Return the sources of a target; None where one is not known, or of another language."""

@@ -22,6 +22,7 @@ from ..installed_modules import MADE, InstalledModules
 from ..reached_modules import ReachedModules
 from ..reached_places import ReachedPlaces
 from ..run_imports import PATHS, RunImports
+from ..unwritten_modules import why_left_to_write
 from .pip_installs import PipInstalls, normalized
 
 LEFT = "; nothing starts or imports this module"
@@ -86,9 +87,16 @@ class OwnImports:
         for each in self.absent():
             is_test = role_of(each.path) == "test"
             why = LEFT if self.reached.is_left(each.path) else self.places.why_seldom(each.path, each.span)
+            why = why or self.why_left_to_write(each)
             is_local = each.is_local or self.places.is_conditional(each.path, each.span)
             is_reached = self.reached.has(each.path) and not is_test
             yield replace(each, is_local=is_local, is_reached=is_reached, why=why)
+
+    def why_left_to_write(self, each: MissingOwnName) -> str:
+        """Return what is said of a name that a comment in its module says is still to be written; "" for others."""
+        path = "" if each.is_module else self.installed.sources.get(each.package, "")
+        file = self.run.modules.at(path) if path else None
+        return why_left_to_write(file, each.name) if file is not None else ""
 
     def absent(self) -> Iterator[MissingOwnName]:
         is_known = self.table.knows("module")

@@ -18,17 +18,26 @@ def why_unwritten(use: UndefinedUse) -> str:
     """Return what is said of a name that is left to be written; "" for any other."""
     if use.when not in LOUD:
         return ""
-    from ..left_blank import announces, is_blank  # what few files need
+    return why_open(use.file, use.found.name, use.found.span)
 
-    text, name = use.file.source.text, use.found.name
-    return BLANK if is_blank(name) else UNWRITTEN if announces(text, use.found.span.start, name) else ""
+
+def why_open(file: PythonFile, name: str, span: Span) -> str:
+    """Return what is said of a use of a name that is a blank, or that a comment asks for; "" for any other."""
+    from ..left_blank import announces, is_asked_for, is_blank  # what few files need
+
+    text = file.source.text
+    if is_blank(name):
+        return BLANK
+    return UNWRITTEN if announces(text, span.start, name) or is_asked_for(text, name) else ""
 
 
 def is_member_unwritten(file: PythonFile, owner: ast.ClassDef, name: str, places: Iterable[Span]) -> bool:
     """Return whether a comment where a member is read, or in the constructor, says that it is still to be written."""
-    from ..left_blank import announces
+    from ..left_blank import announces, is_asked_for
 
     text = file.source.text
+    if is_asked_for(text, name):
+        return True
     starts = (each for each in owner.body if isinstance(each, ast.FunctionDef) and each.name == "__init__")
     is_read_so = any(announces(text, each.start, name) for each in places)
     return is_read_so or any(announces(text, file.span(each.body[0]).start, name, behind=True) for each in starts)

@@ -24,6 +24,7 @@ public:
   Talker() : Node("talker") {}
 };
 """
+TO_WRITE = "a comment there says that the code is still to be written"
 MAIN = """\
 
 int main(int argc, char ** argv)
@@ -41,7 +42,8 @@ int main(int argc, char ** argv)
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is built on demand alone; or a source is not there, as one of a submodule, or a library "
-        "can't be evaluated, and a file beside the others has a `main()`"
+        "can't be evaluated, and a file beside the others has a `main()`",
+        Severity.INFO: "a comment in a source says that the code is still to be written",
     },
     examples=(
         Example(
@@ -70,7 +72,7 @@ def program_without_main(programs: MainlessPrograms) -> Iterator[Hit]:
     called so, and where a library is linked that has `main` in its name (`gtest_main`). Where a source is not there or
     a library can't be evaluated, unless a file beside the others has a `main()` and stands in no CMake file: a warning,
     as for a program that is only built on demand (EXCLUDE_FROM_ALL). For tests, and below a condition that can't be
-    evaluated.
+    evaluated. Where a comment in a source says that the code is still to be written, it is an info.
     """
     for each in programs.all():
         word = each.target.word
@@ -81,4 +83,5 @@ def program_without_main(programs: MainlessPrograms) -> Iterator[Hit]:
         else:
             advice = "add the file that has it, or make a library of the others"
         start = f"no source of `{word.text}` has a `main()`: the linker stops with an undefined reference to it"
-        yield Hit(word.path, word.span, f"{start}; {advice}", None if each.is_whole else Severity.WARNING)
+        level = Severity.INFO if each.is_left else None if each.is_whole else Severity.WARNING
+        yield Hit(word.path, word.span, f"{start}; {TO_WRITE if each.is_left else advice}", level)

@@ -65,7 +65,8 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
     entry point and no other file of the package names or imports, beside others that start, is an info, and so is an
     import in a function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's
     module. Of a library such a module is a warning: others may import it, or nobody. It is an info where other packages
-    here import the library, and none of them comes to that module.
+    here import the library, and none of them comes to that module, or where a comment in the module says that the name,
+    or all that the module would hold, is still to be written.
 
     ## Fix safety
     The intended name is a guess.

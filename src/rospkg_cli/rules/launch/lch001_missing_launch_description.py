@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from ...checks.launch.launch_modules import describes_nothing, is_imported, makes_its_own
 from ...checks.launch.missing_references import LaunchContext
+from ...checks.unwritten_modules import why_left_to_write
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...lazy_regex import regex
@@ -33,7 +34,9 @@ IN_LAUNCH = regex(r"(?:^|/)launch(?:es)?/")
     "missing-launch-description",
     over=LaunchContext,
     severity=Severity.ERROR,
-    levels={Severity.INFO: "the file has only comments, or imports nothing of launch"},
+    levels={
+        Severity.INFO: "the file has only comments, imports nothing of launch, or a comment asks for code to be written"
+    },
     examples=(
         Example(
             bad={
@@ -60,6 +63,7 @@ def missing_launch_description(scope: LaunchContext) -> Iterator[Hit]:
     file of the package imports or loads, are left alone, and so is one with a function that a decorator of another
     package gets, which may make the entry point (`@launch_this`). A function that is imported or assigned counts. A
     file whose every line is a comment is an info, and one that imports nothing of `launch`, which describes nothing.
+    So is one of an exercise: a comment says that the function, or the whole file, is still to be written.
     """
     file = scope.file
     name = file.path.rpartition("/")[2]
@@ -73,4 +77,6 @@ def missing_launch_description(scope: LaunchContext) -> Iterator[Hit]:
         f"`{name}` defines no `generate_launch_description`: `ros2 launch` refuses it; define it, "
         f"or give a file that others import another ending"
     )
-    yield Hit(file.path, Span(0, 0), message, Severity.INFO if describes_nothing(file.python) else None)
+    left = why_left_to_write(file.python, "generate_launch_description")
+    is_mild = bool(left) or describes_nothing(file.python)
+    yield Hit(file.path, Span(0, 0), message + left, Severity.INFO if is_mild else None)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.depends.unwritten_parts import why_open
 from ...checks.launch.late_names import late_names
 from ...checks.launch.meant_names import hint
 from ...checks.launch.wrong_imports import wrong_attributes, wrong_imports
@@ -59,7 +60,7 @@ class UseOfName:
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "the name is used in one branch of an `if`, or in an annotation",
-        Severity.INFO: "the function that uses it is never called",
+        Severity.INFO: "the function that uses it is never called, or a comment asks for the name",
     },
     examples=(
         Example(
@@ -88,7 +89,8 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     Files that import `*`, that run strings as code or use `locals()`, and imports that are optional (`try … except
     ImportError`), are left alone. A function that neither the function that launch calls (in a test,
     `generate_test_description`) nor the module level leads to, by calls or by its name
-    (`OpaqueFunction(function=setup)`), or that only an uncalled method calls, is one info.
+    (`OpaqueFunction(function=setup)`), or that only an uncalled method calls, is one info, and so is a name of which a
+    comment says that it is still to be defined, as in exercises.
     """
     if file.python is None or not file.has_entry_point:
         return
@@ -99,8 +101,9 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
             found.setdefault(name.name, []).append(weighed(file.python, name))
     for uses in found.values():
         use = min(uses, key=lambda one: LEVELS.index(one.level))
-        message = f"`{use.found.name}` is defined nowhere: {use.ends}{hint(use.found)}"
-        yield Hit(file.path, use.found.span, message, use.level)
+        left = why_open(file.python, use.found.name, use.found.span)
+        message = f"`{use.found.name}` is defined nowhere: {use.ends}{left or hint(use.found)}"
+        yield Hit(file.path, use.found.span, message, Severity.INFO if left else use.level)
     for late in late_names(file.python):
         unreached = {each.name for each in unreached_functions(file.python, ENTRIES)}
         level = Severity.INFO if late.function in unreached else None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.started_entry_points import StartedEntryPoints
+from ...checks.unwritten_modules import why_left_to_write
 from ...example import Example, scripts, setup_py
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -24,7 +25,8 @@ SCRIPT = "print('hello')\n"
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "the module starts what it does when it is imported, Webots loads its class, or nothing here "
-        "starts the program, beside others of the package that are started"
+        "starts the program, beside others of the package that are started",
+        Severity.INFO: "a comment says that the function, or the whole module, is still to be written",
     },
     examples=(
         Example(bad=BAD, good={"my_pkg/talker.py": "def main():\n    print('hello')\n"}),
@@ -49,7 +51,8 @@ def entry_point_attribute_missing(started: StartedEntryPoints) -> Iterator[Hit]:
     ## When it is quiet
     Where the module is of another package, can't be read, has a `__getattr__`, or is generated. Where it has a star
     import of something unknown only a slip is told, of a name that it defines itself. It is a warning where
-    nothing in the workspace starts or names the program, while another one of the package is started.
+    nothing in the workspace starts or names the program, while another one of the package is started, and an info in an
+    exercise: a comment says that the function, or all that the module would hold, is still to be written.
     """
     package = started.package
     for entry in package.setup.entry_points:
@@ -74,4 +77,7 @@ def entry_point_attribute_missing(started: StartedEntryPoints) -> Iterator[Hit]:
         if module := package.ros1_module(entry.module):
             what, is_seldom = f"imports `{module}` of ROS 1 and has no top-level `{entry.attribute}`", bool(left)
             message = f"`{path}` {what}: {start} raises ModuleNotFoundError; port it, or take this line out"
-        yield Hit(entry.path, entry.attribute_span, message + left, Severity.WARNING if is_seldom else None)
+        level = Severity.WARNING if is_seldom else None
+        if file and (open_ := why_left_to_write(file, entry.attribute.partition(".")[0])):
+            left, level = open_, Severity.INFO
+        yield Hit(entry.path, entry.attribute_span, message + left, level)

@@ -1,0 +1,138 @@
+"""What an exercise leaves blank at the top of a file: a comment names it, or asks for the code of the file."""
+
+from __future__ import annotations
+
+import pytest
+
+from rospkg_cli.checks.left_blank import asks_at_the_top, has_task, is_asked_for
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest, scripts, setup_py
+from rospkg_cli.testing import lint_files
+
+PYTHON = {
+    **existing_files(BACKDROPS["ament_python"]),
+    "package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n  <exec_depend>ros2launch</exec_depend>\n"),
+    "setup.py": setup_py(scripts("go = my_pkg.go:main")),
+}
+CPP = {
+    **existing_files(BACKDROPS["ament_cmake"]),
+    "CMakeLists.txt": CMAKE.replace(
+        "ament_package", "add_executable(go src/go.cpp)\ninstall(TARGETS go DESTINATION lib/my_pkg)\nament_package"
+    ),
+}
+LAUNCHES = {
+    **CPP,
+    "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n", "ament_cmake"),
+    "CMakeLists.txt": CMAKE.replace(
+        "ament_package", "install(DIRECTORY launch DESTINATION share/my_pkg)\nament_package"
+    ),
+}
+NODE = "import rclpy\n\n\n{comment}\n\n\ndef main():\n    rclpy.init()\n    rclpy.spin(Listener())\n"
+IMPORTS = "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n{comment}\n"
+
+
+def level(files: dict[str, str], code: str) -> tuple[str, bool]:
+    (found,) = lint_files(files, [code]).findings
+    return found.severity.value, "still to be" in found.message
+
+
+NAMING = [
+    "# TODO: implement a class Listener",
+    "# TODO: Implementar una clase Listener que herede de Node y que:\n#  - imprima",
+    "# Exercise 2:\n#   write the class `Listener`",
+    "# Aufgabe: Erstelle eine Klasse Listener",
+    "# TODO : créer la classe Listener",
+    "# 課題: class Listener を作成する",
+    "# TODO: 实现 Listener 类\n# TODO: class Listener",
+]
+
+
+@pytest.mark.parametrize("comment", NAMING)
+def test_a_class_that_a_comment_asks_for(comment: str) -> None:
+    assert level({**PYTHON, "my_pkg/go.py": NODE.format(comment=comment)}, "DEP117") == ("info", True)
+
+
+@pytest.mark.parametrize("comment", ["# TODO: tune this", "# Listener is made below", "# TODO: add a talker", "# done"])
+def test_a_class_that_no_comment_asks_for(comment: str) -> None:
+    assert level({**PYTHON, "my_pkg/go.py": NODE.format(comment=comment)}, "DEP117") == ("error", False)
+
+
+CODE = [
+    "# YOUR CODE HERE",
+    "# Add your code below",
+    "# 以下にコードを追加してください",
+    "# 在此处添加你的代码",
+    "# 请在下面编写代码",
+    "# 여기에 코드를 작성하세요",
+    "# Hier deinen Code einfügen",
+    "# Escribe tu código aquí",
+    "# Écrivez votre code ici",
+    "# Scrivi qui il tuo codice",
+    "# TODO: define generate_launch_description",
+    "# TODO: write main()",
+]
+
+
+@pytest.mark.parametrize("comment", CODE)
+def test_a_file_that_is_a_blank(comment: str) -> None:
+    assert level({**LAUNCHES, "launch/a.launch.py": IMPORTS.format(comment=comment)}, "LCH001") == ("info", True)
+    assert level({**PYTHON, "my_pkg/go.py": f"import rclpy\n\n{comment}\n"}, "SET102") == ("info", True)
+
+
+@pytest.mark.parametrize("comment", ["# TODO: tune the rate", "# the node of the arm", "# add it later"])
+def test_a_file_without_a_task(comment: str) -> None:
+    text = f"{IMPORTS.format(comment=comment)}\nnode = Node(package='a', executable='b')\n"
+    assert level({**LAUNCHES, "launch/a.launch.py": text}, "LCH001") == ("error", False)
+    assert level({**PYTHON, "my_pkg/go.py": f"import rclpy\n\n{comment}\n"}, "SET102") == ("error", False)
+
+
+def test_holes_in_commented_code() -> None:
+    text = "# class Go:\n#     def go(self):\n#         self.pub = self.create_publisher(???, 10)\n"
+    assert level({**PYTHON, "my_pkg/go.py": text}, "SET102") == ("info", True)
+    assert level({**PYTHON, "my_pkg/go.py": text + "x = [1]\n"}, "SET102") == ("error", False)
+
+
+def test_an_import_of_what_a_module_leaves_blank() -> None:
+    go = "from my_pkg.arm import move\n\n\ndef main():\n    move()\n"
+    files = {**PYTHON, "my_pkg/go.py": go}
+    assert level({**files, "my_pkg/arm.py": "import math\n\n# TODO: write the function move\n"}, "DEP109") == (
+        "info",
+        True,
+    )
+    assert level({**files, "my_pkg/arm.py": "import math\n\n# TODO: make it faster\n"}, "DEP109") == ("error", False)
+
+
+def test_a_name_in_a_launch_file() -> None:
+    text = (
+        "from launch import LaunchDescription\n\n\ndef generate_launch_description():\n"
+        "    {comment}\n    return LaunchDescription([talker])\n"
+    )
+    files = {**LAUNCHES, "launch/a.launch.py": text.format(comment="# TODO: create the node of the talker")}
+    assert level(files, "LCH013") == ("info", True)
+    files = {**LAUNCHES, "launch/a.launch.py": text.format(comment="# TODO: later")}
+    assert level(files, "LCH013") == ("error", False)
+
+
+@pytest.mark.parametrize(
+    ("comment", "expected"),
+    [
+        ("// TODO: write the main function", ("info", True)),
+        ("// YOUR CODE HERE", ("info", True)),
+        ("// the talker", ("error", False)),
+    ],
+)
+def test_a_program_of_cpp(comment: str, expected: tuple[str, bool]) -> None:
+    text = f"#include <cstdio>\n\n{comment}\n"
+    assert level({**CPP, "src/go.cpp": text}, "CMK125") == expected
+
+
+def test_names_that_are_words() -> None:
+    assert is_asked_for("# TODO: write the class listener", "listener")
+    assert is_asked_for("# TODO: create `listener`", "listener")
+    assert not is_asked_for("# TODO: add a listener of another kind", "listener")
+    assert not is_asked_for("# TODO: import listeners", "Listen")
+
+
+def test_comments_in_a_block_ask_for_no_file() -> None:
+    assert asks_at_the_top("import a\n# your code here\n")
+    assert not asks_at_the_top("def a():\n    # your code here\n    pass\n")
+    assert not has_task("# what does it do?\n")
