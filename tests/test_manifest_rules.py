@@ -166,6 +166,33 @@ def test_depend_beside_one_of_its_parts(one: str, other: str, clash: bool) -> No
     assert ("XML202" in cmake(body)) is clash
 
 
+@pytest.mark.parametrize(
+    "one, other, level",
+    [
+        ("", "", "error"),
+        (' condition="$OURS == 1"', ' condition="$OURS == 1"', "error"),
+        ("", ' condition="$ROS_VERSION == 2"', "info"),
+        (' condition="$ROS_DISTRO == humble"', "", "info"),
+        (' version_gte="1"', "", "info"),
+    ],
+)
+def test_what_colcon_takes_beside_depend_is_an_info(one: str, other: str, level: str) -> None:
+    body = f"  <depend{one}>rclcpp</depend>\n  <exec_depend{other}>rclcpp</exec_depend>\n"
+    (finding,) = lint_files({**PYTHON, "package.xml": manifest(body)}, ["XML202"]).findings
+    assert finding.severity.value == level
+    assert ("colcon takes it" in finding.message) == (level == "info")
+
+
+@pytest.mark.parametrize(("more", "level"), [({}, "info"), ({"tracks.yaml": "tracks: {}\n"}, "error")])
+@pytest.mark.parametrize(
+    ("limits", "is_empty"), [('version_gte="2" version_lt="1"', True), ('version_eq="1" version_lt="2"', False)]
+)
+def test_only_a_release_is_held_to_its_limits(limits: str, is_empty: bool, more: dict[str, str], level: str) -> None:
+    body = f"  <exec_depend {limits}>rclpy</exec_depend>\n"
+    (finding,) = lint_files({**PYTHON, "package.xml": manifest(body), **more}, ["XML205"]).findings
+    assert finding.severity.value == (level if is_empty else "info")
+
+
 def test_the_fix_of_a_redundant_dependency_loses_nothing() -> None:
     body = '  <depend condition="$ROS_DISTRO == humble">x</depend>\n  <exec_depend>x</exec_depend>\n'
     finding = lint_files({**PYTHON, "package.xml": manifest(body)}, ["XML202"]).findings[0]

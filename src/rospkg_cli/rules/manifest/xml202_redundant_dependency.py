@@ -21,6 +21,7 @@ GOOD = manifest("  <depend>rclcpp</depend>\n", build_type="ament_cmake")
     "redundant-dependency",
     over=ManifestForTargets,
     severity=Severity.ERROR,
+    levels={Severity.INFO: "the condition or the version limits differ: colcon takes both"},
     examples=(
         Example(
             on="ament_cmake",
@@ -47,13 +48,12 @@ def redundant_dependency(package: ManifestForTargets) -> Iterator[Hit]:
     conditions exclude each other; in format 1 a `test_depend` of a name that is built or run with anyway.
 
     ## Why is this bad?
-    `<depend>` means all three. Where the attributes are equal too, colcon refuses the manifest and builds the folder as
-    a plain package, without its dependencies; elsewhere REP-149 forbids it, and one of the two is forgotten when the
-    dependency changes.
+    `<depend>` means all three. colcon refuses the manifest and builds the folder as a plain package, without its
+    dependencies. Where the attributes differ it takes both, and one of them is forgotten when the dependency changes.
 
     ## When it is quiet
     Lines whose conditions exclude each other are left alone, and so is a test_depend or a buildtool_depend next to
-    `<depend>`.
+    `<depend>`. Where the conditions or the version limits differ, only REP-149 forbids it: an info.
 
     ## References
     - [REP-149, depend](https://ros.org/reps/rep-0149.html): "cannot be used in combination with any of the three
@@ -78,17 +78,18 @@ def redundant_dependency(package: ManifestForTargets) -> Iterator[Hit]:
 
 
 def hit(manifest: Manifest, each: Dependency, whole: Dependency, refused: bool) -> Hit:
-    why = (
-        "colcon builds the folder as a plain package"
-        if refused
-        else f"REP-149 forbids it, as `<{whole.tag}>` includes it"
-    )
     covered = refused or (not each.limits and whole.condition in (None, each.condition))
+    if refused:
+        why = "colcon builds the folder as a plain package; remove this line"
+    else:
+        why = f"REP-149 forbids it, as `<{whole.tag}>` includes it, and colcon takes it; "
+        why += "remove this line" if covered else "keep one of the two"
     fix = Fix(f"Remove `{each.name}` from `<{each.tag}>`", (remove_element(manifest, each.element),))
     return Hit(
         manifest.path,
         each.element.span,
-        f"`{each.name}` is in `<{each.tag}>` and in `<{whole.tag}>`: {why}; remove this line",
+        f"`{each.name}` is in `<{each.tag}>` and in `<{whole.tag}>`: {why}",
+        None if refused else Severity.INFO,
         related=(Related(manifest.path, whole.element.span, f"the `<{whole.tag}>`"),),
         fix=fix if covered else None,
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.schema_tests import SchemaTests
+from ...checks.manifest.version_limits import VersionLimits
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...languages.version_range import is_empty
@@ -18,11 +18,12 @@ GOOD = manifest('  <exec_depend version_gte="1.2" version_lt="2.0.0">tf2_ros</ex
 @rule(
     "XML205",
     "impossible-version-limit",
-    over=SchemaTests,
+    over=VersionLimits,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "more limits than a range has, or an invalid one that tests of package.xml refuse",
-        Severity.INFO: "an invalid limit where no test does that",
+        Severity.WARNING: "an invalid limit that tests of package.xml refuse",
+        Severity.INFO: "an invalid limit where no test does that, more limits than a range has, or limits that no "
+        "version can meet where nothing shows that the package is released",
     },
     examples=(
         Example(
@@ -33,7 +34,8 @@ GOOD = manifest('  <exec_depend version_gte="1.2" version_lt="2.0.0">tf2_ros</ex
             bad={
                 "package.xml": GOOD.replace('<exec_depend version_gte="1.2"', '«<exec_depend version_gte="3"').replace(
                     '2.0.0">', '2.0.0">»'
-                )
+                ),
+                "tracks.yaml": "tracks: {}\n",
             },
             good={"package.xml": GOOD},
         ),
@@ -48,7 +50,7 @@ GOOD = manifest('  <exec_depend version_gte="1.2" version_lt="2.0.0">tf2_ros</ex
         ),
     ),
 )
-def impossible_version_limit(tests: SchemaTests) -> Iterator[Hit]:
+def impossible_version_limit(package: VersionLimits) -> Iterator[Hit]:
     """
     ## What it does
     Finds version limits that are invalid, contradictory or redundant.
@@ -60,13 +62,15 @@ def impossible_version_limit(tests: SchemaTests) -> Iterator[Hit]:
     no version fits.
 
     ## When it is quiet
-    Limits that some version can meet are left alone, however narrow.
+    Limits that some version can meet are left alone, however narrow. Only packages that bloom makes are held to their
+    limits: where no file of bloom, no job for it and no CHANGELOG.rst shows a release, limits that contradict each
+    other are an info. So are those that say more than a range.
 
     ## References
     - [REP-149, build_depend](https://ros.org/reps/rep-0149.html): "Two of these attributes can be used together to
       describe a version range."
     """
-    manifest = tests.manifest
+    tests, manifest = package.tests, package.tests.manifest
     for each in manifest.dependencies:
         wrong = [limit for limit in each.limits.values() if not VERSION_LIMIT.fullmatch(limit.value.strip())]
         for limit in wrong:
@@ -78,10 +82,11 @@ def impossible_version_limit(tests: SchemaTests) -> Iterator[Hit]:
         shown = " ".join(f'{name}="{limit.value}"' for name, limit in each.limits.items())
         if is_empty({name: limit.value.strip() for name, limit in each.limits.items()}):
             message = f"no version of `{each.name}` can meet {shown}: a package made by bloom can't be installed"
-            yield Hit(manifest.path, each.element.open, message)
+            level, why = (None, "") if package.release.is_made else (Severity.INFO, "; nothing here makes one")
+            yield Hit(manifest.path, each.element.open, message + why, level)
         elif surplus(each):
             message = f"{shown} says more than a range: {surplus(each)}"
-            yield Hit(manifest.path, each.element.open, message, Severity.WARNING)
+            yield Hit(manifest.path, each.element.open, message, Severity.INFO)
 
 
 def surplus(dependency: Dependency) -> str:

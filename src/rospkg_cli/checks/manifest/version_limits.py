@@ -1,0 +1,13 @@
+"""Rule input: the version limits of package.xml, and who holds the package to them (XML205)."""
+
+from __future__ import annotations
+
+from ...light_dataclasses import dataclass
+from ..released import Release
+from .schema_tests import SchemaTests
+
+
+@dataclass(frozen=True)
+class VersionLimits:
+    tests: SchemaTests
+    release: Release
