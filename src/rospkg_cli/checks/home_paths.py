@@ -51,7 +51,7 @@ from .shown_texts import is_only_shown
 from .told_settings import is_told_by_comment, is_told_by_page
 from .unread_paths import UnreadPaths
 from .unstarted_programs import UnstartedPrograms
-from .written_paths import is_written
+from .written_paths import WrittenPaths
 from .yaml_elsewhere import is_named_yaml, is_of_another
 
 FOR_CODE = ("launch", "src", "scripts", "script", "nodes", "node", "bin")
@@ -123,9 +123,9 @@ class HomePaths:
             return
         text = self.files.readable_text(path)
         bare = without_comments(path, text)
-        halves = (without_comments(each, self.files.readable_text(each)) for each in self.halves(path))
-        is_asked = any(ASKS.search(each) for each in halves)
-        file = self.python(path)
+        _, *halves = [without_comments(each, self.files.readable_text(each)) for each in self.halves(path)]
+        is_asked = any(ASKS.search(each) for each in (bare, *halves))
+        file, written = self.python(path), WrittenPaths(path, bare, *halves)
         places: dict[str, re.Match[str]] = {}
         for pattern in patterns(path):
             for match in pattern.finditer(bare):
@@ -147,7 +147,7 @@ class HomePaths:
             is_seldom_read = is_seldom_read or begins_dialog(bare, place.start)
             is_seldom_read = is_seldom_read or (not is_image and self.names_nothing(path, *home))
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
-            ends = self.is_unread(path, place), is_written(bare, place.start, place.end)
+            ends = self.is_unread(path, place), written.has(place)
             is_value = path.endswith((".yaml", ".yml")) and role_of(path) != "launch" and not is_image
             is_unclaimed = (is_value and not self.readers.has(path, place, bare)) or self.is_given_in_vain(path, place)
             from .last_resorts import is_last_resort  # few files have such a path

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 from ..lazy_regex import regex
+from ..source import Span
+from .home_path_texts import CPP
+
+if TYPE_CHECKING:
+    from .path_flow import PathFlow
 
 LONGEST = 240
 """How many characters before a path may say what is done with it."""
@@ -28,17 +33,28 @@ NAMED = (
     regex(rf"(?i)[\"']-*{WORD}[\"']\s*,[^()\"']*\bdefault(?:_value)?\s*=\s*{QUOTE}$"),
 )
 """What stands before the value of a variable, key, parameter or argument whose name says that it is for an output."""
-VARIABLE = regex(r"(?m)^[ \t]*(?:[\w:<>]+[ \t]+)?(\w+)[ \t]*=[ \t]*[\"']$")
 
 
-def is_written(text: str, start: int, end: int) -> bool:
-    """Return whether a path in some text, without comments, is shown to be one that a program writes."""
-    before = text[max(0, start - LONGEST) : start]
-    if is_in_writer(text, start, end) or any(each.search(before) for each in NAMED):
-        return True
-    variable = VARIABLE.search(before)
-    uses = list(uses_of(variable[1], text, start)) if variable is not None else []
-    return bool(uses) and all(is_in_writer(text, *each) for each in uses)
+class WrittenPaths:
+    """Of a text without comments; of C++ with its header or source."""
+
+    def __init__(self, path: str, text: str, *halves: str) -> None:
+        self.text = text
+        self.whole = "\n".join((text, *halves))
+        self.is_python, self.is_code = path.endswith(".py"), path.endswith((".py", *CPP))
+
+    def has(self, place: Span) -> bool:
+        """Return whether a path is shown to be one that a program writes."""
+        before = self.text[max(0, place.start - LONGEST) : place.start]
+        if is_in_writer(self.text, place.start, place.end) or any(each.search(before) for each in NAMED):
+            return True
+        return self.is_code and self.flow.is_written(place)
+
+    @cached_property
+    def flow(self) -> PathFlow:
+        from .path_flow import PathFlow  # few files have such a path
+
+        return PathFlow(self.whole, is_python=self.is_python)
 
 
 def is_in_writer(text: str, start: int, end: int) -> bool:
@@ -46,10 +62,3 @@ def is_in_writer(text: str, start: int, end: int) -> bool:
     before = text[max(0, start - LONGEST) : start]
     is_opened = IN_OPEN.search(before) is not None and WRITE_MODE.match(text, end) is not None
     return is_opened or IN_WRITER.search(before) is not None
-
-
-def uses_of(name: str, text: str, bound: int) -> Iterator[tuple[int, int]]:
-    """Yield where a name stands, but for the statement that binds it right before a place."""
-    for found in re.finditer(rf"\b{re.escape(name)}\b", text):
-        if text[found.end() : bound].strip(" \t=\"'") or found.start() > bound:
-            yield found.span()

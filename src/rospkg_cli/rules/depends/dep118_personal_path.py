@@ -24,10 +24,13 @@ SHARE = "from ament_index_python.packages import get_package_share_path\n"
 SETUP = SETUP_PY_FOR_ALL.replace(
     "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
 )
-UNREACHED, UNREAD = "; nothing here leads to this function", "; nothing reads it"
-UNCLAIMED = "; neither code here nor a well-known node is shown to read it by this key"
-LAST = "; it is tried only where something else failed before"
-WRITTEN = "; something writes it, and misses no file"
+WHY = {
+    "is_unreached": "; nothing here leads to this function",
+    "is_unread": "; nothing reads it",
+    "is_written": "; something writes it, and misses no file",
+    "is_unclaimed": "; neither code here nor a well-known node is shown to read it by this key",
+    "is_last_resort": "; it is tried only where something else failed before",
+}
 FILES = {
     "package.xml": manifest(
         "  <exec_depend>ament_index_python</exec_depend>\n"
@@ -103,12 +106,14 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     or where not all that is installed is known and CMake does not name its folder. A value of YAML or a launch file
     without a suffix that is the path of no file or folder is an info as well: what reads it adds a suffix
     (slam_toolbox's `map_file_name`), or writes there. So is one of YAML that no file here ends with (but for the image
-    of a map), the default of an argument that nothing reads, and what is written: `open(…, 'w')`, `np.save`,
-    `ofstream`, a parameter called `output_dir`. And so is a value of YAML that nobody is shown to read: no code of the
-    workspace declares the parameter or has its key as a text or attribute, and no well-known node has it in a supported
-    distribution (`default_bt_xml_filename`, which Humble's bt_navigator does not read), unless only older ones are
-    meant; in launch files it is one of a parameter that the node, if its code or parameters are known, does not have,
-    or whose name else says nothing of a file. Robots and worlds are URD002's, what setup.py installs is SET205's.
+    of a map), the default of an argument that nothing reads, and what is written or made: `open(…, 'w')`, `np.save`,
+    `ofstream`, `makedirs`, `map_saver_cli -f`, a parameter called `output_dir`, also where that is done by another
+    name, a parameter, a joined path or a function of the same file, and none of them reads. And so is a value of YAML
+    that nobody is shown to read: no code of the workspace declares the parameter or has its key as a text or attribute,
+    and no well-known node has it in a supported distribution (`default_bt_xml_filename`, which Humble's bt_navigator
+    does not read), unless only older ones are meant; in launch files it is one of a parameter that the node, if its
+    code or parameters are known, does not have, or whose name else says nothing of a file. Robots and worlds are
+    URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
     others = [each for each in paths.found if each.of_package is None and not each.may_be_there]
@@ -121,9 +126,7 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
 
 
 def is_mild(found: HomePath) -> bool:
-    is_unmet = found.is_unreached or found.is_unread or found.is_written or found.is_unclaimed
-    is_unmet = is_unmet or found.is_last_resort
-    return is_unmet or found.may_be_there or found.is_seldom_read
+    return found.may_be_there or found.is_seldom_read or any(getattr(found, each) for each in WHY)
 
 
 def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
@@ -132,9 +135,6 @@ def one(found: Sequence[HomePath], level: Severity, how: str) -> Hit:
     more = f" and {len(others)} more" if others else ""
     verb, them = ("are", "they are") if others else ("is", "it is")
     message = f"`{first.text}`{more} {verb} on one machine: elsewhere {them} missing; {how}"
-    why = UNREACHED if all(each.is_unreached for each in found) else ""
-    why = why or (UNREAD if all(each.is_unread for each in found) else "")
-    why = why or (WRITTEN if all(each.is_written for each in found) else "")
-    why = why or (UNCLAIMED if all(each.is_unclaimed and each.of_package for each in found) else "")
-    why = why or (LAST if all(each.is_last_resort for each in found) else "")
+    reasons = {name: why for name, why in WHY.items() if first.of_package or name != "is_unclaimed"}
+    why = next((why for name, why in reasons.items() if all(getattr(each, name) for each in found)), "")
     return Hit(first.path, first.span, f"{message}{why}", level, again)
