@@ -82,8 +82,8 @@ def impossible_version_limit(package: VersionLimits) -> Iterator[Hit]:
         shown = " ".join(f'{name}="{limit.value}"' for name, limit in each.limits.items())
         if is_empty({name: limit.value.strip() for name, limit in each.limits.items()}):
             message = f"no version of `{each.name}` can meet {shown}: a package made by bloom can't be installed"
-            level, why = (None, "") if package.release.is_made else (Severity.INFO, "; nothing here makes one")
-            yield Hit(manifest.path, each.element.open, message + why, level)
+            held, why = (None, "") if package.release.is_made else (Severity.INFO, "; nothing here makes one")
+            yield Hit(manifest.path, each.element.open, message + why, held)
         elif surplus(each):
             message = f"{shown} says more than a range: {surplus(each)}"
             yield Hit(manifest.path, each.element.open, message, Severity.INFO)
