@@ -77,6 +77,9 @@ def test_what_a_program_imports_beside_a_host() -> None:
         ("colcon build\nuv run main.py\n", "info"),
         ("python3 -m venv .venv\nros2 launch my_pkg a.launch.py\n", "info"),
         ("python3 -m venv --system-site-packages .venv\nros2 run my_pkg talker\n", "warning"),
+        ("source ~/robots/.venv/bin/activate\nros2 launch my_pkg a.launch.py\n", "info"),
+        (". venv/bin/activate\ncolcon build\n", "info"),
+        ("source install/setup.bash\nros2 launch my_pkg a.launch.py\n", "warning"),
         ("conda activate robots\nros2 run other_pkg talker\n", "warning"),
         ("conda activate robots\npython train.py\n", "warning"),
         ("Do not use it in `conda activate`.\nros2 run my_pkg talker\n", "warning"),
@@ -87,6 +90,16 @@ def test_what_a_program_imports_beside_a_host() -> None:
 def test_pages_of_environments(page: str, expected: str) -> None:
     assert level("", ("talker",), page=page) == expected
     assert level("", ("talker",), page=page, name="sensor_msgs") == "warning"
+
+
+def test_an_environment_that_another_page_opens_to_the_system() -> None:
+    files = {**existing_files(BACKDROPS["ament_python"]), "package.xml": manifest(), "my_pkg/a.py": "import serial\n"}
+    files["README.md"] = "source .venv/bin/activate\ncolcon build\n"
+    (only,) = lint_files(files, ["DEP101"]).findings
+    assert only.severity.value == "info"
+    files["install.sh"] = "python3 -m venv .venv --system-site-packages\n"
+    (only,) = lint_files(files, ["DEP101"]).findings
+    assert only.severity.value == "warning"
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, existing_files, manifest
+from rospkg_cli.example import BACKDROPS, SETUP_PY, existing_files, manifest
+from rospkg_cli.finding import Safety
 from rospkg_cli.testing import lint_files
 
 NODE = "import serial\nimport cv2\nimport rclpy\n"
@@ -88,8 +89,8 @@ def test_where_pip_is_told(path: str, text: str, level: str) -> None:
         ("librosa", "sklearn.cluster", "info", "has pip install `librosa`, which requires"),
         ("torch\nultralytics", "torch", "info", "this repository has pip install it"),
         ("ultralytics", "serial", "warning", "raises ModuleNotFoundError"),
-        ("torch", "torchvision", "warning", "raises ModuleNotFoundError"),
-        ("# ultralytics", "torch", "warning", "raises ModuleNotFoundError"),
+        ("torch", "PIL", "warning", "raises ModuleNotFoundError"),
+        ("# ultralytics", "pandas", "warning", "raises ModuleNotFoundError"),
     ],
 )
 def test_what_comes_with_what_pip_installs(listed: str, module: str, level: str, said: str) -> None:
@@ -118,3 +119,69 @@ def test_ros_packages_that_pip_has_too(module: str, path: str, text: str, level:
     tree = {**package, "package.xml": manifest(), "my_pkg/node.py": f"import {module}\n", path: text}
     (only,) = lint_files(tree, ["DEP101"]).findings
     assert only.severity.value == level
+
+
+SETUP = SETUP_PY.replace("['setuptools']", "['setuptools', \"pyserial>=3\", 'httpx']")
+CFG = "[options]\ninstall_requires =\n    setuptools\n    pyserial>=3\nzip_safe = true\n"
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "level"),
+    [
+        ("README.md", "Enter a virtual environment, go to `my_pkg`, then\n```\npip install .\n```\n", "info"),
+        ("src/my_pkg/README.md", "pip3 install -e .\n", "info"),
+        ("README.md", "pip install -e src/my_pkg[dev]\n", "info"),
+        ("docker/Dockerfile", "RUN pip install --no-cache-dir /ws/src/my_pkg/\n", "info"),
+        ("README.md", "cd other && pip install .\n", "warning"),
+        ("README.md", "pip install src/my_pkg_msgs\n", "warning"),
+        ("README.md", "my_pkg is built by colcon.\n", "warning"),
+    ],
+)
+@pytest.mark.parametrize("setup", [{"setup.py": SETUP}, {"setup.cfg": CFG}])
+def test_what_setup_requires_where_pip_installs_the_package(
+    path: str, text: str, level: str, setup: dict[str, str]
+) -> None:
+    own = {**existing_files(BACKDROPS["ament_python"]), **setup, "my_pkg/node.py": "import serial\n"}
+    package = {f"src/my_pkg/{path}": each for path, each in own.items()}
+    found = lint_files({**package, "src/my_pkg/package.xml": manifest(), path: text}, ["DEP101"]).findings
+    assert [each.severity.value for each in found] == [level]
+
+
+@pytest.mark.parametrize(
+    ("imported", "module", "level"),
+    [
+        ("import rclpy", "torch", "info"),
+        ("import rclpy", "torchvision.transforms", "info"),
+        ("from ultralytics import YOLO", "cv2", "info"),
+        ("from ultralytics import YOLO", "serial", "warning"),
+        ("import whisper", "numpy", "info"),
+        ("try:\n    from ultralytics import YOLO\nexcept ImportError:\n    YOLO = None", "cv2", "warning"),
+        ("def load():\n    from ultralytics import YOLO", "cv2", "warning"),
+    ],
+)
+def test_what_people_have_who_run_it(imported: str, module: str, level: str) -> None:
+    package = existing_files(BACKDROPS["ament_python"])
+    code = {"my_pkg/node.py": f"import {module}\n", "my_pkg/other.py": f"{imported}\n"}
+    found = lint_files({**package, "package.xml": manifest(), **code}, ["DEP101"]).findings
+    top = module.partition(".")[0]
+    (only,) = [f for f in found if f"`{module}`" in f.message or f"`{top}`" in f.message.partition(" and not")[0]]
+    assert only.severity.value == level
+
+
+def test_a_framework_is_declared_on_request_alone() -> None:
+    files = {**existing_files(BACKDROPS["ament_python"]), "package.xml": manifest(), "my_pkg/a.py": "import torch\n"}
+    (only,) = lint_files(files, ["DEP101"]).findings
+    assert only.fix is not None
+    assert only.fix.safety is Safety.UNSAFE
+
+
+def test_what_tests_import_by_pip() -> None:
+    package = existing_files(BACKDROPS["ament_python"])
+    tree = {**package, "package.xml": manifest(), "test/test_a.py": "import serial\n\n\ndef test_a(): serial.x\n"}
+    levels = [
+        lint_files({**tree, "requirements.txt": each}, ["DEP102"]).findings[0].severity.value for each in REQUIRED
+    ]
+    assert levels == ["info", "warning"]
+
+
+REQUIRED = ("pyserial\n", "numpy\n")

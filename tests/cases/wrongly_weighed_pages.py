@@ -7,12 +7,12 @@ from rospkg_cli.example import CMAKE, Example
 from .setups import python
 
 PAGES = (
-    "- Jetson: torch / flash-attn wheels from an index\n",
-    "Four wheels, and torch on the GPU.\n",
-    "    conda install -c pytorch torch\n",
-    "Build torch 2.1 from source.\n",
-    "Build this package from source. It needs torch.\n",
-    "    git clone https://github.com/ada/torch.git\n",
+    "- Jetson: numba / flash-attn wheels from an index\n",
+    "Four wheels, and numba on the GPU.\n",
+    "    conda install -c conda-forge numba\n",
+    "Build numba 2.1 from source.\n",
+    "Build this package from source. It needs numba.\n",
+    "    git clone https://github.com/ada/numba.git\n",
 )
 CLONE = "```sh\ngit clone https://github.com/jlblancoc/nanoflann.git\n```\n"
 COPY = "sudo cp nanoflann/include/nanoflann.hpp /usr/local/include/\n"
@@ -26,7 +26,7 @@ PROGRAM = "{}add_executable(tree src/tree.cpp)\ninstall(TARGETS tree DESTINATION
 
 
 def trained(page: str, path: str = "my_pkg/train.py") -> Example:
-    return python({path: "import torch\n", "README.md": page})
+    return python({path: "import numba\n", "README.md": page})
 
 
 def tree(page: str, line: str = "", header: str = "nanoflann.hpp") -> Example:

@@ -12,7 +12,8 @@ from .pages_and_scripts import pages_and_scripts
 ENTERS = regex(
     r"(?<![\w-])(?:(?:conda|mamba|micromamba)[ \t]+(?:activate|create|run|env[ \t]+create)|source[ \t]+activate"
     r"|poetry[ \t]+(?:install|run|shell)|pipenv[ \t]+(?:install|run|shell)|uv[ \t]+(?:run|sync|venv)"
-    r"|python[\d.]*[ \t]+-m[ \t]+venv|virtualenv[ \t]+[\w~./-]|isaaclab\.sh[ \t]+-p|python\.sh)(?![\w-])"
+    r"|(?:source|\.)[ \t]+[\w~./${}-]{0,200}\bbin/activate|python[\d.]*[ \t]+-m[ \t]+venv|virtualenv[ \t]+[\w~./-]"
+    r"|isaaclab\.sh[ \t]+-p|python\.sh)(?![\w-])"
 )
 """A command that makes an environment, or that runs a program in one."""
 SEES_ALL = "--system-site-packages"
@@ -24,8 +25,9 @@ BUILDS = regex(r"\bcolcon[ \t]+build\b")
 def environment_told(files: PackageFiles, package: str) -> str:
     """Return the command by which a page enters an environment and then builds or starts a package; "" for none."""
     starts = re.compile(rf"\bros2[ \t]+(?:run|launch)[ \t]+{re.escape(package)}(?![\w-])")
-    for text in pages_and_scripts(files):
-        if SEES_ALL not in text and (starts.search(text) or BUILDS.search(text)):
+    texts = pages_and_scripts(files)
+    for text in () if any(SEES_ALL in each for each in texts) else texts:
+        if starts.search(text) or BUILDS.search(text):
             for command in entering(text):
                 return command
     return ""

@@ -8,6 +8,7 @@ from ..checks.depends.brought_dependencies import Bringer
 from ..checks.depends.circles import circle_with
 from ..checks.depends.declared_dependencies import DeclaredDependencies
 from ..checks.depends.name_source import is_of_family, newer_distros, source_of
+from ..checks.depends.pip_requirements import FRAMEWORKS
 from ..checks.depends.similar_names import SimilarNames
 from ..checks.depends.system_installs import TOLD
 from ..checks.depends.undeclared_includes import IncludeDependencies, IncludedPackage
@@ -113,6 +114,7 @@ def written(declared: DeclaredDependencies, tag: str, name: str) -> str:
 def safety_of(declared: DeclaredDependencies, name: str) -> Safety:
     """Return whether a name may be declared unasked: all distributions have it, and it was not left out on purpose."""
     is_left = name in declared.commented_out or name in declared.for_other_distributions
+    is_left = is_left or name.removeprefix("python3-") in FRAMEWORKS
     sure = source_of(declared, name) == "released" and not is_left
     return Safety.SAFE if sure and not newer_distros(declared, name) else Safety.UNSAFE
 

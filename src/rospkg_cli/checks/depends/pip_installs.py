@@ -15,6 +15,7 @@ from ...ros.names import Names
 from ...tree import READABLE
 from ..container_files import OF_CONTAINER, files_called
 from .locked_names import locked_names, may_lock
+from .own_requirements import own_requirements
 from .pip_requirements import distributions_of, required_by
 from .shell_variables import with_values
 
@@ -64,7 +65,9 @@ class PipInstalls:
     @cached_property
     def written(self) -> frozenset[str]:
         """The names of distributions, as the files of the package and of the folders above it write them."""
-        told = {name for path, text in installing_texts(self.files) for name in names_in(path, text)}
+        texts = [*installing_texts(self.files)]
+        told = {name for path, text in texts for name in names_in(path, text)}
+        told.update(own_requirements(self.files, texts))
         listed = (name for path, text in texts_called(self.files, may_lock) for name in locked_names(path, text))
         return frozenset(told.union(listed))
 

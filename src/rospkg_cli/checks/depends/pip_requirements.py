@@ -7,6 +7,10 @@ from collections.abc import Iterable
 from ...ros.read_table import rows, sets
 
 TABLE = "pip_requires.txt"
+FRAMEWORKS = frozenset({"torch", "torchvision", "torchaudio", "tensorflow", "keras", "jax", "onnxruntime", "open3d"})
+"""Modules of frameworks that people install for the graphics card and the CUDA that they have."""
+OTHERWISE = {"whisper": "openai-whisper", "roboticstoolbox": "roboticstoolbox-python"}
+"""Modules that are called otherwise than the distribution that has them, and that no key of rosdep is for."""
 
 
 def required_by(names: Iterable[str]) -> dict[str, str]:

@@ -86,6 +86,13 @@ class ImportDependencies:
         bringer = self.pip.bringer(module, missing.name, index)
         return bringer and f"; this repository has pip install `{bringer}`, which requires it in most versions"
 
+    def why_brought(self, missing: UndeclaredImport) -> str:
+        """Return what is said of a library that people have by their own choice, or with another; "" for others."""
+        from .brought_by_people import why_brought  # few packages lack something
+
+        module = missing.places[0].module
+        return why_brought(self.declared, self.python.files, module, missing.name) if self.is_library(missing) else ""
+
     @cached_property
     def pip(self) -> PipInstalls:
         return PipInstalls(self.files)
@@ -124,6 +131,7 @@ class ImportDependencies:
         that the repository builds on may have it.
         """
         why, is_library = self.why_unstarted(missing.places), self.declared.workspace.index.is_key(missing.name)
+        why = why or self.why_brought(missing)
         if why or self.pythons is None or not is_library:
             return why
         if why := self.pythons.why_unseen({each.path for each in missing.places}):

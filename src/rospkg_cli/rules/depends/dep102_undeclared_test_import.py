@@ -23,7 +23,7 @@ NEVER_RUN = "; `colcon test` does not run this file today"
     levels={
         Severity.INFO: "where a declared dependency or colcon brings or may bring it, an unreleased repository "
         "declares it in another package or installs it by apt, package.xml has it in a comment or for older "
-        "distributions alone, a page tells to install it by hand, setup.py does not ask for pytest, or `colcon test` "
+        "distributions alone, pip or a page's reader installs it, setup.py does not ask for pytest, or `colcon test` "
         "does not run the file or comes to the function, or it needs this package itself"
     },
     examples=(
@@ -50,11 +50,11 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
     one info, which names who brings it. What may come with a declared one is another: with a package that is neither
     here nor in the table of what is installed with what, anything may come. It is an info, too, where setup.py does not
     ask for pytest: `colcon test` runs unittest then; where another package of the repository declares it, or a list or
-    a command of it installs it (apt alone), and nothing shows a release; and for a launch test that CMake does not
-    register, or whose name pytest does not look for. Left out are optional imports, helpers that no test uses,
-    launch_ros and launch_testing where a declared dependency certainly brings them, and what installed code imports as
-    well (DEP101). A package here that needs this one itself is an info, for to declare it would make a circle; where it
-    declares this one, nothing is said.
+    a command of it installs it (apt alone), and nothing shows a release; where the repository has pip install it, or
+    people have it otherwise (DEP101); and for a launch test that CMake does not register, or whose name pytest does not
+    look for. Left out are optional imports, helpers that no test uses, launch_ros and launch_testing where a declared
+    dependency certainly brings them, and what installed code imports as well (DEP101). A package here that needs this
+    one itself is an info, for to declare it would make a circle; where it declares this one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, where no released package has the name, or where a comment of
@@ -81,7 +81,8 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
         )
         why = imports.why_seldom(missing.places) if imports.has_pytest else ""
         end = NEVER_RUN if imports.are_never_run(missing.places) else why
-        end = end or (BY_PAGE if imports.is_by_hand(missing) else "")
+        end = end or imports.why_pip(missing) or (BY_PAGE if imports.is_by_hand(missing) else "")
+        end = end or imports.why_brought(missing)
         places = related((place.path, place.span) for place in missing.places)
         is_mild = bool(end) or is_unmet(declared, missing.name, imports.serving(missing)) or not imports.has_pytest
         level = Severity.INFO if is_mild else None
