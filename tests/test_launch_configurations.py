@@ -202,3 +202,40 @@ def test_a_parameter_that_is_the_name_of_an_argument() -> None:
     assert said(xml(DECLARE + node), "LCH007") == ["LCH007"]
     assert said(xml(DECLARE + USE + node), "LCH007") == []
     assert said(xml(node), "LCH007") == []
+
+
+OFF = ", but only if its condition holds (not by default)"
+
+
+@pytest.mark.parametrize(
+    ("body", "level"),
+    [
+        ('<arg name="gui" default="false"/><group if="$(var gui)"><log message="$(var rate)"/></group>', "info"),
+        ('<arg name="gui" default="true"/><group if="$(var gui)"><log message="$(var rate)"/></group>', "warning"),
+        ('<arg name="gui"/><group if="$(var gui)"><log message="$(var rate)"/></group>', "warning"),
+        (f'<arg name="gui" default="false"/><group if="$(var gui)">{USE}</group>{USE}', "warning"),
+        ('<arg name="gui" default="false"/><log if="$(var gui)" message="$(var rate)"/>', "info"),
+        ('<arg name="gui" default="false"/><log if="$(var rate)" message="$(var gui)"/>', "warning"),
+    ],
+)
+def test_what_is_only_asked_for_under_a_condition_that_is_off_is_an_info(body: str, level: str) -> None:
+    (found,) = lint_files({**OTHERS, **xml(body)}, ["LCH008"]).findings
+    assert found.severity.value == level
+    assert (OFF in found.message) == (level == "info")
+
+
+def test_an_action_of_python_that_is_off_asks_for_nothing() -> None:
+    body = """\
+gui = DeclareLaunchArgument('gui', default_value='{}')
+use = LogInfo(msg=LaunchConfiguration('rate'), condition=IfCondition(LaunchConfiguration('gui')))
+return LaunchDescription([gui, use])"""
+    for default, level in (("false", "info"), ("true", "warning")):
+        (found,) = lint_files({**OTHERS, **python(body.format(default))}, ["LCH008"]).findings
+        assert found.severity.value == level
+
+
+def test_a_declaration_behind_a_use_that_is_off_is_an_info() -> None:
+    off = '<arg name="gui" default="{}"/><log if="$(var gui)" message="$(var rate)"/>' + DECLARE
+    for default, level in (("false", "info"), ("true", "warning")):
+        (found,) = lint_files({**OTHERS, **xml(off.format(default))}, ["LCH016"]).findings
+        assert found.severity.value == level

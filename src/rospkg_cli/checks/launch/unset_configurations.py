@@ -22,6 +22,7 @@ from ...source import Span
 from ...suggest import near_names, nearest
 from ...unreadable import READABLE
 from .entity_schema import entity_faults
+from .idle_actions import level_at
 
 State = Literal["undeclared", "late", "not added"]
 """`not added`: it is declared, and the launch description that the file returns does not hold the declaration."""
@@ -84,7 +85,7 @@ class LaunchConfigurations:
         return named or self.file_name in self.workspace.launch.included
 
     def unset(self) -> Iterator[UnsetConfiguration]:
-        """Yield each name once, where it is first used."""
+        """Yield each name once, where it is first used, and under no condition that is off by default if it can be."""
         told: set[str] = set()
         for each in (*self.certainly_unset(), *self.slips(), *self.unset_in_classes(), *self.only_inherited()):
             if each.name not in told:
@@ -98,15 +99,19 @@ class LaunchConfigurations:
             return
         events = self.file.events or ()
         declared = tuple(event.name for event in events if event.kind == "declare")
-        seen: set[str] = set()
-        for index, event, unsure in self.missing(events, inherited | OWN):
-            if event.name not in seen:
-                seen.add(event.name)
-                state = self.state(event.name, index)
-                if state is not None and not (unsure and self.may_be_set_there(event.name, state, declared)):
-                    yield UnsetConfiguration(
-                        event.name, event.span, state, declared, event.passed_as == event.name, event.is_lookup, unsure
-                    )
+        uses: dict[str, list[tuple[int, LaunchEvent, bool]]] = {}
+        for each in self.missing(events, inherited | OWN):
+            uses.setdefault(each[1].name, []).append(each)
+        for name, several in uses.items():
+            index, event, unsure = next((each for each in several if self.is_met(each[1])), several[0])
+            state = self.state(name, index)
+            if state is not None and not (unsure and self.may_be_set_there(name, state, declared)):
+                passed = event.passed_as == name
+                yield UnsetConfiguration(name, event.span, state, declared, passed, event.is_lookup, unsure)
+
+    def is_met(self, use: LaunchEvent) -> bool:
+        """Return whether a plain `ros2 launch` may come to a use."""
+        return use.is_lookup or level_at(self.file, use.span)[0] != "info"
 
     def may_be_set_there(self, name: str, state: State, declared: tuple[str, ...]) -> bool:
         """Return whether a file that is included, and is not known, is likely to set a name: where this one declares

@@ -28,6 +28,12 @@ def level_met(file: LaunchFile, span: Span, workspace: Workspace) -> tuple[Level
     return ("info", ENDS_BEFORE.format(lacked)) if lacked else (level, why)
 
 
+def why_unvisited(file: LaunchFile, span: Span, workspace: Workspace) -> str:
+    """Return why no plain launch comes to a place: its action is off, or the launch ends before; "" where one may."""
+    level, why = level_met(file, span, workspace)
+    return why if level == "info" else ""
+
+
 def why_unmet(file: LaunchFile, span: Span, workspace: Workspace) -> str:
     """Return why no launch comes to a place, as it ends before for lack of a package; "" where it may."""
     lacked = package_lacked(file, span, workspace)

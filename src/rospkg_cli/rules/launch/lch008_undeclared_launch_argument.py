@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.launch.told_arguments import TOLD, ConfigurationsAndPages
 from ...checks.launch.unset_configurations import UnsetConfiguration
-from ...checks.launch.who_meets import why_unmet
+from ...checks.launch.who_meets import why_unmet, why_unvisited
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -40,8 +40,8 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "others include it, or probably do, it declares none, it includes a file that is not here, "
-        "nothing reads the variable, each command that pages and comments tell gives it, or the launch ends before at "
-        "a package that nothing brings"
+        "nothing reads the variable, each command that pages and comments tell gives it, a condition that is off by "
+        "default is around it, or the launch ends before at a package that nothing brings"
     },
     examples=(
         Example(
@@ -75,7 +75,8 @@ def undeclared_launch_argument(of: ConfigurationsAndPages) -> Iterator[Hit]:
     nowhere. One that others include may get the argument from them: an info, as where it uses many, or declares none at
     all: then it is the user, or the file that includes it, who must set it. Where it includes a file that is not here,
     it is an info, if it declares others and no file of the workspace has that name. And it is one where pages, scripts
-    or the comments of the file tell how to start it, and each of these commands gives the argument.
+    or the comments of the file tell how to start it, and each of these commands gives the argument; and where only
+    actions ask for it that nothing adds, or that are off by default.
     """
     configurations, file = of.configurations, of.configurations.file
     found = [each for each in configurations.unset() if each.state != "late"]
@@ -85,7 +86,8 @@ def undeclared_launch_argument(of: ConfigurationsAndPages) -> Iterator[Hit]:
     for each in found if not (many and configurations.is_included) else ():
         if many and each.is_passed_on:
             continue
-        lacked = why_unmet(file, each.span, configurations.workspace)
+        reason = why_unmet if each.is_lookup else why_unvisited  # Python itself raises KeyError
+        lacked = reason(file, each.span, configurations.workspace)
         why = f", {lacked}" if lacked else ""
         is_mild = each.may_be_included or each.is_guess or each.is_unread or bool(lacked)
         is_mild = is_mild or (is_for_others and each.state == "undeclared")

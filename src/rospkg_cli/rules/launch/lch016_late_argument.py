@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.launch.told_arguments import TOLD, ConfigurationsAndPages
-from ...checks.launch.who_meets import why_unmet
+from ...checks.launch.who_meets import why_unvisited
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -30,8 +30,8 @@ GOOD = """\
     over=ConfigurationsAndPages,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "the launch ends before, at a package that nothing here brings, or each command that pages and "
-        "comments tell gives the argument"
+        Severity.INFO: "the launch ends before, at a package that nothing here brings, the action is off by default, "
+        "or each command that pages and comments tell gives the argument"
     },
     examples=(
         Example(
@@ -56,13 +56,13 @@ def late_argument(of: ConfigurationsAndPages) -> Iterator[Hit]:
     Nothing is said where the argument has been set by a file that includes this one, or where something of an unknown
     name may have set it. An argument without a default has to be given wherever it is declared: without it the launch
     stops before it begins, and given it is set from the start. Where the launch ends before, as it looks for a package
-    that nothing here brings, it is an info; so it is where pages, scripts or the comments of the file tell how to start
-    it, and each of these commands gives the argument.
+    that nothing here brings, or only an action uses it that is off by default, it is an info; so it is where pages,
+    scripts or the comments of the file tell how to start it, and each of these commands gives the argument.
     """
     configurations = of.configurations
     for each in configurations.unset():
         if each.state == "late":
-            why = why_unmet(configurations.file, each.span, configurations.workspace)
+            why = why_unvisited(configurations.file, each.span, configurations.workspace)
             told = f", {TOLD}" if of.is_told(each.name) else ""
             message = (
                 f"`{each.name}` is used before it is declared: unless given{told}, the launch stops "
