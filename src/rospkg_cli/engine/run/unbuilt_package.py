@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import PurePosixPath
 
+from ...files import PackageFiles
 from ...finding import Finding, Severity
 from ...light_dataclasses import replace
 from ...package.run_events import RuleCrash
@@ -11,6 +12,20 @@ from ...package.run_events import RuleCrash
 UNREADABLE = "RPK001"
 BUILD_FILES = ("package.xml", "setup.py", "CMakeLists.txt")
 """Of these in the folder of a package, one that can't be read stops the build."""
+
+STOPS = frozenset({"CMK102", "IDL006", "SET101", "SET202", "SET302", "XML304"})
+"""One of these is told of each package that is incomplete."""
+
+
+def of_unbuilt(
+    results: list[Finding | RuleCrash], files: PackageFiles, folder: str, name: str
+) -> list[Finding | RuleCrash]:
+    """Return the results of a package, with infos for what nobody meets in one that is not built as it lies."""
+    if any(isinstance(each, Finding) and each.code in STOPS and is_loud(each) for each in results):
+        from .lesson_folder import as_it_lies  # for packages that lack a file
+
+        results = as_it_lies(results, files, name)
+    return behind_unreadable(results, folder)
 
 
 def behind_unreadable(results: list[Finding | RuleCrash], folder: str) -> list[Finding | RuleCrash]:

@@ -95,8 +95,9 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     `if(WIN32)` or the like, for another processor (`aarch64`), and inside a branch that asks for a switch which is off:
     an option without `ON`, a variable that nothing sets, and that no page or script of the repository has, or one that
     is never true (`if(0)`, after `set(WITH_ARM OFF)`). So is a folder that a script makes (`mkdir -p generated`), or a
-    page has people make or fill for maps, data or the like, a file that one has them copy, and what lies in a
-    repository that they clone (`git clone … third_party/sdk`) or that a `.repos` file lists.
+    page has people make or fill for maps, data or the like, a file that one has them copy, also with the whole folder
+    into a package of `ros2 pkg create`, and what lies in a repository that they clone (`git clone … third_party/sdk`)
+    or that a `.repos` file lists.
     """
     missing = MissingPaths(package.cmake)
     names = frozenset({package.facts.name, basename(package.facts.folder)} - {""})

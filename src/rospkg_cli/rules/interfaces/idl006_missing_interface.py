@@ -40,7 +40,8 @@ def missing_interface(generated: RosidlTargets) -> Iterator[Hit]:
 
     ## When it is quiet
     Where a command writes the file, or a program is run in its folder; where a .gitignore names it; below a submodule
-    that is not checked out; and under a condition that can't be evaluated.
+    that is not checked out; and under a condition that can't be evaluated. It is an info in a folder of a course whose
+    page has people copy its files into a package of `ros2 pkg create`.
     """
     for listed in generated.missing():
         meant = generated.meant.get(listed.path or "")

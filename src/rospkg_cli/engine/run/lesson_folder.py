@@ -1,0 +1,61 @@
+"""Folders of a course that hold a few files of a package, which readers copy into the one that `ros2 pkg create` makes.
+
+The sources lie beside the build file, not where that looks for them: nobody builds the folder as it lies.
+"""
+
+from __future__ import annotations
+
+import re
+
+from ...files import PackageFiles
+from ...finding import Finding, Severity
+from ...lazy_regex import regex
+from ...light_dataclasses import replace
+from ...package.run_events import RuleCrash
+
+OF_MISSING = frozenset(
+    "CMK101 CMK102 CMK109 CMK124 IDL006 SET101 SET201 SET202 SET203 SET205 SET301 SET302 XML304".split()
+)
+"""Rules about files that are not where a build file looks for them."""
+PAGES = (".md", ".rst")
+MAX_PAGES = 200
+COPIES = regex(r"(?i)\b(?:cop(?:y|ied)|move|replace|paste|overwrite|cp|mv)\b")
+COPIED = regex(r"\bpackage\.xml\b|\bCMakes?Lists?\b|\bsetup\.py\b|\w\.(?:py|cpp|hpp|msg|srv|action)\b")
+MAKES = regex(r"\bros2[ \t]+pkg[ \t]+create\b")
+WHY = "; a page has people copy these files into a package that `ros2 pkg create` makes"
+
+
+def as_it_lies(results: list[Finding | RuleCrash], files: PackageFiles, name: str) -> list[Finding | RuleCrash]:
+    """Return the results of a package with an info for what is missing in a folder that only holds files to copy."""
+    missing = [each for each in results if isinstance(each, Finding) and is_of_missing(each)]
+    if not missing or not is_flat(files, name) or not any(tells(text, name) for text in pages(files)):
+        return results
+    mild = {id(each): replace(each, severity=Severity.INFO, message=each.message + WHY) for each in missing}
+    return [mild.get(id(each), each) for each in results]
+
+
+def is_of_missing(found: Finding) -> bool:
+    return found.code in OF_MISSING and found.severity is not Severity.INFO
+
+
+def is_flat(files: PackageFiles, name: str) -> bool:
+    """Return whether a package has none of the folders that `ros2 pkg create` makes, and its code in the topmost."""
+    made = ("src/", "include/", f"{name}/", "resource/")
+    code = (".cpp", ".hpp", ".py", ".msg", ".srv", ".action")
+    is_code = (path.endswith(code) and path != "setup.py" for path in files.paths if "/" not in path)
+    return not any(path.startswith(made) for path in files.paths) and any(is_code)
+
+
+def pages(files: PackageFiles) -> list[str]:
+    """Return what the pages of the repository say: another step of a course may tell of a package first."""
+    whole = PackageFiles(files.whole) if files.whole is not None else files
+    return [whole.readable_text(path) for path in whole.every if path.endswith(PAGES)][:MAX_PAGES]
+
+
+def tells(text: str, name: str) -> bool:
+    """Return whether a page has people make a package of a name, or names it where it has them copy files."""
+    own = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
+    lines = text.replace("\\\n", " ").split("\n") if own.search(text) else []
+    return any(
+        own.search(line) and (MAKES.search(line) or (COPIES.search(line) and COPIED.search(line))) for line in lines
+    )
