@@ -41,3 +41,18 @@ def test_the_robot_lacks_the_link() -> None:
     ((level, message),) = found('<link name="bases_link"/>')
     assert level == "error"
     assert message.startswith("no link is called `base_link`")
+
+
+@pytest.mark.parametrize(
+    "more, said",
+    [
+        ('<link name="arm"/>', [("error", "no joint joins `arm` to `base_link`")]),
+        ('<link name="$(arg prefix)arm"/>', []),
+        ('<xacro:if value="$(arg with_arm)"><link name="arm"/></xacro:if>', []),
+        ('<xacro:include filename="$(find elsewhere)/urdf/arm.xacro"/><link name="arm"/>', []),
+        ('<link name="arm"/><joint name="a" type="fixed"><parent link="base_link"/><child link="arm"/></joint>', []),
+    ],
+)
+def test_a_link_that_no_joint_joins(more: str, said: list[tuple[str, str]]) -> None:
+    """urdfdom refuses two roots, in a robot that xacro puts together as well."""
+    assert found(f'<link name="base_link"/>{more}') == said

@@ -16,6 +16,7 @@ from ...package.urdf.expansion.library import XacroLibrary
 from ...package.urdf.expansion.macros import Macro
 from ...package.workspace import Workspace
 from ..fault import Fault
+from .expanded_roots import split_faults
 from .expanded_tree import ExpandedTree
 from .xacro_calls import XacroCalls
 from .xacro_problems import problem_fault
@@ -84,7 +85,9 @@ class ExpandedRobots:
         for each in expander.called:
             callers.setdefault(each, []).append(robot)
         done = len(expansion.problems)
-        for path, fault in ExpandedTree(expansion, is_robot=is_robot).faults():
+        tree = ExpandedTree(expansion, is_robot=is_robot)
+        wrong = [*tree.faults()]
+        for path, fault in wrong if wrong or done else split_faults(tree):
             yield robot, path, fault, None
         for path, fault in self.refused(expansion.problems, is_sure=is_robot):
             yield robot, path, fault, None
