@@ -9,6 +9,8 @@ from ...checks.launch.unset_configurations import UnsetConfiguration
 from ...checks.launch.who_meets import why_unmet, why_unvisited
 from ...example import Example, manifest
 from ...finding import Hit, Severity
+from ...package.launch.launch_file import LaunchFile
+from ...package.workspace import Workspace
 from ...rule import rule
 from ...suggest import did_you_mean, is_misspelt
 
@@ -86,10 +88,8 @@ def undeclared_launch_argument(of: ConfigurationsAndPages) -> Iterator[Hit]:
     for each in found if not (many and configurations.is_included) else ():
         if many and each.is_passed_on:
             continue
-        reason = why_unmet if each.is_lookup else why_unvisited  # Python itself raises KeyError
-        lacked = reason(file, each.span, configurations.workspace)
-        why = f", {lacked}" if lacked else ""
-        is_mild = each.may_be_included or each.is_guess or each.is_unread or bool(lacked)
+        why = idle(each, file, configurations.workspace)
+        is_mild = each.may_be_included or each.is_guess or each.is_unread or bool(why)
         is_mild = is_mild or (is_for_others and each.state == "undeclared")
         mild = Severity.INFO if is_mild else level
         better = "; declare it, or give it a default"
@@ -109,6 +109,13 @@ def undeclared_launch_argument(of: ConfigurationsAndPages) -> Iterator[Hit]:
         unless = "given, or set by a file that it includes" if each.may_be_included else "given"
         stops = f'unless {unless}{told}, the launch stops ("{raised}"){unread(each)}{why}'
         yield Hit(file.path, each.span, f"{message}: {stops}{better}", Severity.INFO if told else mild)
+
+
+def idle(each: UnsetConfiguration, file: LaunchFile, workspace: Workspace) -> str:
+    """Return why no plain launch comes to a use: a lookup in Python raises KeyError, whatever becomes of its value."""
+    reason = why_unmet if each.is_lookup else why_unvisited
+    why = reason(file, each.span, workspace)
+    return f", {why}" if why else ""
 
 
 def unread(each: UnsetConfiguration) -> str:
