@@ -185,6 +185,27 @@ def test_packages_of_one_name_in_the_steps_of_a_course(folders: tuple[str, str],
 
 
 @pytest.mark.parametrize(
+    "folders, level",
+    [
+        (("robot/a", "laptop/a"), "info"),
+        (("code/raspberry_pi/a", "code/pc/b/a"), "info"),
+        (("real_robot/a", "simulation/a"), "info"),
+        (("robot_sim/a", "robot_real/a"), "info"),
+        (("robot/a", "rover/a"), "warning"),
+        (("robot_arm/a", "robot_base/a"), "warning"),
+        (("robot/a", "sensors/a"), "warning"),
+        (("robot", "laptop/a"), "warning"),
+        (("src/robot/a", "src/laptop/a"), "error"),
+    ],
+)
+def test_packages_of_one_name_for_a_robot_and_what_is_none(folders: tuple[str, str], level: str) -> None:
+    files = {f"{each}/package.xml": manifest("", "cmake", "my_pkg") for each in folders}
+    (finding,) = lint_files(files, ["WSP001"]).findings
+    assert finding.severity.value == level
+    assert ("each is built for itself" in finding.message) == (level == "info")
+
+
+@pytest.mark.parametrize(
     ("folders", "selected", "told"),
     [
         (("one_ws/src/a", "two_ws/src/b"), "", 0),

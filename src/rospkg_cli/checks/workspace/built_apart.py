@@ -11,11 +11,35 @@ from ..older_distribution import called
 STEP = regex(r"(?!ros[12])(?P<word>\D*)(?P<number>\d+).*", re.DOTALL | re.IGNORECASE)
 """A folder that is numbered: `week2`, `lab_03`, `17-publisher`; `ros1` and `ros2` are no steps."""
 
+ROBOT = frozenset(
+    "robot onboard rpi rpi4 rpi5 pi raspi raspberry raspberrypi jetson nano orin car rover drone vehicle real hardware"
+    " hw physical board".split()
+)
+"""Words for the machine that drives, or for what is no simulation."""
+OPERATOR = frozenset(
+    "pc laptop desktop remote host offboard station basestation workstation operator sim simulation simulated simulator"
+    " gazebo gz webots isaac unity".split()
+)
+"""Words for the machine of those who watch, or for what replaces the robot."""
+WORDS = regex(r"[a-z]+[0-9]*")
+
 
 def are_of_two(one: str, other: str) -> bool:
     """Return whether folders are called as being for different distributions: `humble` and `jazzy`."""
     here, there = called(one), called(other)
     return bool(here) and bool(there) and here.isdisjoint(there)
+
+
+def are_of_two_machines(one: str, other: str) -> bool:
+    """Return whether two paths differ first in folders for a robot and for what is none: `pi/a` and `laptop/a`."""
+    here, there = one.split("/"), other.split("/")
+    shared = len(posixpath.commonprefix([here, there]))
+    if min(len(here), len(there)) < shared + 2:
+        return False
+    first, second = (frozenset(WORDS.findall(parts[shared].lower())) for parts in (here, there))
+    if not first.isdisjoint(second):
+        first, second = first - second, second - first
+    return any(not a.isdisjoint(ROBOT) and not b.isdisjoint(OPERATOR) for a, b in ((first, second), (second, first)))
 
 
 def are_steps(one: str, other: str) -> bool:
@@ -30,3 +54,12 @@ def are_steps(one: str, other: str) -> bool:
     if first is None or second is None or first["word"] != second["word"] or first["number"] == second["number"]:
         return False
     return not first["word"] or all(len(parts) > shared + 1 for parts in (here, there))
+
+
+def why_apart(one: str, other: str) -> str:
+    """Return a clause on why two folders are built apart, by their names; "" where these say nothing of it."""
+    if are_steps(one, other):
+        return "; their folders are numbered as steps, of which one is built at a time"
+    if are_of_two_machines(one, other):
+        return "; their folders are called as for a robot and for what is none: each is built for itself"
+    return ""

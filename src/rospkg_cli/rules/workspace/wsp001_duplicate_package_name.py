@@ -6,7 +6,7 @@ import posixpath
 import re
 from collections.abc import Iterator, Set
 
-from ...checks.workspace.built_apart import are_of_two, are_steps
+from ...checks.workspace.built_apart import are_of_two, why_apart
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...lazy_regex import regex
@@ -28,7 +28,8 @@ MARKED = manifest(build_type="ament_cmake").replace("<name>my_pkg", "<name>«my_
     levels={
         Severity.WARNING: "no `src` and no folder called `…_ws` is above one of them, or one is laid aside",
         Severity.INFO: "one of them is for ROS 1, lies outside of the workspace around the other, or their folders are "
-        "called as for different distributions, or numbered as steps with no `src` above",
+        "called as for different distributions or, with no `src` above, numbered as steps or called as for a robot and "
+        "for what is none",
     },
     examples=(
         Example(
@@ -57,9 +58,10 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
     by side (`one_ws/src` and `other_ws`, `ws/one/src` and `ws/other/src`) are built apart; so is one within another
     where only the inner one is linted. Folders that are called as for different distributions (`humble/`, `jazzy/`)
     are built one at a time: an info. So are those that are numbered as the steps of a course (`week1/`, `week2/`;
-    `17-publisher`, `21-interfaces`), unless a `src` or a folder called as a workspace is above them. So is a copy
-    outside of the folder called as a workspace that the other one lies in: nothing shows that colcon is started
-    above both. All packages of one name are one finding.
+    `17-publisher`, `21-interfaces`), or for a robot and what is none (`robot/` and `laptop/`, `real/` and `sim/`),
+    unless a `src` or a folder called as a workspace is above them. So is a copy outside of the folder called as a
+    workspace that the other one lies in: nothing shows that colcon is started above both. All packages of one name
+    are one finding.
     """
     for facts, copies in ((each, same) for same in workspace.repeated for each in same):
         others = [each for each in copies if each is not facts and are_built_together(facts, each, workspace.selected)]
@@ -76,8 +78,9 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
                 f"`{first}` is called `{facts.name}` too: {end} (`Duplicate package names not "
                 f"supported`); rename one, or put a COLCON_IGNORE into the copy"
             )
-            if level is Severity.INFO and all(are_steps(facts.folder, each.folder) for each in others):
-                message += "; their folders are numbered as steps, of which one is built at a time"
+            if level is Severity.INFO:
+                reasons = {why_apart(facts.folder, each.folder) for each in others}
+                message += reasons.pop() if len(reasons) == 1 else ""
             related = tuple(Related(each.at("package.xml"), each.name_span, "the other one") for each in others)
             yield Hit(facts.at("package.xml"), facts.name_span, message, level, related=related)
 
@@ -92,7 +95,7 @@ def level_of(facts: PackageFacts, other: PackageFacts) -> Severity:
         return Severity.INFO
     is_one = any(map(is_root, one[:shared])) and not any(map(is_root, one[shared:] + two[shared:]))
     is_aside = any(is_set_aside(f"{each.folder}/") for each in (facts, other))
-    if not is_one and are_steps(facts.folder, other.folder):
+    if not is_one and why_apart(facts.folder, other.folder):
         return Severity.INFO
     return Severity.ERROR if is_one and not is_aside else Severity.WARNING
 
