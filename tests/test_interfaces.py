@@ -94,6 +94,23 @@ def test_types_across_the_workspace(text: str, said: str) -> None:
     assert all(said in finding.message for finding in found)
 
 
+@pytest.mark.parametrize(
+    ("path", "listed", "level"),
+    [
+        ("msg/Zone.msg", "${MESSAGES}", "warning"),
+        ("msg/old/Zone.msg", "${MESSAGES}", None),
+        ("msg/Zone_backup.msg", "${MESSAGES}", None),
+        ("msg/old/Zone.msg", "msg/old/Zone.msg", "error"),
+    ],
+)
+def test_an_unknown_list_holds_nothing_that_is_laid_aside(path: str, listed: str, level: str | None) -> None:
+    cmake = BACKDROPS["interfaces"]["CMakeLists.txt"]
+    call = f"rosidl_generate_interfaces(${{PROJECT_NAME}} {listed})"
+    files = {**BACKDROPS["interfaces"], "CMakeLists.txt": f"{cmake.partition('rosidl_generate')[0]}{call}\n"}
+    found = lint_files({**files, path: "int size\n"}, ["IDL001"]).findings
+    assert [each.severity.value for each in found] == ([level] if level else [])
+
+
 def test_a_namesake_of_several_packages_is_no_advice() -> None:
     files = workspace(Robot="std_msgs/Square s\n", Square="float32 side\n")
     assert not lint_files(files, ["IDL004"]).findings

@@ -7,6 +7,7 @@ from functools import cached_property
 
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
+from ...package.file_role import is_set_aside
 from ...package.interfaces.interface_file import InterfaceFile
 from ...package.package_facts import PackageFacts
 
@@ -19,12 +20,12 @@ class InterfaceGeneration:
     cmake: CMake | None
 
     def may_read(self, path: str) -> bool:
-        """Return whether it may list a file; nothing reads one that it leaves out."""
+        """Return whether it may list a file; an unknown list is not taken to hold what is laid aside (`old/`)."""
         if self.cmake is None:
             return self.package.build_type != "ament_python"
         if not self.calls_rosidl:
             return False
-        return path in self.cmake.generated_interfaces or not self.cmake.knows_interfaces
+        return path in self.cmake.generated_interfaces or not (self.cmake.knows_interfaces or is_set_aside(path))
 
     @cached_property
     def calls_rosidl(self) -> bool:
