@@ -37,7 +37,9 @@ class InstallFaults:
         return given and facts is not None and not any(each.startswith(f"{top}/") for each in facts.share_files)
 
     def is_told_at_its_destination(self, package: str, place: str) -> bool:
-        """Return whether SET208 reports what setup.py installs to a place."""
+        """Return whether SET208 reports what setup.py installs to a place, or CMK111 that CMake's is absolute."""
+        if place.startswith("/"):
+            return self.cmake is not None and package == self.package.name
         shared = self.shared if self.setup is not None and package == self.package.name else None
         entries = DataDestinations(shared).misplaced if shared is not None else ()
         return any(place.startswith(f"{entry.folder}/") for entry, _, _ in entries)

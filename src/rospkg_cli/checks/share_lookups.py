@@ -221,6 +221,8 @@ class ShareLookups:
         if not is_here and (not near or (facts is self.facts and self.files.absent.is_expected(path))):
             return None
         goes_to = self.table.destination_of(path) if is_here and self.table is not None else None
+        if goes_to and self.faults.is_told_at_its_destination(facts.name, goes_to):
+            return None
         return MissingShareFile(where, span, facts.name, path, near, is_here, goes_to)
 
 

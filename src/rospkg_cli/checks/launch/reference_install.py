@@ -50,13 +50,13 @@ class ReferenceInstall:
     def is_said(self, missing: MissingReference) -> bool:
         """Return whether an install rule reports it.
 
-        SET208 does for a wrong destination in setup.py, CMK111 for an absolute one, CMK001 and SET401 for the share
+        SET208 and CMK111 do for a wrong destination, CMK001 and SET401 for the share
         directory of another name that CMake and setup.py give the package.
         """
         project = self.cmake.project_name if self.cmake is not None else self.name
         said = self.setup.setup_text("name") if self.setup is not None else None
         others = {project, said.text if said is not None else self.name} - {self.name}
-        misplaced = ("/", *(f"share/{other}/" for other in others))
+        misplaced = tuple(f"share/{other}/" for other in others)
         place = (missing.better_path or "") if missing.state == "elsewhere" else ""
         if place.startswith(misplaced) or (place and self.faults.is_told_at_its_destination(missing.package, place)):
             return True

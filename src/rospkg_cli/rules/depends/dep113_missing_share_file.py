@@ -54,8 +54,8 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
 
     ## When it is quiet
     Where neither the package has the file nor installs one of a near name: the code may write it. Where the file
-    asks whether something exists; where the installed files are not all known; for folders that CMK101, SET206 and
-    SET207 tell about; in files that nothing installs, and under a condition that never holds on Linux.
+    asks whether something exists; where the installed files are not all known; for what CMK101, CMK111 and SET206
+    to SET208 tell about; in files that nothing installs, and under a condition that never holds on Linux.
     A path that is put into a variable of a function or a member, which nothing reads, is an info, and so is one in a
     function that no program leads to, or behind `rclpy.spin`. What counts where nothing else is given, as the value of
     a parameter or an option, is a warning, like what is in a branch or in a `try` that goes on without the file.
