@@ -66,17 +66,33 @@ def test_a_package_inside_of_another_one(tmp_path: Path) -> None:
     ("path", "text", "level"),
     [
         ("docker/Dockerfile", "RUN git clone -b main https://github.com/ada/tof-driver.git /ws/src/tof\n", "info"),
-        (
-            "docker/Dockerfile",
-            "RUN git clone --depth 1 --branch v2 https://git.ada.org/ada/tof_driver_ros2\n",
-            "warning",
-        ),
+        ("docker/Dockerfile", "RUN git clone --depth 1 --branch v2 https://git.ada.org/ada/tof_driver_ros2\n", "info"),
         ("docker/Dockerfile", "RUN git clone https://git.ada.org/ada/tof && colcon build\n", "info"),
         ("setup.sh", "git -C src clone git@gitlab.com:ada/tof_driver.git\n", "info"),
         ("setup.sh", "# see https://github.com/ada/tof_driver\n", "warning"),
         (".github/workflows/ci.yml", "      - run: git clone https://github.com/ada/tof_driver\n", "info"),
         ("docs/install.md", "    git clone https://github.com/ada/lidar_driver\n", "warning"),
+        ("docs/install.md", "Clone https://github.com/ada/tof_setup into `src`.\n", "info"),
+        ("docs/install.md", "See https://github.com/ada/tof_setup for more.\n", "warning"),
+        ("src/my_pkg/README.md", "Needs https://github.com/ada/tof-ros2-driver\n    xacro urdf/r.urdf.xacro\n", "info"),
+        ("get.sh", "for r in tof_driver other; do\n  git clone $BASE/$r\ndone\n", "info"),
+        ("get.sh", "for r in other; do\n  git clone $BASE/$r\ndone\n", "warning"),
+        (
+            ".github/workflows/ci.yml",
+            "      - uses: actions/checkout@v4\n        with:\n          repository: ada/tof\n",
+            "info",
+        ),
+        (".github/workflows/ci.yml", "          vcs-repo-file-url: https://example.org/ada/deps.repos\n", "info"),
     ],
 )
 def test_what_a_script_clones(tmp_path: Path, code: str, path: str, text: str, level: str) -> None:
     assert [each[0] for each in told(tmp_path, code, {path: text})] == [level]
+
+
+def test_a_repository_that_may_be_this_one(tmp_path: Path) -> None:
+    """A page has people clone the repository that it lies in: this says nothing of an unknown package."""
+    inner = {
+        "src/tof_msgs/package.xml": manifest(name="tof_msgs"),
+        "README.md": "git clone git@g.org:a/tof_robot.git\n",
+    }
+    assert [each[0] for each in told(tmp_path, "DEP103", inner)] == ["warning"]

@@ -30,7 +30,7 @@ from ..launch.package_references import NAME, PackageReference, package_referenc
 from ..left_files import LeftFiles
 from .brought_dependencies import brought_by
 from .compiled_sources import named_sources
-from .declared_dependencies import DeclaredDependencies, normalized
+from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
 from .undeclared_imports import ImportDependencies
 
@@ -39,10 +39,6 @@ FOR_DEMOS = regex(r"turtlesim|demo_nodes_\w+")
 OF_VARIABLES = regex(r"_(?:dir|path|pkg|package|share)$")
 """What is put behind a package's name to call the variable that holds it, or its folder."""
 STARTER = "ros2launch"
-READMES = ("README.md", "README.rst", "readme.md", "README.txt", "README")
-README = regex(r"(?i:readme)(?:\.\w+)?")
-LINK = regex(r"\bgit(?:hub|lab)\.com[/:][\w.-]+/([\w.-]{3,})")
-CLONE = regex(r"\bgit[ \t][^\n;&|]*?\bclone\b[^\n;&|]*?[:/][\w.-]+/([\w.-]{3,})(?=[\s\"'`;&|]|$)")
 
 
 @dataclass(frozen=True)
@@ -115,23 +111,12 @@ class LaunchDependencies:
         return not workspace.is_available(name) and workspace.kind_of(name) not in (NameKind.PACKAGE, NameKind.KEY)
 
     def is_told(self, name: str) -> bool:
-        """Return whether a README links to the repository of an unknown package, which users clone by hand, or a
-        container, a job, a script or a page clones it.
-        """
-        return self.is_unknown_package(name) and any(normalized(name).startswith(each) for each in self.linked)
+        """Return whether a README links to the repository of an unknown package, or a page, a script or a job gets it."""
+        if not self.is_unknown_package(name):
+            return False
+        from .fetched_repositories import FetchedRepositories  # most packages are known
 
-    @cached_property
-    def linked(self) -> frozenset[str]:
-        """The names of the repositories that READMEs here and above link to, but for that of the packages around."""
-        own = [self.files.readable_text(path) for path in self.files.paths if README.fullmatch(path)]
-        above = self.files.above(READMES)
-        if above is not None and self.files.whole is not None:
-            own.append(PackageFiles(self.files.whole).readable_text(above))
-        links = [match[1] for text in own for match in LINK.finditer(text)]
-        links += [match[1] for text in self.declared.hidden.texts for match in CLONE.finditer(text)]
-        found = {normalized(each.removesuffix(".git")) for each in links}
-        around = [normalized(name) for name in self.declared.workspace.names]
-        return frozenset(each for each in found if not any(name.startswith(each) for name in around))
+        return FetchedRepositories(self.files, self.declared.workspace, self.declared.hidden).may_have(name)
 
     def meant(self, name: str) -> str | None:
         """Return the known package that an unknown name is a slip of; with another first letter it is another name.
