@@ -10,6 +10,7 @@ from rospkg_cli.testing import lint_files
 CODES = ["DEP101", "DEP102", "DEP103", "DEP104", "DEP106", "DEP116"]
 STARTS = '<launch><node pkg="{}" exec="talker"/></launch>\n'
 LOOKS = "from ament_index_python import get_package_share_directory\n\nA = get_package_share_directory('{}')\n"
+CAUGHT = LOOKS.replace("A = ", "try:\n    A = ") + "except Exception:\n    A = ''\n"
 ROBOT = '<robot xmlns:xacro="x" name="r"><xacro:include filename="$(find {})/urdf/a.xacro"/></robot>\n'
 TEST = "import {}\n\n\ndef test_it():\n    assert {}\n"
 NEEDS = "  <depend>ament_index_python</depend>\n  <exec_depend>ros2launch</exec_depend>\n"
@@ -50,6 +51,8 @@ NONE, ASKED = (("info", True, False), ("warning", False, True))
         (("arm/node.py", LOOKS), ("hand/node.py", LOOKS), (NONE, NONE)),
         (("arm/node.py", "import {}\n"), ("hand/node.py", "import {}\n"), (NONE, NONE)),
         (("arm/node.py", "import {}\n"), OTHER_LAUNCH, (ASKED, NONE)),  # the file is easier to move than the code
+        (LAUNCH, ("hand/node.py", CAUGHT), (ASKED,)),
+        (LAUNCH, ("hand/node.py", "# get_package_share_directory('{}')\n"), (ASKED,)),
         (LAUNCH, ("test/test_hand.py", TEST), (ASKED, NONE)),  # what tests alone need keeps nobody from being declared
         (LAUNCH, ("test/b.launch.xml", STARTS), (ASKED, NONE)),
         (LAUNCH, ("launch/demo_b.launch.xml", STARTS), (ASKED, NONE)),
@@ -58,7 +61,7 @@ NONE, ASKED = (("info", True, False), ("warning", False, True))
 def test_packages_that_need_each_other(
     arm: tuple[str, str], hand: tuple[str, str], expected: tuple[tuple[str, bool, bool], ...]
 ) -> None:
-    assert told(two(arm, hand)) == [("arm", *expected[0]), ("hand", *expected[1])]
+    assert told(two(arm, hand)) == [(name, *each) for name, each in zip(("arm", "hand"), expected, strict=False)]
 
 
 @pytest.mark.parametrize(("declares", "level"), [("", "warning"), ("  <exec_depend>arm</exec_depend>\n", "info")])
