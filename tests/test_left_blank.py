@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.left_blank import announces, is_blank
-from rospkg_cli.example import BACKDROPS, existing_files, manifest, scripts, setup_py
+from rospkg_cli.checks.left_blank import announces, is_blank, is_to_be_replaced
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest, scripts, setup_py
 from rospkg_cli.testing import lint_files
 
 PYTHON = {
@@ -116,3 +116,69 @@ def test_blanks(name: str) -> None:
 @pytest.mark.parametrize("name", ["_", "__", "todo_list", "your", "fill", "insert_here_now", "name", ""])
 def test_no_blanks(name: str) -> None:
     assert not is_blank(name)
+
+
+@pytest.mark.parametrize(
+    ("said", "expected"),
+    [
+        ("# <-- replace with your sim launch", True),
+        ("# Change this to your map", True),
+        ("# TODO: adapt path here", True),
+        ("<!-- edit this -->", True),
+        ("# the map of your lab", False),
+        ("# replaced by the new one", False),
+        ("", False),
+    ],
+)
+def test_a_comment_may_tell_to_write_another_name(said: str, expected: bool) -> None:
+    text = f"first = 1  # replace this\nname = 'a.yaml'  {said}\n"
+    assert is_to_be_replaced(text, text.index("a.yaml")) is expected
+
+
+STARTED = {
+    "package.xml": manifest("  <exec_depend>ros2launch</exec_depend>\n", "ament_cmake"),
+    "CMakeLists.txt": CMAKE.replace(
+        "ament_package", "install(DIRECTORY launch DESTINATION share/my_pkg)\nament_package"
+    ),
+}
+LAUNCH = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    share = get_package_share_directory('my_pkg')
+    robot = os.path.join(share, 'urdf', '{}')  {}
+    return LaunchDescription([
+        DeclareLaunchArgument('robot', default_value=robot),
+        Node(package='my_pkg', executable='{}', arguments=[robot]),  {}
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "level"),
+    [
+        ("arm.urdf", "", "warning"),
+        ("arm.urdf", "# the robot", "warning"),
+        ("arm.urdf", "# change this to your robot", "info"),
+        ("your_robot.urdf", "", "info"),
+        ("YOUR_ROBOT.urdf.xacro", "", "info"),
+        ("your.urdf", "", "warning"),
+    ],
+)
+def test_a_file_that_people_are_to_name_is_an_info(name: str, said: str, level: str) -> None:
+    files = {**STARTED, "launch/a.launch.py": LAUNCH.format(name, said, "talker", "")}
+    (found,) = lint_files(files, ["LCH003"]).findings
+    assert found.severity.value == level
+    assert ("until people name theirs there" in found.message) == (level == "info")
+
+
+@pytest.mark.parametrize(("said", "level"), [("", "error"), ("# replace with your executable", "info")])
+def test_a_program_that_people_are_to_name_is_an_info(said: str, level: str) -> None:
+    files = {**STARTED, "launch/a.launch.py": LAUNCH.format("arm.urdf", "", "talker", said)}
+    (found,) = lint_files(files, ["LCH002"]).findings
+    assert found.severity.value == level

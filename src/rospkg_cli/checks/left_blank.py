@@ -18,6 +18,10 @@ BLANK = regex(
     r"(?i)_*(?:to[ _]?do|tbd|fill[ _]?(?:me(?:[ _]?in)?|in|out|this)(?:[ _]here)?|fix[ _]?me|your_\w+|(?-i:X{3,})"
     r"|(?:replace|change)[ _]?(?:me|this)|insert_\w+_here)_*|_{3,}|\?{2,}"
 )
+REPLACED = regex(
+    r"(?i)\b(?:change|edit|adapt|adjust|modify|replace|customi[sz]e|update|insert)\b[^\n]{0,60}"
+    r"\b(?:your|this|these|here|me|own)\b"
+)
 BETWEEN = regex(r"[^\W\d_]+")
 SHORT = 3
 """How many letters of two words must be the same: `pub` means the publisher."""
@@ -26,6 +30,11 @@ SHORT = 3
 def is_blank(name: str) -> bool:
     """Return whether a name stands for one that is to be filled in: `___TODO___`, `<your_name>`, `FILL_ME_IN`."""
     return BLANK.fullmatch(name.strip("<>{}[] ")) is not None
+
+
+def is_to_be_replaced(text: str, place: int) -> bool:
+    """Return whether a comment on the line of a place tells to write another name: `# replace with your robot`."""
+    return REPLACED.search(comment_in(text[text.rfind("\n", 0, place) + 1 :].partition("\n")[0])) is not None
 
 
 def announces(text: str, place: int, name: str, *, behind: bool = False) -> bool:

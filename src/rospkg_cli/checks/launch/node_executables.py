@@ -167,7 +167,14 @@ class NodeExecutables:
             is_told = facts.knows("executables") or bool(slips(name, node.startable))
             known |= node.is_command and bool(node.in_folder)
             if is_told and not known and not posixpath.isabs(name):
-                yield replace(unless_blank(node), sister=self.sister(node), entry=self.entry(node))
+                yield replace(self.unless_blank(node), sister=self.sister(node), entry=self.entry(node))
+
+    def unless_blank(self, node: ExecutableUse) -> ExecutableUse:
+        """Return a use, as an info where people are to fill its name in (`TODO`, `<your_node>`) or to replace it."""
+        from ..left_blank import is_blank, is_to_be_replaced  # what few launch files need
+
+        is_open = is_blank(node.executable) or is_to_be_replaced(self.scope.file.source.text, node.span.start)
+        return replace(node, level="info", why="until people fill the name in") if is_open else node
 
     def unknown_together(self) -> Iterator[list[CausedPlace[ExecutableUse]]]:
         """Yield the uses in the package of each unknown executable that is told in this file; the worst is first."""
@@ -233,10 +240,3 @@ MILDEST: tuple[Level | None, ...] = ("info", "warning", None)
 def milder(one: tuple[Level | None, str], other: tuple[Level | None, str]) -> tuple[Level | None, str]:
     """Return the milder of two levels: of an action that a function makes, and of the name that it is given."""
     return min(one, other, key=lambda each: MILDEST.index(each[0]))
-
-
-def unless_blank(node: ExecutableUse) -> ExecutableUse:
-    """Return a use, as an info where its name is one that people are to fill in: `TODO`, `<your_node>`."""
-    from ..left_blank import is_blank  # what few launch files need
-
-    return replace(node, level="info", why="until people fill the name in") if is_blank(node.executable) else node

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import posixpath
+
 from ...package.file_role import role_of
 from ...package.launch.file_references import OPEN
 from ..fault import Level
@@ -31,6 +33,8 @@ def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None
         softer, why = "info", ENDS_BEFORE.format(lacked)
     if softer != "info" and (left := left_to_people(scope, each) or written_by_program(scope, each)):
         softer, why = "info", left
+    if softer != "info" and is_template(scope, each):
+        softer, why = "info", "until people name theirs there"
     if softer != "info" and each.state in ("absent", "no slash") and has_others(scope, each):
         softer = "info"
     if not softer and each.state != "elsewhere" and not scope.is_installed:
@@ -71,6 +75,14 @@ def left_to_people(scope: LaunchContext, each: MissingReference) -> str:
         return ""
     why = why_left(files_of(scope.files, facts, own=own), each.path, is_code=each.stops_launch)
     return why or written_for(scope, each)
+
+
+def is_template(scope: LaunchContext, each: MissingReference) -> bool:
+    """Return whether people are to write another name: a comment says so, or the name does (`YOUR_ROBOT.urdf`)."""
+    from ..left_blank import is_blank, is_to_be_replaced  # few packages miss a file
+
+    name = posixpath.basename(each.path).partition(".")[0]
+    return is_blank(name) or is_to_be_replaced(scope.file.source.text, each.span.start)
 
 
 def written_by_program(scope: LaunchContext, each: MissingReference) -> str:

@@ -95,15 +95,15 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     Where the action has a condition that can't be evaluated, it is a warning, where the defaults make it false, nothing
     adds the action, uses the value (but to `print` it) or calls the function, an info, and so is the default of an
     argument that neither the file nor one that it includes uses, that only actions use which are off by default, or
-    that the file itself gives another value (`context.launch_configurations['x'] = …`). A parameter file of a node that
-    gets other files or values as well is an info, and so is the value of a parameter that no code of the node's
-    package, which is here, declares or gets, that a well-known node does not have, or of any other node where its name
-    says nothing of a file (`…_file`, `…_path`, `yaml`, `map`, `url`), and what stands behind the place where every
-    launch ends, as it looks for a package that nothing here brings. It is an info, too, where people bring the file and
-    launch does not include it: a page or a script fetches, saves or copies it there by its name, or its folder has only
-    a `.gitkeep` or the like and is for what people make (`maps`, `data`), has a README alone, or launch says the name,
-    or git ignores a folder that the build installs as a whole (`resource/`). So it is where a program writes it: its
-    code here puts such a name together (`'modified_' + world`), or it is called like `octomap_saver_node`, `log_file`.
+    that the file itself gives another value. A parameter file of a node that gets others as well is an info, and so is
+    the value of a parameter that no code of the node's package, which is here, declares or gets, that a well-known node
+    does not have, or of any other node where its name says nothing of a file (`…_file`, `…_path`, `yaml`, `map`,
+    `url`), and what stands behind the place where every launch ends, as it seeks a package that nothing brings. It is
+    an info, too, where people bring the file and launch does not include it: a page or a script fetches, saves or
+    copies it there by its name, or its folder has only a `.gitkeep` or the like and is for what people make (`maps`,
+    `data`), has a README alone, or launch says the name, or git ignores a folder that the build installs as a whole
+    (`resource/`). So it is where a program writes it: code puts the name together (`'modified_' + a`), or it is called
+    like `octomap_saver_node`; or where the name is to be replaced (`YOUR_ROBOT.urdf`, `# change this`).
     """
     for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):
