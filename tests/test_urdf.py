@@ -196,3 +196,18 @@ def test_worlds_are_followed_too() -> None:
     files["src/robot/worlds/w.world"] = "<sdf><uri>package://robot/meshes/leg.stl</uri></sdf>\n"
     (finding,) = lint_files(files, ["URD001", "URD002"]).findings
     assert finding.location.path == "src/robot/worlds/w.world"
+
+
+@pytest.mark.parametrize(
+    "attributes, lacked",
+    [
+        ('ixx="${m}" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"', []),
+        ('ixx="${m}" iyy="1" izz="1" ixy="0" ixz="0"', ["`<inertia>` has no `iyz`; urdfdom leaves out what it is in"]),
+        ("", []),
+        ('ixx="1" xacro:rest="1"', []),
+    ],
+)
+def test_an_inertia_in_a_macro(attributes: str, lacked: list[str]) -> None:
+    inside = f'<inertial><mass value="1"/><inertia {attributes}/></inertial>'
+    body = f'<xacro:macro name="inertial" params="m">{inside}</xacro:macro>'
+    assert [fault.message for fault in robot_faults(read(body, "urdf/a.xacro", XACRO))] == lacked

@@ -14,10 +14,13 @@ NUMBERS = {"mass": ("value",), "inertia": INERTIA}
 
 
 def loose_faults(root: Element, check: ElementCheck) -> Iterator[Fault]:
-    """Yield numbers that can't be read, of what no link or joint holds itself; what lacks may come from elsewhere."""
+    """Yield numbers that can't be read, of what no link or joint holds itself; an element as a whole may come from elsewhere."""
     for part, in_joint in loose_parts(root):
         vectors = check.vectors(part, ("xyz", "rpy")) if part.tag == "origin" else ()
-        for fault in (*vectors, *check.numbers(part, (), NUMBERS.get(part.tag, ()))):
+        names = NUMBERS.get(part.tag, ())
+        is_begun = not part.children and 2 * sum(part.get(name) is not None for name in names) >= len(names)
+        numbers = check.numbers(part, names, ()) if is_begun else check.numbers(part, (), names)
+        for fault in (*vectors, *numbers):
             harm = "refuses the robot" if in_joint else "leaves out what it is in"
             yield Fault(fault.span, f"{fault.message}; urdfdom {harm}", None if in_joint else "warning")
 
