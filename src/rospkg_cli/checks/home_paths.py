@@ -143,12 +143,13 @@ class HomePaths:
             is_seldom_read = is_seldom_read or (path.endswith(YAML) and not is_image and not self.is_used(path))
             is_seldom_read = is_seldom_read or self.is_unused(path, place) or is_guarded_macro(bare, match.start())
             is_seldom_read = is_seldom_read or self.is_replaced(path, place, bare, named)
+            is_seldom_read = is_seldom_read or self.is_given_otherwise(path, bare, place.start)
             is_seldom_read = is_seldom_read or self.is_setting(path, text, bare, place.start)
             is_seldom_read = is_seldom_read or begins_dialog(bare, place.start)
             is_seldom_read = is_seldom_read or (not is_image and self.names_nothing(path, *home))
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
-            ends = self.is_unread(path, place), written.has(place)
             is_value = path.endswith((".yaml", ".yml")) and role_of(path) != "launch" and not is_image
+            ends = self.is_unread(path, place), written.has(place)
             is_unclaimed = (is_value and not self.readers.has(path, place, bare)) or self.is_given_in_vain(path, place)
             from .last_resorts import is_last_resort  # few files have such a path
 
@@ -212,6 +213,14 @@ class HomePaths:
         if role_of(path) == "launch":
             return is_always_given(path, before, self.files) or has_named_twin(path, self.files)
         return is_replaced(before, value, self.parameters) or is_given(before, value, self.facts.name, launches)
+
+    def is_given_otherwise(self, path: str, text: str, place: int) -> bool:
+        """Return whether the build leaves a place out, or what is run gives another value than the one there."""
+        from .cpp.undefined_macros import is_left_out  # few files have such a path
+        from .told_defaults import is_given_otherwise
+
+        is_out = path.endswith(CPP) and is_left_out(text, place, self.files)
+        return is_out or is_given_otherwise(path, text, place, self.files)
 
     def is_setting(self, path: str, text: str, bare: str, place: int) -> bool:
         """Return whether people are told to write a path of their own at a place."""

@@ -90,30 +90,30 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     Tests, comments, texts that are only shown (descriptions, help, logs), what a substitution fills in, what is under a
     condition that never holds on Linux, and paths below the home of an account that robots, containers and examples
     have (`/home/ubuntu`), of one that a Dockerfile of the repository names, or in code that asks whether something
-    exists or tries something else first (`except`, `catch`, `or` behind a look-up of a share directory), unless they
-    lead into the workspace: then they are an info. So is the default of a parameter for which all YAML of the package
-    that gives it has another value, or launch files have one, a value of YAML that they replace (nav2's, by its
-    argument `map`, too), what an RViz config or YAML that nothing names has, a script in a folder that is none for
-    code, a program that nothing starts, beside others that are started, what code goes on without (`except OSError`), a
-    default that all callers give (of a function, or of an argument, where they start or include the launch file), what
-    is for a machine that code asks for (`gethostname`) or `ssh` leads to, a launch file whose twin in another language
-    alone is named, a source that no target compiles, a header that no compiled file includes and nothing installs, a
-    module that nothing starts or imports beside others, or only such modules, a launch file or script that nothing
-    installs or names, one that setup.py puts among the programs without the bit to be executed, a function that no
-    program leads to, an action that a launch file never adds, a variable of a function or a member which nothing reads,
-    the folder in which a dialog for files begins, and what a comment at it, or a line of a page that names the file,
-    tells to change. A script that nothing names is left too where it is only a part of a folder in the share directory,
-    or where not all that is installed is known and CMake does not name its folder. A value of YAML or a launch file
-    without a suffix that is the path of no file or folder is an info as well: what reads it adds a suffix
-    (slam_toolbox's `map_file_name`), or writes there. So is one of YAML that no file here ends with (but for the image
-    of a map), the default of an argument that nothing reads, and what is written or made: `open(…, 'w')`, `np.save`,
-    `ofstream`, `makedirs`, `map_saver_cli -f`, a parameter called `output_dir`, also where that is done by another
-    name, a parameter, a joined path or a function of the same file, and none of them reads. And so is a value of YAML
-    that nobody is shown to read: no code of the workspace declares the parameter or has its key as a text or attribute,
-    and no well-known node has it in a supported distribution (`default_bt_xml_filename`, which Humble's bt_navigator
-    does not read), unless only older ones are meant; in launch files it is one of a parameter that the node, if its
-    code or parameters are known, does not have, or whose name else says nothing of a file. Robots and worlds are
-    URD002's, what setup.py installs is SET205's.
+    exists or tries something else first (`except`, `catch`, `or`), unless they lead into the workspace: then they are
+    an info. So is the default of a parameter for which all YAML of the package that gives it has another value, or
+    launch files have one, a value of YAML that they replace (nav2's, by its argument `map`, too), what an RViz config
+    or YAML that nothing names has, a script in a folder that is none for code, a program that nothing starts, beside
+    others that are started, what code goes on without (`except OSError`), a default that all callers give (of a
+    function, or of an argument, where they start or include the launch file), what is for a machine that code asks for
+    (`gethostname`) or `ssh` leads to, the default of an environment variable or option that what is run gives, a launch
+    file whose twin in another language alone is named, a source that no target compiles, or a part of one under a macro
+    that nothing defines, a header that no compiled file includes and nothing installs, a module that nothing starts or
+    imports beside others, or only such modules, a launch file or script that nothing installs or names, one that
+    setup.py puts among the programs without the bit to be executed, a function that no program leads to, an action that
+    a launch file never adds, a variable of a function or a member which nothing reads, the folder in which a dialog for
+    files begins, and what a comment at it, or a line of a page that names the file, tells to change. A script that
+    nothing names is left too where it is only a part of a folder in the share directory, or where not all that is
+    installed is known and CMake does not name its folder. A value of YAML or a launch file without a suffix that is the
+    path of no file or folder is an info as well: what reads it adds a suffix (slam_toolbox's `map_file_name`), or
+    writes there. So is one of YAML that no file here ends with (but for the image of a map), the default of an argument
+    that nothing reads, and what is written or made: `open(…, 'w')`, `np.save`, `ofstream`, `makedirs`, `map_saver_cli
+    -f`, a parameter called `output_dir`, also by another name, a parameter or a function of the same file, or with a
+    value of YAML, and none of them reads. And so is a value of YAML that nobody is shown to read: no code of the
+    workspace declares the parameter or has its key as a text or attribute, and no well-known node has it in a supported
+    distribution (Humble's bt_navigator has no `default_bt_xml_filename`), unless only older ones are meant; in launch
+    files it is one of a parameter that the node, if its code or parameters are known, does not have, or whose name else
+    says nothing of a file. Robots and worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
     others = [each for each in paths.found if each.of_package is None and not each.may_be_there]
