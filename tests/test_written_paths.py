@@ -261,3 +261,25 @@ def test_a_bag_that_launch_records(command: str, expected: str) -> None:
     files = {**PYTHON, "setup.py": SETUP_PY_FOR_ALL, "launch/a.launch.py": LAUNCH.replace("COMMAND", command)}
     (found,) = lint_files(files, ["DEP118"]).findings
     assert found.severity.value == expected
+
+
+SETTINGS = f"talker:\n  ros__parameters:\n    row: {PLACE}/a.txt\n"
+STARTS = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='my_pkg', executable='talker', parameters=['config/a.yaml'])])
+"""
+
+
+@pytest.mark.parametrize(("mode", "expected"), [("w", "info"), ("r", "warning")])
+def test_a_value_of_yaml_at_which_the_node_writes(mode: str, expected: str) -> None:
+    start = "self.declare_parameter('row', '')\nself.path = self.get_parameter('row').value"
+    code = NODE.format(start=indented(start), keep=indented(f"open(self.path, '{mode}')"), more="", top="")
+    files = {**PYTHON, "my_pkg/talker.py": code, "config/a.yaml": SETTINGS, "launch/a.launch.py": STARTS}
+    starts = "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license"
+    setup = SETUP_PY_FOR_ALL.replace("    license", starts)
+    found = lint_files({**files, "setup.py": setup}, ["DEP118"]).findings
+    assert [each.severity.value for each in found] == [expected]

@@ -149,7 +149,7 @@ class HomePaths:
             is_seldom_read = is_seldom_read or (not is_image and self.names_nothing(path, *home))
             flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
             is_value = path.endswith((".yaml", ".yml")) and role_of(path) != "launch" and not is_image
-            ends = self.is_unread(path, place), written.has(place)
+            ends = self.is_unread(path, place), written.has(place) or (is_value and self.is_of_written(path, place))
             is_unclaimed = (is_value and not self.readers.has(path, place, bare)) or self.is_given_in_vain(path, place)
             from .last_resorts import is_last_resort  # few files have such a path
 
@@ -213,6 +213,11 @@ class HomePaths:
         if role_of(path) == "launch":
             return is_always_given(path, before, self.files) or has_named_twin(path, self.files)
         return is_replaced(before, value, self.parameters) or is_given(before, value, self.facts.name, launches)
+
+    def is_of_written(self, path: str, place: Span) -> bool:
+        from .written_parameters import is_of_written  # few files have such a path
+
+        return is_of_written(path, place, self.parameters, self.files)
 
     def is_given_otherwise(self, path: str, text: str, place: int) -> bool:
         """Return whether the build leaves a place out, or what is run gives another value than the one there."""

@@ -81,7 +81,7 @@ class PathCalls(PathStatements):
 
     def in_parameter(self, place: Place, called: re.Match[str], opener: int, todo: list[Place]) -> Place | End:
         """Return what becomes of the default of a parameter, or of an argument of a command line."""
-        key = KEY.search(self.text, opener, place.span.start)
+        key = KEY.search(self.text, opener, place.span.end)
         if key is None:
             return "unknown"
         if called[1] == "add_argument":

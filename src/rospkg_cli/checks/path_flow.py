@@ -18,10 +18,13 @@ COMPARES = regex(r"[=!]=|\bin\b|\bnot\b|<<")
 
 
 class PathFlow(PathCalls):
-    def is_written(self, place: Span) -> bool:
-        """Return whether code makes the path at a place, or writes there, and reads nothing there."""
+    def is_written(self, *places: Span) -> bool:
+        """Return whether code makes the path at some places, or writes there, and reads nothing there.
+
+        The name of a parameter stands for its value.
+        """
         found: set[str] = set()
-        todo, seen = [Place(place)], set[Span]()
+        todo, seen = [Place(each) for each in places], set[Span]()
         while todo:
             each = todo.pop()
             if each.span in seen:
