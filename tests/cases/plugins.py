@@ -113,6 +113,14 @@ CASES = {
             )
             for base in ("a::B<c::E>", "a::B< c::D >", "a::B<D>", "b::B<c::E>", "a::B")
         ),
+        *(
+            on_cmake(
+                plg005.FILES,
+                plugins_DOT_xml=plg005.XML.replace("nav2_core::GlobalPlanner", base),
+                src__planner_DOT_cpp=plg005.FILES["src/planner.cpp"].replace("nav2_core::Global", "of_us::Far"),
+            )
+            for base in ("of_us::FarPlaner", "of_us::FarPlanner", "of_us::Planner", "of_them::FarPlaner")
+        ),
         on_cmake(plg005.FILES, src__planner_DOT_cpp=plg005.FILES["src/planner.cpp"] + LOADER),
     ),
 }

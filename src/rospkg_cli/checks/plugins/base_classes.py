@@ -101,13 +101,13 @@ class PluginBases:
                     yield WrongBaseClass(description, plugin, base, True)
                 elif not self.workspace.loaders_of(plugin.base.value):
                     suggestion = self.base_in_source(plugin, known) or misspelt(plugin.base.value, known)
-                    if suggestion is not None:
-                        yield WrongBaseClass(description, plugin, suggestion)
+                    of_macro = misspelt(plugin.base.value, self.bases_in_source(plugin)) if suggestion is None else None
+                    if meant := suggestion or of_macro:
+                        yield WrongBaseClass(description, plugin, meant, of_macro is not None)
 
     def other_arguments(self, plugin: PluginClass) -> str | None:
         """Return the base of the macro of a class, where it is of the same template, with other arguments."""
-        exported = self.package.exported if self.package is not None else ()
-        bases = {each.base for each in exported if spaceless(each.type) == spaceless(plugin.type.value)}
+        bases = self.bases_in_source(plugin)
         if len(bases) != 1 or not plugin.base.value.endswith(">"):
             return None
         (base,) = bases
@@ -116,9 +116,13 @@ class PluginBases:
 
     def base_in_source(self, plugin: PluginClass, known: set[str]) -> str | None:
         """Return the base class in the export macro, where that one is loaded."""
-        exported = self.package.exported if self.package is not None else ()
-        bases = {each.base for each in exported if spaceless(each.type) == spaceless(plugin.type.value)}
+        bases = self.bases_in_source(plugin)
         return bases.pop() if len(bases) == 1 and bases <= known else None
+
+    def bases_in_source(self, plugin: PluginClass) -> set[str]:
+        """Return the base classes that macros export a class with."""
+        exported = self.package.exported if self.package is not None else ()
+        return {each.base for each in exported if spaceless(each.type) == spaceless(plugin.type.value)}
 
     def unmatched_loaders(self) -> Iterator[UnmatchedLoader]:
         for loader in self.loaders.loaders if self.facts.is_ament else ():

@@ -14,7 +14,7 @@ NUMBERS = {"mass": ("value",), "inertia": INERTIA}
 
 
 def loose_faults(root: Element, check: ElementCheck) -> Iterator[Fault]:
-    """Yield numbers that can't be read, of what no link or joint holds itself; whole elements may come from elsewhere."""
+    """Yield numbers that can't be read, of what no link or joint holds itself; whole elements may be elsewhere."""
     for part, in_joint in loose_parts(root):
         vectors = check.vectors(part, ("xyz", "rpy")) if part.tag == "origin" else ()
         names = NUMBERS.get(part.tag, ())

@@ -73,20 +73,20 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
 def wrong_plugin_base(bases: PluginBases) -> Iterator[Hit]:
     """
     ## What it does
-    Finds plugins whose base class or package differs from what their loader uses.
-    A description must be exported to the package that the loader names (`pluginlib::ClassLoader<Base>("package",
-    "Base")`), and its `base_class_type` must be the string that the loader has, and the base in PLUGINLIB_EXPORT_CLASS
-    where both are of one template. Known are the loaders of the workspace, and those of navigation2, moveit2,
-    ros2_control and rviz; plugins of other base classes are left alone.
+    Finds plugins whose base class or package differs from what their loader uses. A description must be exported to the
+    package that the loader names (`pluginlib::ClassLoader<Base>("package", "Base")`), and its `base_class_type` must be
+    the string that the loader has, and the base in PLUGINLIB_EXPORT_CLASS where both are of one template or differ by a
+    slip. Known are the loaders of the workspace, and those of navigation2, moveit2, ros2_control and rviz; plugins of
+    other base classes are left alone.
 
     ## Why is this bad?
     The plugin does not exist for the loader: "According to the loaded plugin descriptions the class … with base class
     type … does not exist". A loader for a package that isn't there throws at once.
 
     ## When it is quiet
-    Plugins of base classes whose loaders are not known are left alone. A package is believed to be a loader's where any
-    loader around is not known. It is an error where something here loads the plugin by its name, else a warning, and an
-    info where others of the package are named or code makes it, as with PLG002.
+    But for such a slip, plugins of base classes whose loaders are not known are left alone. A package is believed to be
+    a loader's where any loader around is not known. It is an error where something here loads the plugin by its name,
+    else a warning, and an info where others of the package are named or code makes it, as with PLG002.
 
     ## Fix safety
     The base class is written as the loader has it. The package is changed only with `--unsafe-fixes`.
