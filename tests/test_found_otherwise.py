@@ -70,6 +70,19 @@ def test_what_a_dependency_brings_serves_without_headers_of_its_own() -> None:
     assert [each.severity.value for each in lint_files(files, ["DEP104"]).findings] == ["info"]
 
 
+@pytest.mark.parametrize("name", ["pcl_conversions", "pcl_ros", "libpcl-all-dev", "libvtk9-dev", "boost", "rclcpp"])
+def test_what_brings_mpi_under_a_name_without_a_key(name: str) -> None:
+    """libvtk9-dev needs HDF5 for MPI, and Boost its own part for it: both install libopenmpi-dev."""
+    files = {
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package()", "find_package(MPI REQUIRED COMPONENTS CXX)\nament_package()"
+        ),
+        "package.xml": manifest(f"  <depend>{name}</depend>\n", "ament_cmake"),
+    }
+    told = {each.severity.value for each in lint_files(files, ["DEP104"]).findings}
+    assert told == {"warning"} if name == "rclcpp" else "warning" not in told
+
+
 @pytest.mark.parametrize(("name", "level"), [("pcl_conversions", "info"), ("pcl_ros", "info"), ("rclcpp", "warning")])
 def test_what_the_headers_of_pcl_bring_from_humble_on(name: str, level: str) -> None:
     lines = "find_package(PkgConfig REQUIRED)\npkg_check_modules(PROJ REQUIRED proj)\n"
