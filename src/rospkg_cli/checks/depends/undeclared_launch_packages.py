@@ -111,7 +111,7 @@ class LaunchDependencies:
         return not workspace.is_available(name) and workspace.kind_of(name) not in (NameKind.PACKAGE, NameKind.KEY)
 
     def is_told(self, name: str) -> bool:
-        """Return whether a README links to the repository of an unknown package, or a page, a script or a job gets it."""
+        """Return whether a README links to the repository of an unknown package, or a page or a script fetches it."""
         if not self.is_unknown_package(name):
             return False
         from .fetched_repositories import FetchedRepositories  # most packages are known

@@ -12,6 +12,7 @@ from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...source import Span
 from .default_branches import untaken_branches
+from .default_choices import untaken_choices
 from .default_texts import Defaults, condition_by_default, text_by_default, truth_of
 from .entity import Entity
 from .launch_classes import class_of
@@ -46,6 +47,7 @@ def off_by_default(file: LaunchFile) -> Iterator[OffByDefault]:
             yield OffByDefault(function, found, is_branch=True)
     if file.python is not None:
         yield from (OffByDefault(*each, is_branch=True) for each in untaken_branches(file.python, defaults))
+        yield from (OffByDefault(*each) for each in untaken_choices(file.python, defaults))
     if file.root is not None:
         yield from off_entities(file.root, defaults)
 
