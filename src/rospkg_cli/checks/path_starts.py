@@ -10,22 +10,24 @@ from ..files import PackageFiles
 from .pages_and_scripts import pages_and_scripts
 from .scripts_above import scripts_above
 
+IN_SOURCE = r"(?!\S*(?:\binstall/|/lib/|/share/))"
+"""How a path goes on that leads into no installed package."""
 ALONE = "; the pages and scripts here start this file by its path alone, and there it is found"
 
 
-def is_started_by_path(files: PackageFiles, path: str) -> bool:
-    """Return whether a page or a script has Python run a file."""
+def is_started_by_path(files: PackageFiles, path: str, place: str = "") -> bool:
+    """Return whether a page or a script has Python run a file, in a place as a pattern."""
     name = re.escape(posixpath.basename(path))
     started = re.compile(
-        rf"(?m)^[^#\n]*\bpython[\d.]*[ \t]+(?:-[a-zA-Z]+[ \t]+)*[\"']?(?:[^\s\"';&|]*/)?{name}(?![\w.])"
+        rf"(?m)^[^#\n]*\bpython[\d.]*[ \t]+(?:-[a-zA-Z]+[ \t]+)*[\"']?{place}(?:[^\s\"';&|]*/)?{name}(?![\w.])"
     )
     return any(map(started.search, texts_of(files)))
 
 
-def is_started_by_path_alone(files: PackageFiles, package: str, path: str) -> bool:
+def is_started_by_path_alone(files: PackageFiles, package: str, path: str, place: str = "") -> bool:
     """Return whether a text has Python run a file, and none has `ros2` run or launch something of its package."""
     by_name = re.compile(rf"\bros2[ \t]+(?:run|launch)[ \t]+{re.escape(package)}(?![\w-])")
-    return is_started_by_path(files, path) and not any(map(by_name.search, texts_of(files)))
+    return is_started_by_path(files, path, place) and not any(map(by_name.search, texts_of(files)))
 
 
 def texts_of(files: PackageFiles) -> Iterator[str]:

@@ -12,10 +12,11 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_install_table import CMakeTableBuilder
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.copied_files import copied_files
+from ...package.cmake.copied_files import CopiedFile, copied_files
 from ...package.cmake.install_rules import InstallRule
 from ...package.file_role import role_of
 from ...ros.share_layout import LAUNCH
+from ..path_starts import is_started_by_path_alone, texts_of
 from .left_out_nodes import is_node
 from .node_programs import NodePrograms
 from .side_programs import has_side_name
@@ -112,8 +113,15 @@ class MisplacedExecutables:
         for copy in copied_files(rule, self.package.cmake.package_files):
             name = copy.destination.rpartition("/")[2]
             ros = IMPORTS_ROS.search(self.package.cmake.package_files.readable_text(copy.source)) is not None
-            if self.starts(name) or ((ros or place == "bin") and not self.runs_by_path(name)):
+            if self.starts(name) or ((ros or place == "bin") and not self.is_run_by_path(copy, name)):
                 yield MisplacedExecutable(copy.item, name, place, rule, self.starts(name), ros)
+
+    def is_run_by_path(self, copy: CopiedFile, name: str) -> bool:
+        """Return whether a launch file runs a script by its path, or pages and scripts do so and no `ros2` does."""
+        files, own = self.package.cmake.package_files, self.package.facts.name
+        if self.runs_by_path(name) or is_started_by_path_alone(files, own, copy.source):
+            return True
+        return any(f"/{copy.destination}" in text for text in texts_of(files))
 
     def is_wrong(self, place: str | None) -> bool:
         """Return whether a place is known, relative, and neither lib/<package> nor below it."""

@@ -10,6 +10,7 @@ from ...light_dataclasses import dataclass
 from ...package.install_table import InstalledFile
 from ...ros.imports import STANDARD
 from ...source import Span
+from ..path_starts import ALONE, IN_SOURCE, is_started_by_path_alone
 from .uninstalled_python import PythonPackages
 
 
@@ -58,8 +59,14 @@ def modules_left_behind(packages: PythonPackages) -> Iterator[LeftModule]:
             if source and source not in seen:
                 seen.add(source)
                 flat = next((other.destination for other in table.rows if other.source == source), "")
-                why = packages.unmet.why(file, each, row)
+                why = packages.unmet.why(file, each, row) or by_path(packages, row.source)
                 yield LeftModule(source, row.source, row.path, row.span, each.span, flat, why)
+
+
+def by_path(packages: PythonPackages, script: str) -> str:
+    """Return what is said of a script that people give to Python where its neighbours lie; "" for others."""
+    cmake, name = packages.package.cmake, packages.package.facts.name
+    return ALONE if is_started_by_path_alone(cmake.package_files, name, script, IN_SOURCE) else ""
 
 
 def source_of(packages: PythonPackages, row: InstalledFile, each: Import) -> str:

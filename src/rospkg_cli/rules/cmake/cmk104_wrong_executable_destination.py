@@ -86,10 +86,10 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
     Where another rule installs it into `lib/<package>` too, under a condition that can't be evaluated, and for what
     tests put into bin/, or a page or script of the package starts by its path (`…/bin/talker`), a launch file or a test
     by its folder (`examples/talker`). For scripts that neither use rclpy nor are started by name, and for those that a
-    launch file runs by their path. In a folder whose CMakeLists.txt names a project of its own, where
-    `lib/${PROJECT_NAME}` is meant, and where a rule runs code, which may link it there. In bin/, which is on the PATH,
-    an info is what runs no node (no `rclcpp::init`, no `Node`), as a tool for bags, or lies beside others that go to
-    `lib/<package>`.
+    launch file runs by their path, or pages and scripts alone (`python3 …/talker.py`). In a folder whose CMakeLists.txt
+    names a project of its own, where `lib/${PROJECT_NAME}` is meant, and where a rule runs code, which may link it
+    there. In bin/, which is on the PATH, an info is what runs no node (no `rclcpp::init`, no `Node`), as a tool for
+    bags, or lies beside others that go to `lib/<package>`.
 
     ## Fix safety
     What is in bin/, and is started by no launch file and no README, may be called by its name: moving it is not safe.
