@@ -136,3 +136,73 @@ def test_comments_in_a_block_ask_for_no_file() -> None:
     assert asks_at_the_top("import a\n# your code here\n")
     assert not asks_at_the_top("def a():\n    # your code here\n    pass\n")
     assert not has_task("# what does it do?\n")
+
+
+SETUP = PYTHON["setup.py"]
+TASKED = [
+    (
+        {**PYTHON, "setup.py": SETUP.replace("'go = ", "# TODO: create go.py\n            'go = ")},
+        "SET101",
+        "# TODO: create go.py",
+    ),
+    (
+        {
+            **CPP,
+            "CMakeLists.txt": CPP["CMakeLists.txt"].replace("add_exec", "# TODO: write go.cpp\nadd_exec"),
+        },
+        "CMK102",
+        "# TODO: write go.cpp",
+    ),
+    (
+        {
+            **PYTHON,
+            "package.xml": manifest("  <!-- TODO: add the dependencies of your node -->\n"),
+            "my_pkg/go.py": "import rclpy\n\n\ndef main():\n    rclpy.init()\n",
+        },
+        "DEP101",
+        "<!-- TODO: add the dependencies of your node -->",
+    ),
+    (
+        {
+            **PYTHON,
+            "my_pkg/go.py": "import rclpy\nfrom rclpy.node import Node\n\n\nclass Go(Node):\n    def __init__(self):\n"
+            "        super().__init__('go')\n        # TODO: declare the parameter `speed`\n"
+            "        self.speed = self.get_parameter('speed').value\n\n\n"
+            "def main():\n    rclpy.init()\n    rclpy.spin(Go())\n",
+        },
+        "PRM007",
+        "# TODO: declare the parameter `speed`",
+    ),
+    (
+        {
+            **CPP,
+            "CMakeLists.txt": CMAKE.replace(
+                "ament_package",
+                "find_package(rclcpp REQUIRED)\nadd_executable(go src/go.cpp)\n"
+                "target_link_libraries(go rclcpp::rclcpp)\n# TODO: install the executables\nament_package",
+            ),
+            "src/go.cpp": "#include <rclcpp/rclcpp.hpp>\n\nint main(int argc, char ** argv)\n{\n"
+            '  rclcpp::init(argc, argv);\n  rclcpp::spin(std::make_shared<rclcpp::Node>("go"));\n}\n',
+        },
+        "CMK103",
+        "# TODO: install the executables",
+    ),
+]
+
+
+@pytest.mark.parametrize(("files", "code", "task"), TASKED, ids=[code for _, code, _ in TASKED])
+def test_what_a_comment_beside_it_asks_for(files: dict[str, str], code: str, task: str) -> None:
+    assert level(files, code) == ("info", True)
+    plain = "<!-- TODO: tune this -->" if task.startswith("<!") else "# TODO: tune this"
+    assert level({path: text.replace(task, plain) for path, text in files.items()}, code)[0] != "info"
+
+
+def test_a_method_whose_name_a_comment_spells_out() -> None:
+    assert is_asked_for("# TODO: write the timer callback", "timer_callback")
+    assert is_asked_for("# TODO: add my talker here", "MyTalker")
+    assert not is_asked_for("# TODO: write the callback of a timer", "timer_callback")
+
+
+def test_a_docstring_that_asks_for_the_module() -> None:
+    text = '"""Exercise 3.\n\nImplement a node that listens.\n"""\n'
+    assert level({**PYTHON, "my_pkg/go.py": text}, "SET102") == ("info", True)

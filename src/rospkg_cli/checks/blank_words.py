@@ -8,7 +8,7 @@ from ..lazy_regex import regex
 
 TO_DO = regex(
     r"(?i)\bto[ -]?dos?\b|\bfix-?me\b|\bexer(?:cise|cice|c[ií]cio)s?\b|\bejercicios?\b|\besercizi[o]?\b"
-    r"|\b(?:aufgaben?|übung(?:en)?|homework|pendiente|упражнение|задание)\b|課題|演習|宿題|练习|待办|待辦|과제|실습"
+    r"|\b(?:aufgaben?|übung(?:en)?|homework|pendiente|упражнение|задание|complet(?:ar|are)|compl[ée]ter)\b|課題|演習|宿題|练习|待办|待辦|과제|실습"
 )
 MAKING = regex(
     r"(?i)\b(?:creat|add|defin|implement|writ|complet|initiali[sz]|instantiat|fill|declar|insert|import|finish"
@@ -22,6 +22,7 @@ OPEN = regex(
     r"(?i)\b(?:your|student'?s?) (?:own )?(?:code|solution|implementation|answer|work)\b|\bcode (?:goes )?here\b"
     r"|\bfill (?:me )?in\b|\bcomplete (?:this|the (?:code|function|method|class))\b"
     r"|\b(?:add|insert|put|write) (?:the |some )?(?:code|implementation) (?:below|here)\b|\bmissing code\b"
+    r"|\byour turn\b|\b(?:begin|start|end) (?:of )?(?:your )?solution\b|\bescrib\w* aqu[ií]\b|\bà vous de jouer\b"
     r"|\b(?:dein|ihr|euer|eur)en? (?:eigene[nr]? )?code\b|\bcode (?:hier|ici)\b|\bhier (?:den |deinen |ihren )?code\b"
     r"|\b(?:tu|su|vuestro|seu|teu) c[oó]digo\b|\bc[oó]digo aqu[ií]\b|\b(?:votre|ton) code\b|\bà compléter\b"
     r"|\b(?:tuo|vostro) codice\b|\bcodice qui\b|\bda completare\b|\bваш код\b|\bкод здесь\b"
@@ -33,6 +34,8 @@ OPEN = regex(
 )
 WORDY = regex("[a-z]+")
 """A name that may be meant as a word: `main`, `listener`."""
+PART = regex("[A-Z]?[a-z0-9]+|[A-Z]+(?![a-z])")
+"""What a name consists of that may be written as several words: `timer_callback`, `MyTalker`."""
 OF_CODE = (
     r"(?:function|method|class|module|node|file|def|función|clase|función|fonction|classe|funktion|klasse|funzione"
     r"|função|функци\w+|класс)"
@@ -42,8 +45,11 @@ OF_CODE = (
 def says_name(said: str, name: str) -> bool:
     """Return whether a comment has a name, one that is a plain word only as one of code: `main()`, a class `main`."""
     own = re.escape(name)
-    if re.search(rf"[`'\"]{own}[`'\"(]|(?<![\w.]){own}\(|\bself\.{own}\b", said):
+    if re.search(rf"[`'\"]{own}[`'\"(]|(?<![\w.]){own}(?:\(|\.(?:py|cpp|msg|srv|action)\b)|\bself\.{own}\b", said):
         return True
     if WORDY.fullmatch(name):
         return re.search(rf"(?i)\b{OF_CODE} {own}\b|\b{own}[ -]?(?:{OF_CODE}|関数|函数|函式|함수)", said) is not None
-    return re.search(rf"(?<![\w]){own}(?!\w)", said) is not None
+    if re.search(rf"(?<![\w]){own}(?!\w)", said):
+        return True
+    words = PART.findall(name)
+    return len(words) > 1 and re.search(rf"(?i)(?<![^\W_]){'[ _-]?'.join(words)}(?![^\W_])", said) is not None

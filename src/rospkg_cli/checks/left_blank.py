@@ -5,6 +5,7 @@ Exercises and skeletons are full of both: what they lack is the task of whoever 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ..lazy_regex import regex
@@ -58,6 +59,24 @@ def announces(text: str, place: int, name: str, *, behind: bool = False) -> bool
 def is_asked_for(text: str, name: str) -> bool:
     """Return whether a comment anywhere in a text says that something of a name is to be written, and names it."""
     return any(is_asked(said) and says_name(said, name) for said in comment_blocks(text))
+
+
+def is_asked_at(text: str, place: int, name: str) -> bool:
+    """Return whether a comment in the line of a place, or in those directly above, asks for something of a name."""
+    lines = text.split("\n")
+    at = text.count("\n", 0, place)
+    said = [comment_in(lines[at])]
+    for line in reversed(lines[:at]):
+        if COMMENT.match(line.strip()) is None:
+            break
+        said.append(comment_in(line))
+    whole = "\n".join(reversed(said))
+    return is_asked(whole) and shares_word(MAKING.sub("", whole), name)
+
+
+def asks_to(text: str, task: str) -> bool:
+    """Return whether a comment says that something is still to be done, by an expression for it."""
+    return any(TO_DO.search(said) and re.search(rf"(?i)\b{task}", said) for said in comment_blocks(text))
 
 
 def asks_at_the_top(text: str) -> bool:

@@ -11,10 +11,11 @@ TO_WRITE = "; a comment there says that it is still to be written"
 
 def why_left_to_write(file: PythonFile, name: str) -> str:
     """Return what is said of a function or class that a comment asks for, as the whole module may be; "" for others."""
-    from .left_blank import asks_at_the_top, has_task, is_asked_for  # what few files need
+    from .left_blank import asks_at_the_top, has_task, is_asked, is_asked_for  # what few files need
 
     text = file.source.text
-    is_blank = not any(map(does, file.tree.body)) and has_task(text)
+    is_idle = not any(map(does, file.tree.body))
+    is_blank = is_idle and (has_task(text) or is_asked(ast.get_docstring(file.tree) or ""))
     return TO_WRITE if is_blank or asks_at_the_top(text) or is_asked_for(text, name) else ""
 
 

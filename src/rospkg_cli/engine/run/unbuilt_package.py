@@ -16,6 +16,9 @@ BUILD_FILES = ("package.xml", "setup.py", "CMakeLists.txt")
 STOPS = frozenset({"CMK102", "IDL006", "SET101", "SET202", "SET302", "XML304"})
 """One of these is told of each package that is incomplete."""
 
+ASKED = ("CMK1", "DEP10", "IDL006", "LCH00", "LCH011", "PLG002", "PRM00", "SET", "URD00")
+"""Families of rules about what is missing, of which a comment may say that it is still to be written."""
+
 
 def of_unbuilt(
     results: list[Finding | RuleCrash], files: PackageFiles, folder: str, name: str
@@ -25,6 +28,10 @@ def of_unbuilt(
         from .lesson_folder import as_it_lies  # for packages that lack a file
 
         results = as_it_lies(results, files, name)
+    if any(isinstance(each, Finding) and each.code.startswith(ASKED) and is_loud(each) for each in results):
+        from .announced import as_announced  # for packages that lack something
+
+        results = as_announced(results, files, name)
     return behind_unreadable(results, folder)
 
 

@@ -1,0 +1,62 @@
+"""What is missing where a comment says that it is still to be written: the task of whoever takes an exercise on."""
+
+from __future__ import annotations
+
+import re
+from pathlib import PurePosixPath
+
+from ...checks.left_blank import asks_to, is_asked_at, is_asked_for
+from ...files import PackageFiles
+from ...finding import Finding, Severity
+from ...lazy_regex import regex
+from ...light_dataclasses import replace
+from ...package.run_events import RuleCrash
+
+OF_MISSING = frozenset(
+    "CMK102 CMK108 CMK110 IDL006 LCH002 LCH003 LCH008 LCH011 PLG002 PRM007 PRM008 SET101 SET205 URD001 URD002".split()
+)
+"""Rules about what a file names and nothing has."""
+OF_PROGRAMS = (r"install (?:your |the |all )*(?:targets?|executables?|nodes?|programs?|scripts?)\b", "CMakeLists.txt")
+OF_COMPONENTS = (r"register (?:your |the |a |all )*(?:components?|nodes?|class)\b", "CMakeLists.txt")
+OF_DEPENDENCIES = (r"(?:add|declare|list|specify|fill in|complete) (?:[\w-]+ ){0,3}dependenc(?:y|ies)\b", "package.xml")
+TASKS = {
+    **dict.fromkeys(("CMK103", "CMK112"), OF_PROGRAMS),
+    "CMK108": OF_COMPONENTS,
+    **dict.fromkeys(("DEP101", "DEP103", "DEP104", "DEP105"), OF_DEPENDENCIES),
+}
+"""Rules about what a file does not do, with the words by which a comment in it says that this is still to be done."""
+ALL = OF_MISSING | TASKS.keys()
+NAMED = regex("`([^`]+)`")
+MAX_NAMES = 2
+WHY = "; a comment says that it is still to be written"
+OF_WHOLE = "; a comment in {} says that this is still to be done"
+
+
+def as_announced(results: list[Finding | RuleCrash], files: PackageFiles, package: str) -> list[Finding | RuleCrash]:
+    """Return the results of a package with an info for what a comment leaves to its reader."""
+    return [
+        replace(each, severity=Severity.INFO, message=each.message + why)
+        if isinstance(each, Finding)
+        and each.code in ALL
+        and each.severity is not Severity.INFO
+        and (why := why_left(each, files, package))
+        else each
+        for each in results
+    ]
+
+
+def why_left(found: Finding, files: PackageFiles, package: str) -> str:
+    if found.code in TASKS:
+        task, path = TASKS[found.code]
+        if asks_to(files.readable_text(path), task):
+            return OF_WHOLE.format(f"`{path}`")
+    path = str(PurePosixPath(found.location.path).relative_to(files.folder or "."))
+    text = files.readable_text(path) if found.code in OF_MISSING else ""
+    names = [name for name in NAMED.findall(found.message)[:MAX_NAMES] if name != package]
+    parts = {part for name in names for part in (name, re.split(r"[./:]+", name.partition(".py")[0])[-1], last(name))}
+    asked = (is_asked_for(text, part) or is_asked_at(text, found.location.span.start, part) for part in parts if part)
+    return WHY if text and any(asked) else ""
+
+
+def last(path: str) -> str:
+    return PurePosixPath(path).name
