@@ -187,6 +187,24 @@ def test_packages_of_one_name_in_the_steps_of_a_course(folders: tuple[str, str],
 @pytest.mark.parametrize(
     "folders, level",
     [
+        (("exercises/day1/a", "solutions/day1/a"), "info"),
+        (("ch2/start/a", "ch2/final/a"), "info"),
+        (("lab1", "lab1_solution"), "info"),
+        (("start", "lab"), "warning"),
+        (("lab1", "lab2_solution"), "warning"),
+        (("src/exercises/a", "src/solutions/a"), "error"),
+    ],
+)
+def test_packages_of_one_name_for_a_task_and_its_solution(folders: tuple[str, str], level: str) -> None:
+    files = {f"{each}/package.xml": manifest("", "cmake", "my_pkg") for each in folders}
+    (finding,) = lint_files(files, ["WSP001"]).findings
+    assert finding.severity.value == level
+    assert ("the solution of an exercise" in finding.message) == (level == "info")
+
+
+@pytest.mark.parametrize(
+    "folders, level",
+    [
         (("robot/a", "laptop/a"), "info"),
         (("code/raspberry_pi/a", "code/pc/b/a"), "info"),
         (("real_robot/a", "simulation/a"), "info"),

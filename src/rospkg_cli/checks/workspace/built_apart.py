@@ -7,6 +7,7 @@ import re
 
 from ...lazy_regex import regex
 from ..older_distribution import called
+from .exercise_states import are_states
 
 STEP = regex(r"(?!ros[12])(?P<word>\D*)(?P<number>\d+).*", re.DOTALL | re.IGNORECASE)
 """A folder that is numbered: `week2`, `lab_03`, `17-publisher`; `ros1` and `ros2` are no steps."""
@@ -60,6 +61,8 @@ def why_apart(one: str, other: str) -> str:
     """Return a clause on why two folders are built apart, by their names; "" where these say nothing of it."""
     if are_steps(one, other):
         return "; their folders are numbered as steps, of which one is built at a time"
+    if are_states(one, other):
+        return "; their folders are called as the task and the solution of an exercise, of which one is built at a time"
     if are_of_two_machines(one, other):
         return "; their folders are called as for a robot and for what is none: each is built for itself"
     return ""

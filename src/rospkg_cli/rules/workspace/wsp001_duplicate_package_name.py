@@ -29,7 +29,7 @@ MARKED = manifest(build_type="ament_cmake").replace("<name>my_pkg", "<name>«my_
         Severity.WARNING: "no `src` and no folder called `…_ws` is above one of them, or one is laid aside",
         Severity.INFO: "one of them is for ROS 1, lies outside of the workspace around the other, or their folders are "
         "called as for different distributions or, with no `src` above, numbered as steps or called as for a robot and "
-        "for what is none",
+        "for what is none, or for a task and its solution",
     },
     examples=(
         Example(
@@ -59,6 +59,7 @@ def duplicate_package_name(workspace: Workspace) -> Iterator[Hit]:
     where only the inner one is linted. Folders that are called as for different distributions (`humble/`, `jazzy/`)
     are built one at a time: an info. So are those that are numbered as the steps of a course (`week1/`, `week2/`;
     `17-publisher`, `21-interfaces`), or for a robot and what is none (`robot/` and `laptop/`, `real/` and `sim/`),
+    or for a task and its solution (`exercises/` and `solutions/`, `start/` and `final/`, `lab1` and `lab1_solution`),
     unless a `src` or a folder called as a workspace is above them. So is a copy outside of the folder called as a
     workspace that the other one lies in: nothing shows that colcon is started above both. All packages of one name
     are one finding.
