@@ -84,14 +84,14 @@ def test_what_is_imported_is_told_by_one_rule() -> None:
     assert [each.code for each in lint_files(files, ["DEP201", "DEP202"]).findings] == ["DEP201"]
 
 
-def test_a_tool_for_tests_is_no_build_tool() -> None:
-    lines = (
-        "find_package(ament_cmake_ros REQUIRED)\nif(BUILD_TESTING)\n  find_package(ament_cmake_gmock REQUIRED)\nendif()"
-    )
+@pytest.mark.parametrize(("required", "code"), [("", "XML208"), (" REQUIRED", "DEP104")])
+def test_a_tool_for_tests_is_no_build_tool(required: str, code: str) -> None:
+    lines = f"find_package(ament_cmake_ros{required})\nif(BUILD_TESTING)\n  find_package(ament_cmake_gmock REQUIRED)\nendif()"
     files = {
         "CMakeLists.txt": f"cmake_minimum_required(VERSION 3.20)\nproject(my_pkg)\n{lines}\nament_package()\n",
         "package.xml": manifest(build_type="ament_cmake").replace(
             "  <buildtool_depend>ament_cmake</buildtool_depend>\n", ""
         ),
     }
-    assert "`ament_cmake_ros`" in lint_files(files, ["XML208"]).findings[0].message
+    told = [each for each in lint_files(files, ["XML208", "DEP104"]).findings if "`ament_cmake_ros`" in each.message]
+    assert [each.code for each in told] == [code]

@@ -114,6 +114,13 @@ class ManifestAndCMake:
         packages = self.cmake.packages if self.cmake else ()
         return frozenset(each.name for each in packages if not each.call.testing)
 
+    def requires(self, name: str) -> bool:
+        """Return whether the configuration certainly fails without a part of ament_cmake, as DEP104 tells."""
+        found = [each for each in self.cmake.packages if each.name == name] if self.cmake else []
+        return name != "ament_cmake" and any(
+            each.is_required and each.word.is_known and not (each.word.maybe or each.call.maybe) for each in found
+        )
+
     @property
     def ends_a_package(self) -> bool:
         """Whether CMake calls `ament_package`, by whatever name."""

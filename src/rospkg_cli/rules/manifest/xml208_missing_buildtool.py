@@ -60,7 +60,8 @@ def missing_buildtool(tools: BuildTools) -> Iterator[Hit]:
     parts such as ament_cmake_core and ament_cmake_python where CMakeLists.txt finds ament_cmake itself. A
     CMakeLists.txt that neither finds such a package nor calls `ament_package()` is left alone. Where a dependency that
     is there to build certainly brings it, as the generators of interfaces do, it is an info, and
-    so it is where another package of the repository declares it and nothing shows a release.
+    so it is where another package of the repository declares it and nothing shows a release. A part of ament_cmake that
+    `find_package(… REQUIRED)` names, where ament_cmake itself is not asked for, is told by DEP104.
 
     ## References
     - [ament_cmake user documentation](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Documentation.html)
@@ -75,7 +76,7 @@ def missing_buildtool(tools: BuildTools) -> Iterator[Hit]:
     if not asked and not package.ends_a_package:
         return
     name = "ament_cmake" if "ament_cmake" in asked or not asked else asked[0]
-    if tools.declared.is_reported_elsewhere(name):
+    if tools.declared.is_reported_elsewhere(name) or (name in asked and package.requires(name)):
         return
     for element in manifest.build_types(package.targets):
         if element.text == "ament_cmake":
