@@ -185,3 +185,24 @@ def test_what_tests_import_by_pip() -> None:
 
 
 REQUIRED = ("pyserial\n", "numpy\n")
+
+
+@pytest.mark.parametrize(
+    ("page", "level"),
+    [
+        ("git clone https://github.com/acme/acme_msgs.git -b humble\n", "info"),
+        ("It needs [messages](https://github.com/acme/acme_msgs).\n", "info"),
+        ("git clone https://github.com/other/other_msgs.git\n", "warning"),
+        ("It needs acme_msgs.\n", "warning"),
+    ],
+)
+def test_an_unknown_package_whose_repository_is_cloned(page: str, level: str) -> None:
+    package = {**existing_files(BACKDROPS["ament_python"]), "package.xml": manifest(), "README.md": page}
+    found = lint_files({**package, "my_pkg/a.py": "from acme_msgs.msg import Joint\n"}, ["DEP101"]).findings
+    assert [each.severity.value for each in found] == [level]
+
+
+@pytest.mark.parametrize("module", ["cyclonedds", "gtsam", "ruckig"])
+def test_packages_of_ros_without_python(module: str) -> None:
+    package = {**existing_files(BACKDROPS["ament_python"]), "package.xml": manifest()}
+    assert lint_files({**package, "my_pkg/a.py": f"import {module}\n"}, ["DEP101"]).findings == ()

@@ -1,6 +1,7 @@
 """Python libraries that those have who run a package, whatever package.xml says: pip installed them, or others.
 
-A library that only PyPI has brings what it requires; a framework that works on a graphics card is chosen for that card.
+A library that only PyPI has brings what it requires; a framework that works on a graphics card is chosen for that card,
+and the repository of an unknown package is cloned.
 """
 
 from __future__ import annotations
@@ -9,11 +10,13 @@ from collections.abc import Iterable, Iterator
 
 from ...package.python.python_imports import PythonImports
 from .declared_dependencies import DeclaredDependencies
+from .fetched_repositories import FetchedRepositories
 from .import_provider import import_providers
 from .name_source import source_of
 from .pip_installs import key_of, normalized
-from .pip_requirements import FRAMEWORKS, OTHERWISE, required_by
+from .pip_requirements import FRAMEWORKS, OTHERWISE, distributions_of, required_by
 
+FETCHED = "; a repository that a page, a script or a job here names or fetches may have it"
 FRAMEWORK = "; people install this one for the graphics card that they have, and the key brings a build for the CPU"
 
 
@@ -23,9 +26,15 @@ def why_brought(declared: DeclaredDependencies, files: Iterable[PythonImports], 
     if top in FRAMEWORKS:
         return FRAMEWORK
     index = declared.workspace.index
+    if not index.is_key(key) and not distributions_of(key):
+        return FETCHED if source_of(declared, key) == "unknown" and is_fetched(declared, key) else ""
     found = required_by(imported_from_pip(declared, files)).items()
     bringer = next((by for name, by in found if name == normalized(top) or key_of(name, index) == key), "")
     return bringer and f"; the package imports `{bringer}`, too, which pip installs, and which requires it"
+
+
+def is_fetched(declared: DeclaredDependencies, package: str) -> bool:
+    return FetchedRepositories(declared.release.files, declared.workspace, declared.hidden).may_have(package)
 
 
 def imported_from_pip(declared: DeclaredDependencies, files: Iterable[PythonImports]) -> Iterator[str]:

@@ -90,8 +90,7 @@ class ImportDependencies:
         """Return what is said of a library that people have by their own choice, or with another; "" for others."""
         from .brought_by_people import why_brought  # few packages lack something
 
-        module = missing.places[0].module
-        return why_brought(self.declared, self.python.files, module, missing.name) if self.is_library(missing) else ""
+        return why_brought(self.declared, self.python.files, missing.places[0].module, missing.name)
 
     @cached_property
     def pip(self) -> PipInstalls:
