@@ -8,6 +8,7 @@ from ...package.file_role import role_of
 from ...package.launch.file_references import OPEN
 from ..fault import Level
 from ..left_to_people import files_of, why_left
+from .given_arguments import why_given
 from .idle_actions import NEVER_CALLED, NO_ENTRY, OFF, level_at
 from .include_arguments import IncludeContext
 from .missing_references import LaunchContext, MissingReference
@@ -59,7 +60,7 @@ def unmet_by_all(scope: LaunchContext, each: MissingReference) -> str:
         return "but the launch file gives the argument another value"
     if IncludeContext(scope).is_untaken(each):
         return "but the included file takes no such argument"
-    return undeclared_for(scope, each)
+    return undeclared_for(scope, each) or why_given(scope, each)
 
 
 def has_others(scope: LaunchContext, each: MissingReference) -> bool:
