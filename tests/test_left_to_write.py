@@ -206,3 +206,42 @@ def test_a_method_whose_name_a_comment_spells_out() -> None:
 def test_a_docstring_that_asks_for_the_module() -> None:
     text = '"""Exercise 3.\n\nImplement a node that listens.\n"""\n'
     assert level({**PYTHON, "my_pkg/go.py": text}, "SET102") == ("info", True)
+
+
+@pytest.mark.parametrize(
+    ("page", "is_mild"),
+    [
+        ("In exercise 2 you create `src/go.cpp`.\n", True),
+        ("touch src/go.cpp\n", True),
+        ("Write the node in go.cpp, then build.\n", True),
+        ("`go.cpp` is the node, which we wrote to create maps.\n", False),
+        ("Create a workspace.\n\n- src/go.cpp: the node\n", False),
+    ],
+)
+def test_a_source_that_a_page_has_people_write(page: str, is_mild: bool) -> None:
+    (found,) = lint_files({**CPP, "README.md": page}, ["CMK102"]).findings
+    assert (found.severity.value, found.message.endswith("; a page has people write it")) == (
+        ("info", True) if is_mild else ("error", False)
+    )
+
+
+@pytest.mark.parametrize(("hole", "expected"), [("???", "info"), ("<MESSAGE_TYPE>", "info"), ("a b", "error")])
+def test_a_line_of_python_with_a_blank(hole: str, expected: str) -> None:
+    text = f"import rclpy\n\n\ndef main():\n    rclpy.init()\n    print({hole}, 10)\n"
+    (found,) = lint_files({**PYTHON, "my_pkg/go.py": text}, ["RPK001"]).findings
+    assert found.severity.value == expected
+
+
+@pytest.mark.parametrize(
+    ("comment", "expected"), [("# TODO: add the fields x and y", ("info", True)), ("# TODO: rename", ("error", False))]
+)
+def test_fields_that_a_message_is_still_to_get(comment: str, expected: tuple[str, bool]) -> None:
+    go = "from a_msgs.msg import Pose2\n\n\ndef main():\n    pose = Pose2()\n    pose.x = 1.0\n    print(pose)\n"
+    generate = 'find_package(rosidl_default_generators REQUIRED)\nrosidl_generate_interfaces(a_msgs "msg/Pose2.msg")\n'
+    own = {f"my_pkg/{path}": text for path, text in {**PYTHON, "my_pkg/go.py": go}.items()}
+    messages = {
+        "a_msgs/package.xml": manifest("", "ament_cmake", "a_msgs"),
+        "a_msgs/CMakeLists.txt": CMAKE.replace("my_pkg", "a_msgs").replace("ament_package", generate + "ament_package"),
+        "a_msgs/msg/Pose2.msg": f"{comment}\n",
+    }
+    assert level({**own, **messages}, "IDL010") == expected

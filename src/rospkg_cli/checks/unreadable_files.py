@@ -29,6 +29,8 @@ ROS1_LAUNCH = regex(r"<node\b[^>]*\btype\s*=|\$\(find ")
 """Nodes and paths as roslaunch takes them."""
 LIBRARY = regex(r"\A\s*(?:<\?[^>]*\?>\s*|<!--.*?-->\s*)*<library\b", re.DOTALL)
 """A plugin description without a root of its own: pluginlib asks each `<library>` for the next one beside it."""
+HOLE = regex(r"\?{3}|<(?:[A-Z]{2,}[A-Z_ ]*|(?:your|insert|fill)[\w -]+)>")
+"""What stands in code for what whoever takes an exercise on has to write."""
 LOST = regex("[\udc80-\udcff]")
 """What `surrogateescape` makes of bytes that are no text."""
 
@@ -70,6 +72,14 @@ class UnreadableFile:
         is_module = role_of(path) == "run" and path != "setup.py" and not path.endswith("__init__.py")
         return self.file.code is ReadProblem.PYTHON_SYNTAX and is_module and not self.started.is_reached(path)
 
+    @property
+    def has_blank(self) -> bool:
+        """Whether the line of Python that can't be read has a hole in it, as in exercises: `create_timer(???)`."""
+        if self.file.code is not ReadProblem.PYTHON_SYNTAX:
+            return False
+        text, at = self.files.readable_text(self.file.path), self.file.span.start
+        return HOLE.search(text[text.rfind("\n", 0, at) + 1 :].partition("\n")[0]) is not None
+
     def level_of_module(self) -> tuple[Level | None, str]:
         """Return the level of a module that nothing here starts, and why: another package may import it."""
         path = self.file.path
@@ -105,6 +115,8 @@ class UnreadableFile:
             return self.level_of_robot()
         if self.file.code is ReadProblem.ENCODING and self.is_in_comments:
             return "info", "; CMake reads past these bytes, since only comments hold them"
+        if self.has_blank:
+            return "info", "; the line has a blank that is to be filled in"
         if self.is_left_alone:
             return "info", "; no other file names it"
         if path.endswith(".launch") and ROS1_LAUNCH.search(self.files.readable_text(path)):

@@ -6,6 +6,7 @@ import re
 from pathlib import PurePosixPath
 
 from ...checks.left_blank import asks_to, is_asked_at, is_asked_for
+from ...checks.pages_and_scripts import own_pages, pages_above
 from ...files import PackageFiles
 from ...finding import Finding, Severity
 from ...lazy_regex import regex
@@ -25,10 +26,19 @@ TASKS = {
     **dict.fromkeys(("DEP101", "DEP103", "DEP104", "DEP105"), OF_DEPENDENCIES),
 }
 """Rules about what a file does not do, with the words by which a comment in it says that this is still to be done."""
-ALL = OF_MISSING | TASKS.keys()
+OF_FIELDS = frozenset({"IDL010", "IDL013"})
+FIELDS = (
+    r"(?:add|define|declare|write|complete|fill in|specify) (?:[\w-]+ ){0,3}(?:fields?|request|response|goal|result)\b"
+)
+IN_MESSAGE = "; a comment in the message says that its fields are still to be written"
+ALL = OF_FIELDS | OF_MISSING | TASKS.keys()
 NAMED = regex("`([^`]+)`")
 MAX_NAMES = 2
 WHY = "; a comment says that it is still to be written"
+OF_FILES = frozenset({"CMK102", "IDL006", "SET101"})
+WRITES = regex(r"(?i)\b(?:write|create|implement|complete|touch|nano|gedit|vim?)[ \t`*:]")
+"""What tells people to make a file whose name follows in the line."""
+BY_PAGE = "; a page has people write it"
 OF_WHOLE = "; a comment in {} says that this is still to be done"
 
 
@@ -50,12 +60,35 @@ def why_left(found: Finding, files: PackageFiles, package: str) -> str:
         task, path = TASKS[found.code]
         if asks_to(files.readable_text(path), task):
             return OF_WHOLE.format(f"`{path}`")
+    if found.code in OF_FIELDS:
+        return IN_MESSAGE if asks_for_fields(files, (NAMED.findall(found.message) or [""])[0]) else ""
     path = str(PurePosixPath(found.location.path).relative_to(files.folder or "."))
     text = files.readable_text(path) if found.code in OF_MISSING else ""
     names = [name for name in NAMED.findall(found.message)[:MAX_NAMES] if name != package]
     parts = {part for name in names for part in (name, re.split(r"[./:]+", name.partition(".py")[0])[-1], last(name))}
     asked = (is_asked_for(text, part) or is_asked_at(text, found.location.span.start, part) for part in parts if part)
-    return WHY if text and any(asked) else ""
+    if text and any(asked):
+        return WHY
+    return BY_PAGE if found.code in OF_FILES and names and is_written_by_people(files, names[0], found.code) else ""
+
+
+def asks_for_fields(files: PackageFiles, message: str) -> bool:
+    """Return whether a comment in the file of a message, service or action asks for its fields."""
+    package, _, rest = message.partition("/")
+    kind, _, name = rest.partition("/")
+    path = f"{kind}/{name.partition('_')[0]}.{kind}"
+    whole = PackageFiles(files.whole) if files.whole is not None else files
+    places = [each for each in whole.every if each == path or each.endswith(f"{package}/{path}")] if kind else []
+    return any(asks_to(whole.readable_text(each), FIELDS) for each in places)
+
+
+def is_written_by_people(files: PackageFiles, name: str, code: str) -> bool:
+    """Return whether a page has people write a file, or open it in an editor as a new one."""
+    file = f"{name.rpartition('.')[2]}.py" if code == "SET101" else last(name)
+    own = re.compile(rf"(?<![\w.-]){re.escape(file)}(?![\w-])")
+    lines = (line for text in own_pages(files) for line in text.split("\n") if own.search(line))
+    others = (line for text in pages_above(files) for line in text.split("\n") if own.search(line))
+    return any(WRITES.search(own.split(line)[0]) for line in (*lines, *others))
 
 
 def last(path: str) -> str:

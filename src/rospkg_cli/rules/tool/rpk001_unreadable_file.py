@@ -38,7 +38,7 @@ ament_package()
         "module of Python that another package imports",
         Severity.INFO: "a robot, a world, a behavior tree, a launch file or YAML that nothing is shown to open, a "
         "launch file for ROS 1, a module of Python that nothing imports that is started, bytes that are no text in "
-        "comments of CMake, or plugins without a root around them",
+        "comments of CMake, a line of Python with a blank to fill in, or plugins without a root around them",
     },
     examples=(
         Example(bad={"package.xml": BAD}, good={"package.xml": GOOD}),
@@ -71,7 +71,8 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     package imports it. A launch file for ROS 1 is an info, in a package for catkin as well a warning. A launch file
     beside others is an info where no other file of the package, no page or script, and no package that needs this one
     names it, and so is YAML that no command of a page and no code names. Several `<library>` of a plugin description
-    without a root are an info, and so are bytes that are not UTF-8 in comments of a CMake file. A `<` in the value of
+    without a root are an info, and so are bytes that are not UTF-8 in comments of a CMake file, and a line of Python
+    with a blank that an exercise has people fill in (`create_timer(???)`, `<MESSAGE_TYPE>`). A `<` in the value of
     an attribute of a plugin description is no fault, since pluginlib takes it.
     """
     file = scope.file
