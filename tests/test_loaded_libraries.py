@@ -86,7 +86,8 @@ def test_what_is_imported_is_told_by_one_rule() -> None:
 
 @pytest.mark.parametrize(("required", "code"), [("", "XML208"), (" REQUIRED", "DEP104")])
 def test_a_tool_for_tests_is_no_build_tool(required: str, code: str) -> None:
-    lines = f"find_package(ament_cmake_ros{required})\nif(BUILD_TESTING)\n  find_package(ament_cmake_gmock REQUIRED)\nendif()"
+    tests = "if(BUILD_TESTING)\n  find_package(ament_cmake_gmock REQUIRED)\nendif()"
+    lines = f"find_package(ament_cmake_ros{required})\n{tests}"
     files = {
         "CMakeLists.txt": f"cmake_minimum_required(VERSION 3.20)\nproject(my_pkg)\n{lines}\nament_package()\n",
         "package.xml": manifest(build_type="ament_cmake").replace(
