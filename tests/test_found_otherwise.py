@@ -92,3 +92,13 @@ def test_what_the_headers_of_pcl_bring_from_humble_on(name: str, level: str) -> 
     }
     (finding,) = lint_files(files, ["DEP115"]).findings
     assert finding.severity.value == level
+
+
+def test_cppzmq_comes_with_the_headers_of_zeromq() -> None:
+    """libzmqpp-dev is another binding; libzmq3-dev recommends cppzmq-dev, which has no key of its own."""
+    files = {
+        "CMakeLists.txt": CMAKE.replace("ament_package()", "find_package(cppzmq REQUIRED)\nament_package()"),
+        "package.xml": manifest("", "ament_cmake"),
+    }
+    (finding,) = lint_files(files, ["DEP104"]).findings
+    assert "add <depend>libzmq3-dev</depend>" in finding.message
