@@ -206,3 +206,11 @@ def test_an_unknown_package_whose_repository_is_cloned(page: str, level: str) ->
 def test_packages_of_ros_without_python(module: str) -> None:
     package = {**existing_files(BACKDROPS["ament_python"]), "package.xml": manifest()}
     assert lint_files({**package, "my_pkg/a.py": f"import {module}\n"}, ["DEP101"]).findings == ()
+
+
+def test_a_key_without_a_rule_for_some_distributions_is_declared_on_request_alone() -> None:
+    files = {**existing_files(BACKDROPS["ament_python"]), "package.xml": manifest(), "my_pkg/a.py": "import utm\n"}
+    (only,) = lint_files(files, ["DEP101"]).findings
+    assert "<exec_depend>python3-utm</exec_depend>, which only jazzy, " in only.message
+    assert only.fix is not None
+    assert only.fix.safety is Safety.UNSAFE

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from ..checks.depends.brought_dependencies import Bringer
 from ..checks.depends.circles import circle_with
 from ..checks.depends.declared_dependencies import DeclaredDependencies
-from ..checks.depends.name_source import is_of_family, newer_distros, source_of
+from ..checks.depends.name_source import is_of_family, only_distros, source_of
 from ..checks.depends.pip_requirements import FRAMEWORKS
 from ..checks.depends.similar_names import SimilarNames
 from ..checks.depends.system_installs import TOLD
@@ -76,8 +76,8 @@ def advice(declared: DeclaredDependencies, tag: str, name: str, *serving: str) -
         return "package.xml declares it for distributions alone that are supported no more: widen the condition"
     match source_of(declared, name):
         case "released":
-            newer = newer_distros(declared, name)
-            only = f", which only {enumerated(newer)} {'have' if newer[1:] else 'has'}" if newer else ""
+            few = only_distros(declared, name)
+            only = f", which only {enumerated(few)} {'have' if few[1:] else 'has'}" if few else ""
             told = TOLD if declared.is_installed_otherwise((name, *serving)) else ""
             return f"add {written(declared, tag, name)}{only}{told}"
         case "pip":
@@ -116,7 +116,7 @@ def safety_of(declared: DeclaredDependencies, name: str) -> Safety:
     is_left = name in declared.commented_out or name in declared.for_other_distributions
     is_left = is_left or name.removeprefix("python3-") in FRAMEWORKS
     sure = source_of(declared, name) == "released" and not is_left
-    return Safety.SAFE if sure and not newer_distros(declared, name) else Safety.UNSAFE
+    return Safety.SAFE if sure and not only_distros(declared, name) else Safety.UNSAFE
 
 
 def left_to_others(declared: DeclaredDependencies, uses: Sequence[BroughtUse], used: str) -> Iterator[Hit]:

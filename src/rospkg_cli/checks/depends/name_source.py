@@ -8,6 +8,7 @@ from typing import Literal
 from ...package.missing_repositories import COMMON
 from ...ros.distros import DISTROS, Targets
 from ...ros.names import NameKind
+from ...ros.rosdep import NOT_THERE
 from ...suggest import near_names
 from .circles import circle_with
 from .declared_dependencies import DeclaredDependencies
@@ -33,15 +34,21 @@ def source_of(declared: DeclaredDependencies, name: str) -> NameSource:
     return "pip" if "pip" in ways and ways <= {"pip", "-"} else "released"
 
 
-def newer_distros(declared: DeclaredDependencies, name: str) -> list[str]:
-    """Return the distributions that have a released package which the oldest supported one lacks; else nothing.
+def only_distros(declared: DeclaredDependencies, name: str) -> list[str]:
+    """Return the distributions that alone have a released package or a rule for a key; nothing where all have it.
 
-    Who declares it keeps `rosdep install` from working on the others.
+    Who declares it keeps `rosdep install` from working on the others. What the oldest has and newer ones lack, as yet,
+    counts as there for a package; a key of Debian that is gone does not come back.
     """
-    having = declared.workspace.index.packages.get(name, ())
-    is_here = declared.workspace.is_available(name) or declared.workspace.index.is_key(name)
+    index = declared.workspace.index
+    if declared.workspace.is_available(name):
+        return []
+    if index.is_key(name):
+        ruled = [each.name for each in Targets() if index.installer(name, each) != NOT_THERE]
+        return ruled if len(ruled) < len([*Targets()]) else []
+    having = index.packages.get(name, ())
     oldest, *newer = (each.name for each in DISTROS)
-    return [] if is_here or oldest in having else [each for each in newer if each in having]
+    return [] if oldest in having else [each for each in newer if each in having]
 
 
 def is_left_out(declared: DeclaredDependencies, name: str) -> bool:

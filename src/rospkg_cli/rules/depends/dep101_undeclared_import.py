@@ -88,7 +88,7 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     is an info: to declare it would make a circle.
 
     ## Fix safety
-    The fix is unsafe where only PyPI has the library, no released package has the name, or a comment leaves it out.
+    The fix is unsafe where only PyPI has the library, not all distributions have it, or a comment leaves it out.
 
     ## References
     - REP-149, exec_depend
