@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from ...languages.python.file import PythonFile, asked
-from ...languages.python.nodes import nodes_of, nodes_of_kind
+from ...languages.python.nodes import functions_of, last_name, nodes_of, nodes_of_kind
 from ...source import Span
 
 MISSING = frozenset({"PackageNotFoundError", "LookupError", "KeyError", "Exception", "BaseException"})
 """What ament_index raises where a package is not there, and what takes it."""
+
+LOOKUPS = frozenset({"get_package_share_directory", "get_package_share_path", "get_package_prefix", "FindPackageShare"})
 
 BRANCHING = frozenset({
     ast.Module, ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.If, ast.IfExp, ast.For, ast.AsyncFor,
@@ -23,10 +25,34 @@ ABSENT = frozenset({"FileNotFoundError", "OSError", "IOError", "EnvironmentError
 
 
 def guarded_in(file: PythonFile, errors: frozenset[str] = MISSING) -> Iterator[Span]:
-    """Yield the bodies of `try` whose handlers take one of some errors."""
-    for node in nodes_of_kind(file.tree, ast.Try):
-        if any(catches(handler, errors) for handler in node.handlers):
-            yield Span(file.span(node.body[0]).start, file.span(node.body[-1]).end)
+    """Yield the bodies of `try` whose handlers take one of some errors, and calls of functions that look for packages
+    in one.
+    """
+    tries = (each for each in nodes_of_kind(file.tree, ast.Try) if any(catches(one, errors) for one in each.handlers))
+    bodies = [each.body for each in tries]
+    for body in bodies:
+        yield Span(file.span(body[0]).start, file.span(body[-1]).end)
+    yield from guarded_calls(file, bodies) if errors is MISSING else ()
+
+
+def guarded_calls(file: PythonFile, bodies: list[list[ast.stmt]]) -> Iterator[Span]:
+    """Yield the calls of the file's functions of which each lookup by a parameter is in one of some bodies."""
+    inside = {id(node) for body in bodies for each in body for node in nodes_of(each)}
+    names: set[str] = set()
+    for function in functions_of(file.tree) if inside else ():
+        given = {each.arg for each in function.args.args}
+        looks = [node for node in nodes_of(function) if isinstance(node, ast.Call) and looks_by(node, given)]
+        if looks and all(id(each) in inside for each in looks):
+            names.add(function.name)
+    for node in nodes_of_kind(file.tree, ast.Call) if names else ():
+        if isinstance(node.func, ast.Name) and node.func.id in names:
+            yield file.span(node)
+
+
+def looks_by(call: ast.Call, names: Collection[str]) -> bool:
+    """Return whether a call looks for a package that one of some names says."""
+    given = call.args[0] if call.args else None
+    return last_name(call.func) in LOOKUPS and isinstance(given, ast.Name) and given.id in names
 
 
 def silent_in(file: PythonFile) -> Iterator[Span]:
