@@ -73,6 +73,21 @@ def test_conditions_in_macros(default: str, given: str, more: dict[str, str], le
     assert [each[0] for each in told(files)] == [level]
 
 
+@pytest.mark.parametrize(
+    ("given", "more", "level"),
+    [
+        ("$(optenv GRIPPER false)", "", "info"),
+        ("$(optenv GRIPPER true)", "", "warning"),
+        ("$(optenv GRIPPER false)", "    export GRIPPER=true\n", "warning"),
+        ("$(env GRIPPER)", "", "warning"),
+    ],
+)
+def test_variables_of_the_environment(given: str, more: str, level: str) -> None:
+    robot = ROBOT.format(default="false", given=f'gripper="{given}"')
+    files = {"urdf/robot.urdf.xacro": robot, "urdf/parts.xacro": PARTS.format(INCLUDE)}
+    assert [each[0] for each in told({**files, "README.md": README["README.md"] + more})] == [level]
+
+
 def test_a_macro_that_others_may_call() -> None:
     """A robot that nothing here expands may give another value."""
     robot = ROBOT.format(default="false", given=HANDS)

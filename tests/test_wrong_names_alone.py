@@ -109,3 +109,8 @@ def test_what_debian_leaves_out_of_python_is_a_key(name: str, advice: str) -> No
     files = {**existing_files(BACKDROPS["ament_python"]), "package.xml": manifest(f"  <depend>{name}</depend>\n")}
     (finding,) = lint_files(files, ["DEP001"]).findings
     assert finding.message.endswith(advice)
+
+
+def test_a_short_name_behind_lib_is_no_slip() -> None:
+    files = {**existing_files(BACKDROPS["ament_python"]), "package.xml": manifest("  <depend>libpcl</depend>\n")}
+    assert not lint_files(files, ["DEP001"]).findings

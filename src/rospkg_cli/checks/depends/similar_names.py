@@ -12,7 +12,7 @@ from ...ros.rosdep import NOT_THERE
 from ...suggest import NAME_STEPS, Effort
 
 MIN_LETTERS = 5
-"""Of a misspelt name: a shorter one is similar to too many others."""
+"""Of a misspelt name, behind `lib`: a shorter one is similar to too many others."""
 
 MIN_FAMILY = 3
 """So many packages of the workspace begin with a word before it counts as the prefix of a family."""
@@ -52,7 +52,7 @@ class SimilarNames:
         """Return the only name that differs in case, hyphens and underscores alone, or by one typo; else None."""
         known = self.workspace.index_of(MeantNames)
         if name not in known:
-            may_be_slip = len(name) >= MIN_LETTERS and not self.workspace.is_listed(name)
+            may_be_slip = len(name.removeprefix("lib")) >= MIN_LETTERS and not self.workspace.is_listed(name)
             groups = self.groups(name) if may_be_slip else iter(())
             alike = next(filter(None, groups), [])
             known[name] = alike[0] if len(alike) == 1 else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .package_references import PackageReference
+from .package_references import OF_DESKTOP, PackageReference
 
 
 def ends_with(use: PackageReference, name: str, where: str) -> str:
@@ -24,4 +24,5 @@ def ends_with(use: PackageReference, name: str, where: str) -> str:
             ends = "`ros2` does not know the command"
         case "process":
             ends = "the process does not start"
+            ends += ", unless Ubuntu's desktop is there" if name in OF_DESKTOP else ""
     return f"{where} {ends}"

@@ -87,6 +87,7 @@ class WaysIntoRobots:
             if document is not None and document.root.tag == "robot" and self.reached.calls.is_top(document):
                 expander = Expander(self.reached.library, with_defaults=True)
                 expander.texts.defaults.update(self.given(path))
+                expander.texts.variables = self.is_set
                 yield expander.run(document)
 
     def given(self, path: str) -> dict[str, Value]:
@@ -99,6 +100,11 @@ class WaysIntoRobots:
             elif values is None or len(values | {literal(each) for each in defaults}) != 1:
                 found[name] = XacroUnknown(f"$(arg {name})")
         return found
+
+    def is_set(self, variable: str) -> bool:
+        """Return whether a text of the package, or a page or a script above it, says a variable of the environment."""
+        word = re.compile(rf"(?<![\w.-]){re.escape(variable)}(?![\w.-])")
+        return any(word.search(text) for _, text in self.givers)
 
     @cached_property
     def values(self) -> dict[str, set[Value] | None]:

@@ -29,6 +29,8 @@ class TextEvaluator:
     """Those that `<xacro:arg>` has declared so far."""
     defaults: dict[str, Value] = field(default_factory=dict)
     """The values of those that are not given; empty where they may have any."""
+    variables: Callable[[str], bool] | None = None
+    """Whether anything sets a variable of the environment; where it is not given, each may have any value."""
     depth: int = 0
 
     def evaluate(self, place: XacroPlace, scope: XacroScope) -> Value:
@@ -60,6 +62,8 @@ class TextEvaluator:
                 return "."
             case ["arg", name] if name in self.defaults:
                 return self.defaults[name]
+            case ["optenv", name, *words] if self.variables is not None and not self.variables(name):
+                return " ".join(words)
             case ["arg", name] if name not in self.arguments and "$" not in name:
                 self.undeclared(place, name)
         return XacroUnknown(" ".join(token.split()))
