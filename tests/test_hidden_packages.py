@@ -96,3 +96,8 @@ def test_a_repository_that_may_be_this_one(tmp_path: Path) -> None:
         "README.md": "git clone git@g.org:a/tof_robot.git\n",
     }
     assert [each[0] for each in told(tmp_path, "DEP103", inner)] == ["warning"]
+
+
+def test_a_repository_that_lies_here(tmp_path: Path) -> None:
+    inner = {"TOF-SDK/main.c": "int main() {}\n", "TOF-SDK/README.md": "git clone https://g.org/ada/TOF-SDK.git\n"}
+    assert [each[0] for each in told(tmp_path, "DEP103", inner)] == ["warning"]

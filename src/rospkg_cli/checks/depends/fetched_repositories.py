@@ -37,7 +37,7 @@ class FetchedRepositories:
         """Return whether one of them may have a package of a name: it begins so, or has its words.
 
         What is cloned has it by one telling word alone (`micro_ros_agent` of `micro_ros_setup`). A repository that has
-        such a word of a package here may be this one.
+        such a word of a package here may be this one, or one that lies here.
         """
         spelt, words, telling = normalized(name), words_of(name), telling_words(name)
         if any(spelt.startswith(each) for each in self.linked if not self.is_around(each)):
@@ -57,7 +57,13 @@ class FetchedRepositories:
 
     def may_be_own(self, repository: str) -> bool:
         told = telling_words(repository)
-        return any(share_word(told, telling_words(each)) for each in self.workspace.names)
+        return repository in self.here or any(share_word(told, telling_words(each)) for each in self.workspace.names)
+
+    @cached_property
+    def here(self) -> frozenset[str]:
+        """The names of the folders of the run: what is cloned into one of them is no other repository."""
+        whole = PackageFiles(self.files.whole) if self.files.whole is not None else self.files
+        return frozenset(normalized(part) for place in whole.places for part in place.split("/"))
 
     @cached_property
     def linked(self) -> frozenset[str]:
