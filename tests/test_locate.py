@@ -238,6 +238,8 @@ def test_it_says_that_packages_lie_below_a_dot(tmp_path: Path, write, files: lis
         ("sysroot/opt/ros/humble/share/a", "environment/path.sh"),
         ("image/share/a", "hook/path.dsv"),
         ("build_arm/a", "colcon_build.rc"),
+        ("build/a", "prefix_override/sitecustomize.py"),
+        ("overlay/opt/ros/humble/share/a", "launch/a.launch.py"),
     ],
 )
 def test_what_a_build_made_of_a_package_is_none(tmp_path: Path, write, made: str, beside: str) -> None:

@@ -23,6 +23,9 @@ BUILD_FOLDERS = {
 }
 """Output folders of colcon and setuptools, with names in them that mark one as output."""
 
+MADE_BY_COLCON = frozenset({"colcon_build.rc", "prefix_override"})
+"""What colcon writes into the build folder of a package, beside the files that it links there."""
+
 MADE_BESIDE = regex(r"(?:local_setup|package)\.(?:bash|dsv|ps1|sh|zsh)|hook|environment|ament_index")
 """What a build installs beside a package.xml, in `share/<package>`."""
 
@@ -50,9 +53,9 @@ def is_made_package(folder: str, names: Set[str]) -> bool:
     """Return whether a folder with a package.xml is what a build made of a package: installed, or linked by colcon."""
     if "package.xml" not in names:
         return False
-    if "colcon_build.rc" in names:
+    if not names.isdisjoint(MADE_BY_COLCON):
         return True
     above = folder.rstrip("/").split("/")[:-1]
     if above[-1:] != ["share"] or not names.isdisjoint({"CMakeLists.txt", "setup.py"}):
         return False
-    return "install" in above or any(MADE_BESIDE.fullmatch(name) for name in names)
+    return "install" in above or {"opt", "ros"} <= set(above) or any(MADE_BESIDE.fullmatch(name) for name in names)
