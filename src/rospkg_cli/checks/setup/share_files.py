@@ -43,6 +43,11 @@ class ShareFiles:
         is_lost = file.source is not None and "*" not in file.source and self.is_missing(file)
         return is_lost and self.fetched is not None and self.fetched.has(file.source or "")
 
+    def is_made(self, file: DataFile) -> bool:
+        """Return whether a page or a script has people fetch, make or copy a missing file itself, by its name."""
+        is_lost = file.source is not None and "*" not in file.source and self.is_missing(file)
+        return is_lost and self.fetched is not None and self.fetched.has_itself(file.source or "")
+
     @property
     def names(self) -> frozenset[str]:
         """The name in package.xml, and the one in setup.py, which may differ."""

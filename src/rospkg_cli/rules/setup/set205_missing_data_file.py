@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.left_to_people import UNTIL_MADE
 from ...checks.setup.dead_links import dead_links
 from ...checks.setup.share_files import ShareFiles
 from ...example import Example, setup_py
@@ -42,7 +43,8 @@ SHAPES = {
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a glob matches a link to nothing: elsewhere there may be what it points to; or a page or a "
-        "script tells to fetch the file"
+        "script tells to fetch what is in its folder",
+        Severity.INFO: "a page or a script has people fetch, make or copy the file itself, by its name",
     },
     examples=(
         Example(
@@ -95,8 +97,9 @@ def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Where setup.py may write files, where a .gitignore names the file, since a build then writes it, below a
-    submodule that is not checked out, and for sources that can't be evaluated. A file that a page or a script of the
-    repository tells to fetch or unpack is missing on a clean machine alone: a warning.
+    submodule that is not checked out, and for sources that can't be evaluated. A file whose folder or archive a page or
+    a script of the repository tells to fetch or unpack is missing on a clean machine alone: a warning. It is an info
+    where one has people fetch, make or copy the file itself (`map_saver_cli -f maps/lab`).
     """
     for entry in shared.package.setup.data_entries:
         if entry.shape:
@@ -104,6 +107,7 @@ def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
         for file in entry.files:
             if why := fault(shared, entry, file):
                 end, level = (FETCHED, Severity.WARNING) if shared.is_fetched(file) else ("", None)
+                end, level = (f", {UNTIL_MADE}", Severity.INFO) if shared.is_made(file) else (end, level)
                 yield Hit(file.setup_text.path, file.setup_text.shown, why + end, level)
     for glob, link in dead_links(shared.package):
         message = (
