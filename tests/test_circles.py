@@ -75,6 +75,15 @@ def test_a_circle_by_way_of_others(declares: str, level: str) -> None:
     assert found["hand"].severity.value == level
 
 
+def test_what_may_not_be_declared_keeps_nobody_from_being_declared() -> None:
+    """The hand starts what waits for it already: that is its own fault, and no reason for the arm."""
+    files = package("arm", "", "launch/a.launch.xml", STARTS.format("hand"))
+    files |= package("hand", "", "launch/b.launch.xml", STARTS.format("robot"))
+    needs = "  <exec_depend>arm</exec_depend>\n  <exec_depend>hand</exec_depend>\n"
+    files |= package("robot", needs, "robot/node.py", "A = 1\n")
+    assert told(files) == [("arm", *ASKED)]
+
+
 def test_a_launch_file_that_nothing_installs_keeps_nobody_from_being_declared() -> None:
     files = two(LAUNCH, OTHER_LAUNCH) | {"hand/setup.py": SETUP_PY.replace("my_pkg", "hand")}
     assert told(files)[0] == ("arm", *ASKED)

@@ -64,15 +64,30 @@ class Needs(dict[str, Mapping[str, str]]):
 
 
 def needs_of(facts: PackageFacts, workspace: Workspace) -> dict[str, str]:
+    """Return what a package declares, and what it uses and may declare: nothing that waits for it already."""
     aside = facts.uninstalled if facts.used_packages and facts.knows("share_files") else frozenset[str]()
-    used = {
-        name: path
-        for name, path in sorted(facts.used_packages, reverse=True)
-        if path not in aside and not is_example(path)
-    }
-    declared = {need.name for need in facts.dependencies if need.tag not in NOT_ORDERED}
-    every = used | dict.fromkeys(code_needs(facts) | declared, "")
+    places = (each for each in sorted(facts.used_packages, reverse=True) if each[1] not in aside)
+    used = {name: path for name, path in places if name in workspace.names and not is_example(path)}
+    used = {name: path for name, path in used.items() if not waits_for(name, facts.name, workspace)}
+    every = used | dict.fromkeys(code_needs(facts) | declared_by(facts), "")
     return {name: path for name, path in every.items() if name in workspace.names and name != facts.name}
+
+
+def declared_by(facts: PackageFacts) -> set[str]:
+    return {need.name for need in facts.dependencies if need.tag not in NOT_ORDERED}
+
+
+def waits_for(name: str, other: str, workspace: Workspace) -> bool:
+    """Return whether colcon builds a package after another one, by what is declared."""
+    seen, waiting = {name}, [name]
+    while waiting:
+        facts = workspace.named(waiting.pop())
+        needs = declared_by(facts) - seen if facts is not None else set[str]()
+        if other in needs:
+            return True
+        seen |= needs
+        waiting += needs
+    return False
 
 
 def code_needs(facts: PackageFacts) -> frozenset[str]:
