@@ -283,3 +283,9 @@ def test_a_value_of_yaml_at_which_the_node_writes(mode: str, expected: str) -> N
     setup = SETUP_PY_FOR_ALL.replace("    license", starts)
     found = lint_files({**files, "setup.py": setup}, ["DEP118"]).findings
     assert [each.severity.value for each in found] == [expected]
+
+
+def test_many_paths_are_not_followed() -> None:
+    lines = "".join(f"p{n} = 'PLACE/{n}.txt'\nopen(p{n}, 'w')\n" for n in range(30))
+    assert python_level(lines, "") == "warning"
+    assert python_level(lines.partition("p20")[0], "") == "info"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import cached_property
 
 from ..lazy_regex import regex
 from ..source import Span
@@ -39,13 +40,18 @@ class PathScopes(CodeBrackets):
         return self.python_function(at) if self.is_python else self.cpp_function(at)
 
     def python_function(self, at: int) -> tuple[str, Span]:
-        for found in reversed([*DEF.finditer(self.code, 0, at)]):
-            body = self.end_of(self.code.index("(", found.start()))
-            lines = INDENTED.finditer(self.code, body)
-            end = next((each.start() for each in lines if len(each[1]) <= len(found[1])), len(self.code))
-            if at < end:
-                return found[2], Span(found.start(), end)
-        return "", Span(0, len(self.code))
+        around = [each for each in self.functions if each[1].start <= at < each[1].end]
+        return around[-1] if around else ("", Span(0, len(self.code)))
+
+    @cached_property
+    def functions(self) -> list[tuple[str, Span]]:
+        """The functions of Python, each with its text, in order."""
+        found = []
+        for head in DEF.finditer(self.code):
+            lines = INDENTED.finditer(self.code, self.end_of(head.end() - 1))
+            end = next((each.start() for each in lines if len(each[1]) <= len(head[1])), len(self.code))
+            found.append((head[2], Span(head.start(), end)))
+        return found
 
     def cpp_function(self, at: int) -> tuple[str, Span]:
         opener = self.opener(at)

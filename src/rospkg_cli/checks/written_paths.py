@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
 LONGEST = 240
 """How many characters before a path may say what is done with it."""
+MOST = 20
+"""How many paths of one file are followed; who lists more of them has a table, and few are told apart."""
 QUOTE = r"(?:\b[rRfFuUbBL]{1,2})?[\"']"
 WRITER = (
     r"(?:\bnp\.savez?\w*|\bnumpy\.savez?\w*|\btorch\.save|\bsavefig|\bimwrite|\bimsave|\bto_(?:csv|json|excel|pickle)"
@@ -39,7 +41,7 @@ class WrittenPaths:
     """Of a text without comments; of C++ with its header or source."""
 
     def __init__(self, path: str, text: str, *halves: str) -> None:
-        self.text = text
+        self.text, self.followed = text, 0
         self.whole = "\n".join((text, *halves))
         self.is_python, self.is_code = path.endswith(".py"), path.endswith((".py", *CPP))
 
@@ -48,7 +50,8 @@ class WrittenPaths:
         before = self.text[max(0, place.start - LONGEST) : place.start]
         if is_in_writer(self.text, place.start, place.end) or any(each.search(before) for each in NAMED):
             return True
-        return self.is_code and self.flow.is_written(place)
+        self.followed += self.is_code
+        return self.is_code and self.followed <= MOST and self.flow.is_written(place)
 
     @cached_property
     def flow(self) -> PathFlow:
