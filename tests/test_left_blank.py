@@ -127,6 +127,8 @@ def test_no_blanks(name: str) -> None:
         ("<!-- edit this -->", True),
         ("# the map of your lab", False),
         ("# replaced by the new one", False),
+        ("# The only change is this line", False),
+        ("# please change the name here", True),
         ("", False),
     ],
 )

@@ -20,7 +20,8 @@ BLANK = regex(
     r"|(?:replace|change)[ _]?(?:me|this)|insert_\w+_here)_*|_{3,}|\?{2,}"
 )
 REPLACED = regex(
-    r"(?i)\b(?:change|edit|adapt|adjust|modify|replace|customi[sz]e|update|insert)\b[^\n]{0,60}"
+    r"(?i)\W*(?:(?:to[ -]?do|fix-?me|please|you (?:must|should|can|need to))\W+)?"
+    r"(?:change|edit|adapt|adjust|modify|replace|customi[sz]e|update|insert)\b[^\n]{0,60}"
     r"\b(?:your|this|these|here|me|own)\b"
 )
 BETWEEN = regex(r"[^\W\d_]+")
@@ -35,7 +36,7 @@ def is_blank(name: str) -> bool:
 
 def is_to_be_replaced(text: str, place: int) -> bool:
     """Return whether a comment on the line of a place tells to write another name: `# replace with your robot`."""
-    return REPLACED.search(comment_in(text[text.rfind("\n", 0, place) + 1 :].partition("\n")[0])) is not None
+    return REPLACED.match(comment_in(text[text.rfind("\n", 0, place) + 1 :].partition("\n")[0])) is not None
 
 
 def announces(text: str, place: int, name: str, *, behind: bool = False) -> bool:
