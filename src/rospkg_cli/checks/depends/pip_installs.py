@@ -27,7 +27,8 @@ PROJECTS = regex(r"(?:.*/)?(?:[^/]*(?:environment|conda)[^/]*\.ya?ml|Pipfile|pix
 """What conda, pipenv, pixi, poetry and uv install."""
 TYPED = regex(r"(?:.*/)?(?:README[^/]*|[^/]*\.(?:md|rst|sh|bash)|[Mm]akefile|justfile)")
 """Files with commands: some run them, and people type those of the others."""
-BESIDE = ("", "conda", "doc", "docker", "docs", "env", "envs", "requirements", "scripts")
+JOBS = regex(r"(?:.*/)?(?:\.github/workflows/[^/]+|\.gitlab-ci)\.ya?ml")
+BESIDE = ("", ".github/workflows", "conda", "doc", "docker", "docs", "env", "envs", "requirements", "scripts")
 """The folders, in one above a package, whose files say what is to be installed."""
 LISTED = regex(r"^[ \t]*([A-Za-z][\w.-]*)", re.MULTILINE)
 NEEDED = regex(
@@ -65,7 +66,7 @@ class PipInstalls:
     @cached_property
     def written(self) -> frozenset[str]:
         """The names of distributions, as the files of the package and of the folders above it write them."""
-        texts = [*installing_texts(self.files)]
+        texts = [*installing_texts(self.files), *texts_called(self.files, is_job)]
         told = {name for path, text in texts for name in names_in(path, text)}
         told.update(own_requirements(self.files, texts))
         listed = (name for path, text in texts_called(self.files, may_lock) for name in locked_names(path, text))
@@ -95,6 +96,10 @@ def texts_called(files: PackageFiles, is_wanted: Callable[[str], bool]) -> Itera
 
 def is_read(path: str) -> bool:
     return any(names.fullmatch(path) for names in (REQUIREMENTS, PROJECTS, TYPED))
+
+
+def is_job(path: str) -> bool:
+    return JOBS.fullmatch(path) is not None
 
 
 def names_in(path: str, text: str) -> Iterator[str]:
