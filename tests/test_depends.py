@@ -819,12 +819,12 @@ def test_who_watches_a_node_needs_no_declaration(prefix: str, level: str) -> Non
     assert [each for _, each in found] == [level]
 
 
-def test_what_a_desktop_has_is_an_info() -> None:
+def test_what_a_desktop_has_is_said_of_machines_without_one() -> None:
     node = xml('<node pkg="my_pkg" exec="a" launch-prefix="gnome-terminal --"/>')
     found = lint_files({**PYTHON, "package.xml": manifest(""), "launch/a.launch.xml": node}, ["DEP103"]).findings
     told = [each for each in found if "`gnome-terminal`" in each.message]
     assert [(each.severity.value, "unless Ubuntu's desktop is there" in each.message) for each in told] == [
-        ("info", True)
+        ("warning", True)
     ]
 
 

@@ -64,10 +64,10 @@ class PackageReference:
 
     @property
     def is_usual(self) -> bool:
-        """Whether any usual installation has it, or a desktop, or its name may be the user's own, or it is a tool of
-        developers: it is said mildly.
+        """Whether any usual installation has it, or its name may be the user's own, or it is a tool of developers: it
+        is said mildly.
         """
-        return self.fails in ("command", "controller") or self.does == WATCHES or self.name in OF_DESKTOP
+        return self.fails in ("command", "controller") or self.does == WATCHES
 
 
 def package_references(file: LaunchFile) -> Iterator[PackageReference]:

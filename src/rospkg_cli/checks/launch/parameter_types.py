@@ -38,7 +38,7 @@ def parameters_faults(argument: Argument, what: str) -> Iterator[Fault]:
     for item in value.items if isinstance(value, Sequence) else ():
         at, holds = span_within(item, place), f"{what} holds dicts and files"
         if isinstance(item, Sequence) and item.kind == "set" and not is_path_alone(item):
-            yield Fault(at, f"this is a set and no dict of {what}: write `:` between a name and its value")
+            yield a_set(item, at, what)
         elif isinstance(item, Sequence) and any(isinstance(each, Dict) for each in item.items):
             yield Fault(at, f"{holds}, and this is a list inside the list: {RAISES}; put a `*` before it")
         elif isinstance(item, Constant):
@@ -50,6 +50,13 @@ def parameters_faults(argument: Argument, what: str) -> Iterator[Fault]:
             yield Fault(at, message, "warning")
         elif isinstance(item, Dict):
             yield from parameter_value_faults(item, at)
+
+
+def a_set(items: Sequence, place: Span, what: str) -> Fault:
+    """Return what is wrong with a set: launch_ros joins texts to the path of a file, and stops at other values."""
+    message = f"this is a set and no dict of {what}: write `:` between a name and its value"
+    is_joined = all(isinstance(each, Text | PartialText) or is_substitution(each) for each in items.items)
+    return Fault(place, message, "warning" if is_joined else None)
 
 
 def is_path_alone(items: Sequence) -> bool:

@@ -79,7 +79,7 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     or may bring, as anything may come with a package that is not here, is one info, and so is a program before a node
     (`xterm -e`) of a launch file that stops without such a package; what only an argument turns on (`sim:=true`), or a
     variable (`SIM=true`), by a condition or in a branch of Python, is an info that names it; so are what watches a node
-    (`valgrind`, `xterm -e gdb`), gnome-terminal, packages for examples and for launch files called so
+    (`valgrind`, `xterm -e gdb`), packages for examples and for launch files called so
     (`debug.launch.py`), what only launch files need that nothing installs and no page or other file names, what stands
     in a function that nothing calls or behind `if="false"`, and unknown packages where a `.repos` file lists
     repositories that are not here, or a README links to theirs, a script or a page clones it, or builds it from a
