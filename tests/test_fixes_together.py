@@ -55,20 +55,41 @@ def user(name: str, *needs: str) -> dict[str, str]:
     return {f"{name}/{path}": text for path, text in files.items()}
 
 
+def with_tests(name: str, *needs: str) -> dict[str, str]:
+    """Return a package whose tests start nodes of others."""
+    return {path.replace("/launch/", "/test/"): text for path, text in user(name, *needs).items()}
+
+
 @pytest.mark.parametrize(
     ("files", "refused"),
     [
-        (user("a", "b") | user("b", "a"), [("b", "`a` depends on `b`, or is to: colcon could build neither")]),
         (
-            user("a", "b") | user("b", "c") | user("c", "a"),
+            with_tests("a", "b") | with_tests("b", "a"),
+            [("b", "`a` depends on `b`, or is to: colcon could build neither")],
+        ),
+        (
+            with_tests("a", "b") | with_tests("b", "c") | with_tests("c", "a"),
             [("c", "`a` depends on `c`, or is to: colcon could build neither")],
         ),
-        (user("a", "b") | user("b", "c") | user("c"), []),
+        (with_tests("a", "b") | with_tests("b", "c") | with_tests("c"), []),
     ],
 )
 def test_no_packages_are_made_to_wait_for_each_other(files: dict[str, str], refused: list[tuple[str, str]]) -> None:
     found = fixed(files, "DEP103")
     assert [(finding.package, why) for finding, why in found.refused] == refused
+
+
+@pytest.mark.parametrize(
+    ("files", "declared"),
+    [
+        (user("a", "b") | user("b", "a"), []),
+        (user("a", "b") | user("b", "c") | user("c", "a"), []),
+        (user("a", "b") | user("b", "c") | user("c"), ["a/package.xml", "b/package.xml"]),
+    ],
+)
+def test_what_would_close_a_circle_is_offered_to_none(files: dict[str, str], declared: list[str]) -> None:
+    found = fixed(files, "DEP103")
+    assert (sorted(found.changes), found.refused) == (declared, [])
 
 
 def test_a_dependency_that_is_only_moved_closes_no_cycle() -> None:

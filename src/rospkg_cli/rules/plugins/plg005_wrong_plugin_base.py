@@ -73,11 +73,11 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
 def wrong_plugin_base(bases: PluginBases) -> Iterator[Hit]:
     """
     ## What it does
-    Finds plugins whose base class or package differs from what their loader uses. A description must be exported to the
-    package that the loader names (`pluginlib::ClassLoader<Base>("package", "Base")`), and its `base_class_type` must be
-    the string that the loader has, and the base in PLUGINLIB_EXPORT_CLASS where both are of one template or differ by a
-    slip. Known are the loaders of the workspace, and those of navigation2, moveit2, ros2_control and rviz; plugins of
-    other base classes are left alone.
+    Finds plugins whose base class or package differs from what their loader uses.
+    A description must be exported to the package that the loader names (`pluginlib::ClassLoader<Base>("package",
+    "Base")`), and its `base_class_type` must be the string that the loader has, and the base in PLUGINLIB_EXPORT_CLASS
+    where both are of one template or differ by a slip. Known are the loaders of the workspace, and those of
+    navigation2, moveit2, ros2_control and rviz; plugins of other base classes are left alone.
 
     ## Why is this bad?
     The plugin does not exist for the loader: "According to the loaded plugin descriptions the class … with base class
