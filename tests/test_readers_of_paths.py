@@ -55,6 +55,8 @@ def test_what_only_older_distributions_have(name: str) -> None:
     files = parameter("bt_navigator", name)
     assert level({**files, "README.md": "For ROS 2 Foxy.\n"}) == "warning"
     assert level({**files, "README.md": "For ROS 2 Foxy and Humble.\n"}) == "info"
+    assert level({**files, "README.md": "ROS 2 Galactic on Ubuntu 20.04\n"}) == "info"
+    assert level({**files, "README.md": "Runs on Foxy and Galactic.\n"}) == "info"
 
 
 @pytest.mark.parametrize(

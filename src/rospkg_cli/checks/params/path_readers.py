@@ -12,10 +12,12 @@ from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
 from ...ros.known_nodes import known_nodes, known_parameters, removed_parameters
 from ...source import Span
-from ..older_distribution import OlderDistribution
+from ..older_distribution import OLDER, OlderDistribution
 from .mistyped_blocks import last
 
 CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h")
+BEFORE_GALACTIC = frozenset({"bt_xml_filename", "default_bt_xml_filename"})
+"""What Galactic's bt_navigator has another name for already: `default_nav_to_pose_bt_xml`."""
 KEY = regex(r"([\w./-]+)[\"']?[ \t]*:[ \t]*[\"']?(?:file://)?\Z")
 ABOVE = regex(r"(?m)^[ \t-]*[\"']?([\w./-]+)[\"']?[ \t]*:[ \t]*(?:[#&][^\n]*)?$")
 
@@ -55,7 +57,13 @@ class PathReaders:
         if any(each.fits(name) for package in owners for each in known_parameters(package)):
             return True
         removed = (each for package in owners for each in removed_parameters(package))
-        return any(each.fits(name) for each in removed) and OlderDistribution(self.files).is_meant_unsupported
+        return any(each.fits(name) for each in removed) and self.is_meant_for_older(name)
+
+    def is_meant_for_older(self, name: str) -> bool:
+        """Return whether all distributions that are meant may have a parameter which the supported ones lost."""
+        older = OlderDistribution(self.files)
+        is_gone_before = name in BEFORE_GALACTIC
+        return older.is_meant_unsupported and (not is_gone_before or older.meant.issubset(OLDER))
 
 
 def is_written(key: str, code: str) -> bool:

@@ -111,9 +111,9 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     -f`, a parameter called `output_dir`, also by another name, a parameter or a function of the same file, or with a
     value of YAML, and none of them reads. And so is a value of YAML that nobody is shown to read: no code of the
     workspace declares the parameter or has its key as a text or attribute, and no well-known node has it in a supported
-    distribution (Humble's bt_navigator has no `default_bt_xml_filename`), unless only older ones are meant; in launch
-    files it is one of a parameter that the node, if its code or parameters are known, does not have, or whose name else
-    says nothing of a file. Robots and worlds are URD002's, what setup.py installs is SET205's.
+    distribution (bt_navigator has no `default_bt_xml_filename` after Foxy), unless only those are meant that have it;
+    in launch files it is one of a parameter that the node, if its code or parameters are known, does not have, or whose
+    name else says nothing of a file. Robots and worlds are URD002's, what setup.py installs is SET205's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
     others = [each for each in paths.found if each.of_package is None and not each.may_be_there]
