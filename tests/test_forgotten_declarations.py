@@ -146,3 +146,19 @@ def test_a_name_that_python_gets_alone(code: str, base: str, options: str, found
     said = linted({name: text for name, text in files.items() if isinstance(text, str)})
     assert [level for level, _ in said] == [level for level, _ in found]
     assert all(text.startswith(LOST) for _, text in said)
+
+
+@pytest.mark.parametrize(
+    "line, base, count",
+    [
+        ("from other.node import Node", "Node", 0),
+        ("from rclpy.node import Node as RosNode\nfrom other.node import Node", "Node", 0),
+        ("import rclpy\n\n\nclass Node:\n    pass", "Node", 0),
+        ("from rclpy.node import Node as RosNode", "RosNode", 1),
+        ("from rclpy import node", "node.Node", 1),
+    ],
+)
+def test_a_node_is_what_comes_from_rclpy(line: str, base: str, count: int) -> None:
+    text = PYTHON.format(base, "", GETS).replace("from rclpy.node import Node", f"import rclpy\n{line}")
+    files = {**existing_files(BACKDROPS["ament_python"]), "my_pkg/talker.py": text}
+    assert len(linted({name: text for name, text in files.items() if isinstance(text, str)})) == count

@@ -15,6 +15,7 @@ def node(*lines: str, bases: str = "Node", head: str = "", path: str = "my_pkg/t
     )
 
 
+FOREIGN = "from rclpy.lifecycle import LifecycleNode as RosNode\nfrom other.node import LifecycleNode\n"
 CASES = {
     "DEP120": (
         node("rclpy.«loginfo»('a')", "self.get_loger", "self.«get_loger»().info('b')", "rclpy.«Rate»(10)"),
@@ -22,6 +23,8 @@ CASES = {
         node("self.creat_timer()", bases="Node, Other", head="from other import Other\n"),
         node("self.creat_timer()", head="class Base:\n    def creat_timer(self):\n        pass\n\n\n"),
         node("rclpy.loginfo('a')", head="rclpy = None\n"),
+        node("self.creat_timer()", head=FOREIGN, bases="LifecycleNode"),
+        node("self.«creat_timer»()", head=FOREIGN, bases="RosNode"),
         node("setattr(self, name, 1)", "self.creat_timer()"),
         node(
             "self.get_logger.«info»('a')",

@@ -22,7 +22,11 @@ INIT = "def __init__(self):"
 SUPER = "    super().__init__('talker')"
 TICK = "def tick(self):"
 
+FOREIGN = "from rclpy.lifecycle import LifecycleNode as RosNode\nfrom other.node import LifecycleNode\n\n\n"
+OWN = "from .b import Base as B\n\n\n"
 TOLD = (
+    node(INIT, SUPER, "    self.say()", head=FOREIGN, base="(RosNode)"),
+    node(INIT, SUPER, "    self.say()", head=OWN, base="(B)", my_pkg__b="class Base: ...\n"),
     node(INIT, SUPER, "    self.create_timer(1.0, self.tik)", TICK, "    print(self.speed, self.rate)"),
     node(INIT, SUPER, "    self.create_timer(1.0, self.tick)", TICK, "    self.count += 1", "    print(self.count)"),
     node(INIT, "    self.create_timer(1.0, self.tick)", TICK, "    self.get_logger().info('a')", base=""),
@@ -40,6 +44,15 @@ TOLD = (
     node(INIT, SUPER, "    self.mode = self.Mode()", "class Mode:", "    def on(self):", "        return self.off"),
 )  # fmt: skip
 QUIET = (
+    node(INIT, SUPER, "    self.say()", head=FOREIGN, base="(LifecycleNode)"),
+    node(
+        INIT,
+        SUPER,
+        "    self.say()",
+        head=f"from other import Other as Base\n{OWN}",
+        base="(Base)",
+        my_pkg__b="class Base: ...\n",
+    ),
     node(INIT, SUPER, "    self.say()", base="(Other)", head="from other import Other\n\n\n"),
     node(INIT, SUPER, "    self.say()", then="\n\nclass Loud(Talker):\n    def say(self): ...\n"),
     node(INIT, SUPER, "    self.say()", my_pkg__b="from .talker import Talker\n\n\nTalker.say = print\n"),

@@ -11,7 +11,7 @@ from ..languages.python.file import PythonFile
 from ..languages.python.nodes import FunctionNode, nodes_of, nodes_of_kind
 from ..languages.python.settled_names import Held, answer, constant_of
 from ..ros.rclpy_names import members_of_nodes
-from .named_definitions import OF_NODES
+from .node_bases import is_of_rclpy
 
 IDLE = frozenset({"sleep", "print", "debug", "info", "warning", "warn", "error", "fatal"})
 """What the body of such a loop calls."""
@@ -26,7 +26,7 @@ def endless_waits(file: PythonFile) -> Iterator[tuple[ast.ClassDef, ast.While]]:
     if "while" not in file.source.text:
         return
     for owner in nodes_of_kind(file.tree, ast.ClassDef):
-        if owner.bases and all(ast.unparse(base).rpartition(".")[2] in OF_NODES for base in owner.bases):
+        if owner.bases and all(is_of_rclpy(file, base) for base in owner.bases):
             start = next((each for each in owner.body if isinstance(each, ast.FunctionDef) and is_start(each)), None)
             loop = first_wait(owner, start) if start is not None else None
             yield from [(owner, loop)] if loop is not None else []

@@ -42,7 +42,7 @@ class UnreadPaths:
             shared = (each for each in nodes_below(owner) if isinstance(each, ast.Global | ast.Nonlocal))
             return len(uses) == 1 and not is_dynamic(owner) and not any(target.id in each.names for each in shared)
         around = [each for each in nodes_of_kind(file.tree, ast.ClassDef) if owner in each.body]
-        is_closed = len(around) == 1 and not is_open(around[0], ())  # a base of others may read it
+        is_closed = len(around) == 1 and not is_open(file, around[0], ())  # a base of others may read it
         return is_of_self(target) and is_closed and target.attr not in self.read
 
     @cached_property

@@ -11,9 +11,9 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
 from ..installed_modules import InstalledModules
+from ..node_bases import is_of_rclpy, origins
 from ..run_imports import RunImports
 
-NODES = {"rclpy.node": frozenset({"Node"}), "rclpy.lifecycle": frozenset({"Node", "LifecycleNode"})}
 EMPTY = frozenset({"object", "ABC"})
 DEPTH = 8
 SHAPING = frozenset({"dataclass", "dataclasses.dataclass", "total_ordering", "final"})
@@ -97,14 +97,14 @@ class OwnClasses:
         text = ast.unparse(base)
         if self.times_bound(file, text) == 1 and (own := top_class(file, text)):
             return self.line(OwnClass(file, own), depth + 1) or "unknown"
-        module, _, name = text.rpartition(".")
-        homes = [each for each in file.imports if name in each.names] if not module else []
-        if name in NODES.get(module, ()) or any(name in NODES.get(each.module, ()) for each in homes):
+        if is_of_rclpy(file, base):
             return "node"
-        if text == "object" or (text == "ABC" and any(each.module == "abc" for each in homes)):
+        homes = origins(file, text)
+        if text == "object" or (text == "ABC" and any(each.module == "abc" for each, _ in homes)):
             return "empty"
-        sources = {self.installed.sources.get(self.installed.absolute(each, file.path), "") for each in homes}
-        other = self.run.modules.at(sources.pop()) if len(sources) == 1 and "" not in sources else None
+        sources = {(self.installed.sources.get(self.installed.absolute(each, file.path), ""), n) for each, n in homes}
+        path, name = sources.pop() if len(sources) == 1 else ("", "")
+        other = self.run.modules.at(path) if path else None
         own = top_class(other, name) if other is not None else None
         return (self.line(OwnClass(other, own), depth + 1) if other and own else None) or "unknown"
 

@@ -18,11 +18,10 @@ from ...package.file_role import Role
 from ...ros.rclpy_names import OF_ROSPY, members_of_nodes, names_of_rclpy
 from ...source import Span
 from ...suggest import near_names
+from ..node_bases import is_of_rclpy
 from .own_members import members
 from .undefined_uses import UndefinedUses, When
 
-NODES = frozenset({"Node", "LifecycleNode"})
-HOMES = frozenset({"rclpy.node", "rclpy.lifecycle"})
 DYNAMIC = ("setattr(", "__getattr__", "__dict__")
 UNCALLED = {f"self.{name}": name for name in ("get_logger", "get_clock")}
 """Methods of nodes that are only of use when they are called."""
@@ -87,9 +86,8 @@ class UnknownRclpyNames:
         """Yield the classes that have rclpy's nodes for bases alone, unless the file gives names to objects."""
         if any(word in file.source.text for word in DYNAMIC):
             return
-        names = {name for each in file.imports if each.module in HOMES for name in each.names} & NODES
         for owner in nodes_of_kind(file.tree, ast.ClassDef):
-            if owner.bases and all(is_node(base, names) for base in owner.bases):
+            if owner.bases and all(is_of_rclpy(file, base) for base in owner.bases):
                 yield owner
 
     def uncalled(self, owner: ast.ClassDef) -> Iterator[tuple[ast.Attribute, str, str]]:
@@ -139,11 +137,6 @@ def rebinds(file: PythonFile) -> bool:
         isinstance(each.ctx, ast.Store) and ast.unparse(each.value) == "rclpy"
         for each in nodes_of_kind(file.tree, ast.Attribute)
     )
-
-
-def is_node(base: ast.expr, names: set[str]) -> bool:
-    text = ast.unparse(base)
-    return text in names or text in {f"{home}.{name}" for home in HOMES for name in NODES}
 
 
 def public(names: frozenset[str]) -> frozenset[str]:

@@ -13,9 +13,9 @@ from ...light_dataclasses import dataclass
 from ...source import Span
 from ..class_families import class_families
 from ..logged_texts import logged_texts
+from ..node_bases import is_of_rclpy
 from ..run_imports import RunImports
 
-NODES = frozenset({"Node", "node.Node", "rclpy.node.Node", "LifecycleNode", "lifecycle.LifecycleNode"})
 FOR_ROS = frozenset({"destroy_node"})
 """Methods that rclpy calls by itself, with those of a life cycle (`on_configure`)."""
 
@@ -65,7 +65,7 @@ class UncalledMethods:
 def methods(file: PythonFile) -> Iterator[tuple[str, FunctionNode]]:
     """Yield the methods of classes that are a Node and nothing else, but for those that others may call unseen."""
     for owner in nodes_of_kind(file.tree, ast.ClassDef):
-        is_plain = bool(owner.bases) and all(ast.unparse(each) in NODES for each in owner.bases)
+        is_plain = bool(owner.bases) and all(is_of_rclpy(file, each) for each in owner.bases)
         for each in owner.body if is_plain else ():
             if isinstance(each, FunctionNode) and not may_be_called_unseen(each):
                 yield owner.name, each

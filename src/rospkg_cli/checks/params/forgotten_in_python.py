@@ -12,13 +12,13 @@ from ...light_dataclasses import dataclass
 from ...package.params.declared_parameter import DeclaredParameter
 from ...package.params.python_parameters import has_computed_names, read_in
 from ...ros.known_nodes import known_parameters
+from ..node_bases import is_of_rclpy
 from .declaring_packages import is_its_own
 from .own_python_reads import hands_itself, modules_of
 from .unknown_reads import MILD, ParameterReads, UnknownRead, allows_any
 from .unread_variables import is_dropped_in_python
 
 OF_LIBRARIES = ("robot_description", "diagnostic_updater.")
-NODES = frozenset({"Node", "node.Node", "rclpy.node.Node"})
 OWN = "def get_parameter"
 
 
@@ -91,7 +91,7 @@ def classes(file: PythonFile) -> Iterator[ast.ClassDef]:
     """Yield the classes of a file that are nodes of rclpy and nothing else."""
     for each in nodes_of_kind(file.tree, ast.ClassDef):
         is_given = any(word.arg is None for word in nodes_of_kind(each, ast.keyword))  # **options
-        if len(each.bases) == 1 and ast.unparse(each.bases[0]) in NODES and not is_given:
+        if len(each.bases) == 1 and is_of_rclpy(file, each.bases[0]) and not is_given:
             yield each
 
 

@@ -33,7 +33,7 @@ class OwnPythonReads:
     def may_inherit(self, file: PythonFile, start: int) -> bool:
         """Return whether the class around such a call has a base class elsewhere, which may declare more."""
         name, around = self.owners(file).get(start, ("", None))
-        return name == "self" and around is not None and (not around.bases or is_open(around, self.closed))
+        return name == "self" and around is not None and (not around.bases or is_open(file, around, self.closed))
 
     def owners(self, file: PythonFile) -> dict[int, tuple[str, ast.ClassDef | None]]:
         """Return by the place of the first argument of each read: the last name of its object, and the class around."""

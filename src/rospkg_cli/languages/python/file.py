@@ -52,6 +52,8 @@ class Import:
     """Under `if TYPE_CHECKING`."""
     is_local: bool = False
     """In a function."""
+    bound: tuple[str, ...] = ()
+    """What the file calls each of the names: `b` of `from a import c as b`."""
 
     def optional(self) -> Import:
         return replace(self, is_optional=True)
@@ -79,9 +81,9 @@ class PythonFile(PythonSyntax):
                 case ast.ImportFrom():
                     names = tuple(alias.name for alias in node.names)
                     module, span = node.module or "", self.module_span(node)
-                    yield Import(
-                        module, names, node.level, span, under.is_optional, under.is_for_typing, under.is_local
-                    )
+                    bound = tuple(alias.asname or alias.name for alias in node.names)
+                    under_what = (under.is_optional, under.is_for_typing, under.is_local)
+                    yield Import(module, names, node.level, span, *under_what, bound)
                 case ast.FunctionDef() | ast.AsyncFunctionDef():
                     inner = Import("", (), 0, under.span, under.is_optional, under.is_for_typing, True)
                     yield from self.imports_in(children_of(node), inner)
