@@ -36,12 +36,49 @@ def levels(files: dict[str, str], code: str) -> list[str]:
         (OPTION.format("OFF"), "WITH_ARM OR ${ARM}", "", "warning"),
         ("", "BUILD_ARM", "", "info"),
         ("", "WIN32 AND BUILD_ARM", "", "info"),
+        (OPTION.format("OFF"), "WITH_ARM", "`catkin_make -DWITH_ARM=ON`\n", "info"),
+        (OPTION.format("OFF"), "WITH_ARM", "The arm is not ported yet (`WITH_ARM=OFF`).\n", "info"),
+        (OPTION.format("OFF"), "WITH_ARM", "| `WITH_ARM` | OFF | build the arm |\n", "info"),
+        (OPTION.format("OFF"), "WITH_ARM", "`WITH_ARM` is OFF by default, set it to ON for the arm.\n", "warning"),
+        (OPTION.format("OFF"), "WITH_ARM", "Set `WITH_ARM` for the arm.\n", "warning"),
+        (OPTION.format("OFF"), "WITH_ARM STREQUAL ON", "", "info"),
+        (OPTION.format("OFF"), 'WITH_ARM STREQUAL "OFF"', "", "warning"),
+        (OPTION.format("OFF") + "add_definitions(-DWITH_ARM)\n", "WITH_ARM", "", "info"),
+        (OPTION.format("OFF") + "add_compile_definitions(WITH_ARM)\nset(HAS ${WITH_ARM})\n", "WITH_ARM", "", "info"),
+        (OPTION.format("OFF") + "foreach(each WITH_ARM)\n  set(${each} ON)\nendforeach()\n", "WITH_ARM", "", "error"),
+        (OPTION.format("OFF") + "if(${ALL})\n  set(WITH_ARM ON)\nendif()\n", "WITH_ARM", "", "warning"),
+        ('option(CUDA "with CUDA" OFF)\n', "CUDA", "", "info"),
+        ('set(CUDA OFF CACHE BOOL "with CUDA")\n', "CUDA", "", "info"),
+        ("find_package(CUDA)\n", "CUDA", "", "warning"),
+        ("set(CUDA_FOUND OFF)\nfind_package(CUDA)\n", "CUDA_FOUND", "", "warning"),
         ("find_package(ARM_SDK QUIET)\n", "ARM_SDK_FOUND", "", "warning"),
     ],
 )
 def test_a_branch_that_nobody_is_shown_to_take(before: str, condition: str, page: str, level: str) -> None:
     branch = SWITCHED.format(condition, GONE)
     assert levels(package(before + branch, **{"README.md": page, **NODE}), "CMK102") == [level]
+
+
+@pytest.mark.parametrize(
+    ("name", "text"), [("colcon.pkg", '["-DWITH_ARM=ON"]'), ("CMakePresets.json", '"WITH_ARM": true')]
+)
+def test_a_file_that_turns_a_switch_on(name: str, text: str) -> None:
+    files = package(OPTION.format("OFF") + SWITCHED.format("WITH_ARM", GONE), **NODE)
+    assert levels({**files, name: text}, "CMK102") == ["warning"]
+
+
+def test_the_rest_of_a_condition_on_a_switch_that_is_off() -> None:
+    other = OPTION.format("OFF") + "if(NOT WITH_ARM)\n  message(STATUS none)\nelse()\n  " + GONE + "endif()\n"
+    assert levels(package(other, **NODE), "CMK102") == ["info"]
+
+
+@pytest.mark.parametrize(("default", "level"), [("OFF", "info"), ("ON", "warning")])
+@pytest.mark.parametrize(
+    "command, path", [("add_subdirectory(arm)", "arm/CMakeLists.txt"), ("include(arm.cmake)", "arm.cmake")]
+)
+def test_a_file_that_is_read_by_a_switch(default: str, level: str, command: str, path: str) -> None:
+    files = package(OPTION.format(default) + SWITCHED.format("WITH_ARM", f"{command}\n"), **NODE)
+    assert levels({**files, path: GONE}, "CMK102") == [level]
 
 
 @pytest.mark.parametrize(

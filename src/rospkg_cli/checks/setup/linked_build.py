@@ -17,7 +17,7 @@ PAGES = tuple(
 )
 SCRIPTS = tuple(f"{name}.sh" for name in "build setup install compile run start entrypoint docker_entrypoint".split())
 FILES = (*PAGES, *SCRIPTS, "Makefile", "justfile", "Dockerfile", "docker-compose.yml", "docker-compose.yaml",
-         "colcon_defaults.yaml", ".gitlab-ci.yml")  # fmt: skip
+         "colcon_defaults.yaml", "colcon.meta", ".gitlab-ci.yml")  # fmt: skip
 """Files that say how a repository is built, in each folder from the package's up to the root."""
 WORKFLOWS = ".github/"
 FOLDERS = (".github/workflows", ".vscode", ".devcontainer", ".docker", "docker", "scripts")
