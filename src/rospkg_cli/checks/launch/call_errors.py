@@ -9,7 +9,7 @@ from ...languages.python.evaluate.values import Argument, Call, Constant, Functi
 from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
-from ...package.launch.evaluated_launch import EvaluatedLaunch
+from ...package.launch.evaluated_launch import EvaluatedLaunch, SubstitutionUse
 from ...package.launch.launch_classes import class_of, named_arguments, type_name
 from ...package.launch.launch_file import LaunchFile
 from ...ros.launch_calls import ACTIONS, SIGNATURES, Signature
@@ -29,7 +29,7 @@ from .lost_faults import where_met
 from .missing_references import LaunchContext
 from .performed_texts import performed_faults
 from .program_prefixes import PROCESSES
-from .python_truth import Truth, test_faults, truth_values, use_faults
+from .python_truth import Truth, is_comparison, test_faults, truth_values, use_faults
 from .relative_parameter_files import values_as_files
 from .removed_arguments import renamed
 from .uncalled_values import uncalled_faults
@@ -93,6 +93,8 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
     tested = {argument.value.span for call in launch.calls for argument in tests_of(call)}
     shown = logged_spans(launch.file)
     for use in launch.uses:
+        if is_comparison(use) and is_for_others(use, launch):
+            continue
         is_idle, is_shown = (any(each.contains(use.span) for each in spans) for spans in (idle, shown))
         written = launch.file.source.slice(use.span)
         for fault in use_faults(use, written, is_tested=use.span in tested, is_shown=is_shown):
@@ -113,6 +115,12 @@ def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterat
             yield from joined_mapping(call)
         elif class_of(call) in PROCESSES:
             yield from joined_words(call)
+
+
+def is_for_others(use: SubstitutionUse, launch: EvaluatedLaunch) -> bool:
+    from .told_apart import is_told_apart  # few launch files compare a substitution
+
+    return is_told_apart(use, launch.file)
 
 
 def signature_faults(call: Call, name: str, signature: Signature) -> Iterator[Fault]:
