@@ -6,6 +6,7 @@ from ..files import ReaderInput
 from ..languages.cpp.file import CppFile
 from ..lazy_regex import regex
 from .cmake.cmake_project import CMake
+from .cmake.inner_headers import inner_headers
 from .params.node_sources import sources
 
 ELSEWHERE = regex(r"\.\./|/\.\.|CMAKE_SOURCE_DIR\}/src|\$ENV\{|add_subdirectory|link_directories")
@@ -23,6 +24,7 @@ def included_headers(reading: ReaderInput) -> frozenset[str]:
     targets = (target for target in cmake.targets if not (target.call.testing or target.call.maybe))
     compiled = {path for target in targets for path in sources(cmake, target)}
     files = (file for file in reading.parts(CppFile).good if file.path in compiled)
-    return frozenset(
+    found = frozenset(
         each.path for file in files for each in file.includes if "/" in each.path and not each.is_conditional
     )
+    return found - inner_headers(cmake)

@@ -9,6 +9,7 @@ from functools import cached_property
 from ...languages.cpp.file import CppFile, IncludeDirective
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.inner_headers import inner_headers
 from ...package.cmake.made_headers import HEADERS, made_header_names, may_make_headers
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
@@ -94,7 +95,12 @@ class MissingHeaders:
         """Return whether a file of the package ends with the path, or a package of the workspace has the header."""
         ends = self.by_name.get(posixpath.basename(header), ())
         wanted = f"/{posixpath.normpath(header)}"
-        return any(f"/{path}".endswith(wanted) for path in ends) or is_installed_header(header, self.workspace)
+        is_own = header in self.inner or any(f"/{path}".endswith(wanted) for path in ends)
+        return is_own or is_installed_header(header, self.workspace)
+
+    @cached_property
+    def inner(self) -> frozenset[str]:
+        return inner_headers(self.package.cmake)
 
     def knows_own(self, header: str) -> bool:
         """Return whether the build makes no header of that name, and no folder of git or a submodule lacks it."""

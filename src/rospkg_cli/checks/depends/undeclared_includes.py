@@ -15,6 +15,7 @@ from ...languages.cpp.lexer import TOKEN
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
+from ...package.cmake.inner_headers import inner_headers
 from ...package.file_role import Role
 from ...package.install_table import InstallTable
 from ...package.interfaces.interface_file import InterfaceFile
@@ -274,7 +275,12 @@ class IncludeDependencies:
             header.partition("/")[0] == self.declared.facts.name
             or (folder != "" and folder in self.path_endings)
             or header in self.path_endings
+            or header in self.inner
         )
+
+    @cached_property
+    def inner(self) -> frozenset[str]:
+        return inner_headers(self.cmake)
 
     @cached_property
     def path_endings(self) -> frozenset[str]:

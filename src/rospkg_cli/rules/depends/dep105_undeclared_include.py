@@ -63,16 +63,17 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     a header of this one, or that are not installed. Files that no target compiles, or that no CMake file names beside
     neighbours named one by one, includes under `#if` (unless it asks for a macro that CMake defines in any case),
     headers that all others include under it, neighbours whose folder CMake names
-    (`include_directories(../other/include)`), what CMake fetches, and packages that `find_package()` names as well
-    (DEP104) are left alone. So are libraries that a git submodule is named after, checked out or not, and those that
-    CMake looks for without need, where only what includes them waits for it, what is declared under a condition that
-    does not hold (`$ROS_VERSION == 1`), where no build is sure to compile what includes it, and types whose package
-    comes with another undeclared one. What an empty submodule that CMake looks into may hold is an info, and a library
-    that a page tells to install by hand, and what another package of the repository declares, or a list or a command of
-    it installs (apt alone), where nothing shows a release. So is what only targets include that stop at a source of ROS
-    1 before. Headers of ROS 1 (`std_msgs/String.h`), and others that no package of interfaces has, come with no
-    declaration: CMK201 tells of them. A package here that needs this one itself is an info, for to declare it would
-    make a circle; where it declares this one, nothing is said.
+    (`include_directories(../other/include)`), what CMake fetches, packages that `find_package()` names as well
+    (DEP104), and headers that CMake finds in a package inside of this one are left alone. So are libraries that a git
+    submodule is named after, checked out or not, and those that CMake looks for without need, where only what includes
+    them waits for it, what is declared under a condition that does not hold (`$ROS_VERSION == 1`), where no build is
+    sure to compile what includes it, and types whose package comes with another undeclared one. What an empty submodule
+    that CMake looks into may hold is an info, and a library that a page tells to install by hand, and what another
+    package of the repository declares, or a list or a command of it installs (apt alone), where nothing shows a
+    release. So is what only targets include that stop at a source of ROS 1 before. Headers of ROS 1
+    (`std_msgs/String.h`), and others that no package of interfaces has, come with no declaration: CMK201 tells of them.
+    A package here that needs this one itself is an info, for to declare it would make a circle; where it declares this
+    one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
