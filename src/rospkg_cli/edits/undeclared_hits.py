@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from ..checks.depends.brought_dependencies import Bringer
 from ..checks.depends.circles import circle_with
+from ..checks.depends.commented_installs import LEFT, is_installed_by_comment
 from ..checks.depends.declared_dependencies import DeclaredDependencies
 from ..checks.depends.name_source import is_of_family, only_distros, source_of
 from ..checks.depends.pip_requirements import FRAMEWORKS
@@ -74,6 +75,12 @@ def advice(declared: DeclaredDependencies, tag: str, name: str, *serving: str) -
         return circle.why(name)
     if name in declared.for_other_distributions:
         return "package.xml declares it for distributions alone that are supported no more: widen the condition"
+    left = LEFT if is_installed_by_comment(declared.manifest, (name, *serving)) else ""
+    return f"{todo(declared, tag, name, *serving)}{left}"
+
+
+def todo(declared: DeclaredDependencies, tag: str, name: str, *serving: str) -> str:
+    """Return what to do about a dependency that nothing but its source keeps from being declared."""
     match source_of(declared, name):
         case "released":
             few = only_distros(declared, name)
@@ -115,6 +122,7 @@ def safety_of(declared: DeclaredDependencies, name: str) -> Safety:
     """Return whether a name may be declared unasked: all distributions have it, and it was not left out on purpose."""
     is_left = name in declared.commented_out or name in declared.for_other_distributions
     is_left = is_left or name.removeprefix("python3-") in FRAMEWORKS
+    is_left = is_left or is_installed_by_comment(declared.manifest, (name,))
     sure = source_of(declared, name) == "released" and not is_left
     return Safety.SAFE if sure and not only_distros(declared, name) else Safety.UNSAFE
 

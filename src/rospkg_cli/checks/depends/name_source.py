@@ -11,6 +11,7 @@ from ...ros.names import NameKind
 from ...ros.rosdep import NOT_THERE
 from ...suggest import near_names
 from .circles import circle_with
+from .commented_installs import is_installed_by_comment
 from .declared_dependencies import DeclaredDependencies
 from .similar_names import SimilarNames
 
@@ -84,10 +85,12 @@ def is_unmet(declared: DeclaredDependencies, name: str, serving: Iterable[str] =
     """Return whether nobody is known to meet the lack of a dependency, by its name and others that would do.
 
     It is missing on purpose, or another package of the repository declares it, which nobody shows to be released, or a
-    list or a command of the repository installs it, or to declare it would make a circle.
+    list or a command of the repository installs it, or a comment of package.xml has people do so, or to declare it
+    would make a circle.
     """
     names = (name, *serving)
     is_there = is_lacked_by_nobody(declared, names) or declared.is_installed_otherwise(names)
+    is_there = is_there or is_installed_by_comment(declared.manifest, names)
     return is_there or is_left_out(declared, name) or circle_with(declared, name) is not None
 
 

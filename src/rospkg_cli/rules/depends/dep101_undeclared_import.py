@@ -75,16 +75,17 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     pip or conda (requirements.txt, pyproject.toml, a lock file, …), a Dockerfile, a script, a job or a page of the
     repository has pip install, alone, with one that requires it (torch with `ultralytics`) or by `install_requires` of
     a package that it has pip install, be it a package of ROS that PyPI has as well (`pin` for pinocchio), that comes
-    with another import which only PyPI has, or that a page tells to install by hand, a framework that people choose for
-    their graphics card (torch), a package that nobody knows and whose repository a page links to or fetches, or what
-    Blender, Isaac Sim, Webots or a microcontroller runs. So is a library in programs that all import what these bring,
-    or where a page that builds or starts the package enters an environment (`conda activate`, `uv run`, `source
-    .venv/bin/activate`, `python3 -m venv`, without `--system-site-packages`): that Python sees no library of rosdep, or
-    where containers build on an image of others than ROS and Ubuntu, which may bring it. Left out are optional imports:
-    under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the package
-    (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, the
-    package's own modules, and libraries that rosdep has for older releases of Ubuntu alone. A package here that needs
-    this one itself is an info: to declare it would make a circle.
+    with another import which only PyPI has, or that a page, or a comment of package.xml, tells to install by hand, by
+    pip or by a script, a framework that people choose for their graphics card (torch), a package that nobody knows and
+    whose repository a page links to or fetches, or what Blender, Isaac Sim, Webots or a microcontroller runs. So is a
+    library in programs that all import what these bring, or where a page that builds or starts the package enters an
+    environment (`conda activate`, `uv run`, `source .venv/bin/activate`, `python3 -m venv`, without
+    `--system-site-packages`): that Python sees no library of rosdep, or where containers build on an image of others
+    than ROS and Ubuntu, which may bring it. Left out are optional imports: under `try` … `except ImportError`,
+    `TYPE_CHECKING`, a condition on the machine, or one that asks for the package (`if 'pkg' in
+    get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, the package's own
+    modules, and libraries that rosdep has for older releases of Ubuntu alone. A package here that needs this one itself
+    is an info: to declare it would make a circle.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, not all distributions have it, or a comment leaves it out.
