@@ -131,10 +131,13 @@ class ModuleTree:
         """Return whether a folder is for what nobody uses any more, by its name."""
         return is_set_aside(f"{folder}/")
 
-    @property
-    def may_be_for_others(self) -> bool:
-        """Whether modules that nothing here imports may be there for another package, which depends on this one."""
-        return self.package.workspace.is_needed(self.package.name)
+    def may_be_for_others(self, folder: str) -> bool:
+        """Return whether modules that nothing here starts are there for a package that depends on this one."""
+        if not self.package.workspace.is_needed(self.package.name):
+            return False
+        from .imported_in_repository import is_imported_in_repository  # what findings alone need
+
+        return is_imported_in_repository(self.package.files, folder, self.dotted(folder))
 
     def imports_from(self, folder: str) -> bool:
         """Return whether a module of the package outside of a folder, or an entry point, needs what is in it.

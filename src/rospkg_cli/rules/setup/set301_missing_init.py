@@ -32,8 +32,8 @@ SHOWN = regex(r"(?:.*/)?(?:examples?|demos?|scripts?|tools?|tutorials?|notebooks
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "no entry point imports it as it starts, or the workspace is built with `--symlink-install`",
-        Severity.INFO: "nothing that an entry point leads to imports it, and no package depends on this one, or it is "
-        "called `old` or holds scripts",
+        Severity.INFO: "nothing that an entry point leads to imports it, and no package depends on this one or nothing "
+        "in the repository imports it at all, or it is called `old` or holds scripts",
     },
     examples=(
         Example(
@@ -54,8 +54,9 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
     In the source folder, and with `--symlink-install`, it works, so the error is found late: where a README, a
     Dockerfile or another file of the repository builds that way, it is a warning. It is one, too, where no entry point
     imports the folder as it starts: a function does. It is an info for a folder that nothing imports to which an entry
-    point leads, where no package of the workspace depends on this one, the folder is called `deprecated`, `legacy`,
-    `old` or `backup`, or each of its files has a shebang line or a `__main__`.
+    point leads, where no package of the workspace depends on this one or no code of the repository imports it at all,
+    the folder is called `deprecated`, `legacy`, `old` or `backup`, or each of its files has a shebang line or a
+    `__main__`.
 
     ## When it is quiet
     With `find_namespace_packages()`, in folders of launch files that nothing imports, in folders of tests and below
@@ -89,7 +90,8 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
             message = f"{start}; create an empty one{also}"
             fix = Fix(f"create {init}{also}", (Create(init, ""), *listing), safety)
         is_for_nobody = is_listed or tree.is_set_aside(folder) or are_scripts(inside, tree.package.files)
-        may_matter = (imported and tree.started.may_reach(name)) or (tree.may_be_for_others and not is_for_nobody)
+        may_matter = imported and tree.started.may_reach(name)
+        may_matter = may_matter or (not is_for_nobody and tree.may_be_for_others(folder))
         mild = Severity.WARNING if may_matter else Severity.INFO
         is_fatal = imported and tree.started.reaches(name) and not link
         yield Hit(inside[0], Span(0, 0), message, None if is_fatal else mild, fix=fix)

@@ -30,7 +30,8 @@ NONE = SETUP_PY.replace(f"    packages={FOUND},\n", "").replace("import find_pac
     levels={
         Severity.WARNING: "no entry point imports it as it starts, the workspace is built with `--symlink-install`, or "
         "a newer setuptools finds it",
-        Severity.INFO: "nothing that an entry point leads to imports it, and no package depends on this one",
+        Severity.INFO: "nothing that an entry point leads to imports it, and no package depends on this one or nothing "
+        "in the repository imports it at all",
     },
     examples=(
         Example(
@@ -66,7 +67,7 @@ def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     Python imports from the source folder: where a README, a Dockerfile or another file of the repository builds that
     way, a package that is left out is a warning. It is one, too, where no entry point imports it as it starts: a
     function does. It is an info where nothing imports it to which an entry point leads, and no package of the workspace
-    depends on this one.
+    depends on this one or no code of the repository imports it at all.
     """
     setup = tree.setup
     if not tree.package.knows_installed_modules or setup.searches:
@@ -95,8 +96,9 @@ def level_of(tree: ModuleTree, name: str) -> Severity | None:
     """Return the level of a Python package that is left out: None where an entry point can't start without it."""
     if tree.started.reaches(name):
         return None
-    is_used = tree.started.may_reach(name) and tree.imports_from(tree.setup.folder_of(name))
-    return Severity.WARNING if is_used or tree.may_be_for_others else Severity.INFO
+    folder = tree.setup.folder_of(name)
+    is_used = tree.started.may_reach(name) and tree.imports_from(folder)
+    return Severity.WARNING if is_used or tree.may_be_for_others(folder) else Severity.INFO
 
 
 def left_out(setup: SetupPy, names: Sequence[str], level: Severity | None, linking: str) -> Hit:
