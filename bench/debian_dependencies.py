@@ -20,6 +20,7 @@ import yaml
 
 from bench.tables import Origin, Revision, write
 from rospkg_cli.ros.names import BUILT_IN
+from rospkg_cli.ros.read_table import rows as table_rows
 
 OF_ROS = {"python3-catkin-pkg-modules": {"python3-dateutil", "python3-docutils", "python3-pyparsing"}}
 """Packages of the apt repository of ROS, which Debian has under another name."""
@@ -29,7 +30,7 @@ ORIGIN = Origin(
 )
 ABOUT = {
     TABLE: "What Debian installs with a rosdep key: key, then the other keys. A key without any is "
-    "here too: it is known to bring none."
+    "here too: it is known to bring none. Packages that libraries.txt names and that are no keys count as such."
 }
 
 
@@ -52,6 +53,13 @@ def apt_packages(rosdistro: Path) -> Iterator[tuple[str, tuple[str, ...]]]:
             found = of_system(systems.get("debian")) or of_system(systems.get("ubuntu"))
             if found and BUILT_IN.is_key(key):
                 yield key, found
+
+
+def of_libraries() -> Iterator[str]:
+    """Yield the packages with a library of which the key has several (`libavcodec-dev` of `ffmpeg`)."""
+    for part in ("headers", "linked", "modules"):
+        serving = (name for names in table_rows("libraries.txt", part).values() for name in names)
+        yield from (name for name in serving if not BUILT_IN.is_key(name))
 
 
 def of_system(rule: object) -> tuple[str, ...]:
@@ -91,7 +99,7 @@ def inside(found: Iterable[str], listed: Mapping[str, tuple[str, ...]]) -> set[s
 
 def main(rosdistro: Path) -> None:
     needs = dict(packages(sys.stdin.read()))
-    listed = dict(apt_packages(rosdistro))
+    listed = {**{name: (name,) for name in of_libraries()}, **dict(apt_packages(rosdistro))}
     keys = {found[0]: key for key, found in sorted(listed.items(), reverse=True) if len(found) == 1}
     keys |= {key: key for key, found in listed.items() if found == (key,)}
     for key, found in listed.items():  # of a library in several versions Debian has a name for the default one

@@ -7,7 +7,7 @@ import pytest
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.ros.libraries import TABLE, stem
 from rospkg_cli.ros.names import BUILT_IN
-from rospkg_cli.ros.read_table import sections
+from rospkg_cli.ros.read_table import rows, sections
 from rospkg_cli.testing import lint_files
 
 NODE = "add_executable(node src/node.cpp)\n"
@@ -81,6 +81,16 @@ def test_what_a_dependency_brings_is_an_info() -> None:
     assert [level for _, level, _ in told("target_link_libraries(node iio)", commented)] == ["info"]
 
 
+@pytest.mark.parametrize("name", ["avcodec", "avformat", "avutil"])
+def test_a_library_that_shares_its_key_with_others(name: str) -> None:
+    lines = f"target_link_libraries(node {name})"
+    assert told(lines) == [("DEP115", "warning", "add <depend>ffmpeg</depend>")]
+    assert told(lines, "  <depend>libopencv-dev</depend>\n") == [("DEP115", "info", "declare what you use")]
+    assert told(lines, "  <depend>libavdevice-dev</depend>\n") == []
+    asked = f"pkg_check_modules(AV REQUIRED IMPORTED_TARGET lib{name})"
+    assert told(asked, "  <depend>cv_bridge</depend>\n") == [("DEP115", "info", "declare what you use")]
+
+
 def test_what_an_option_adds_to_the_sources_is_an_info() -> None:
     lines = "set(MORE)\nif(WITH_IIO)\n  list(APPEND MORE src/more.cpp)\nendif()\nadd_library(more src/a.cpp ${MORE})"
     files = {"src/more.cpp": "#include <iio.h>\n", "src/a.cpp": ""}
@@ -88,11 +98,12 @@ def test_what_an_option_adds_to_the_sources_is_an_info() -> None:
 
 
 def test_each_key_of_the_table_is_known() -> None:
-    """The recommended one has to be a key; the others are other names for it."""
+    """The recommended one has to be a key; the others are other names for it, or the package with the library."""
+    installed = rows("debian_dependencies.txt")
     for section in ("headers", "linked", "modules"):
         for name, keys in sections(TABLE)[section].items():
             assert BUILT_IN.is_key(keys[0]), name
-            assert all(BUILT_IN.is_key(key) or BUILT_IN.is_package(key) for key in keys), name
+            assert all(BUILT_IN.is_key(key) or BUILT_IN.is_package(key) or key in installed for key in keys), name
 
 
 def test_stems() -> None:
