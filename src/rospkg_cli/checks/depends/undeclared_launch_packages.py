@@ -15,6 +15,7 @@ from ...package.file_role import Role, role_of
 from ...package.install_table import InstallTable
 from ...package.launch.default_conditions import off_by_default
 from ...package.launch.launch_file import LaunchFile
+from ...package.launch.off_values import with_values
 from ...package.python.python_imports import PackageImports, own_modules
 from ...package.workspace import Workspace
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, LAUNCH, implied_by
@@ -253,7 +254,7 @@ def with_conditions(file: LaunchFile) -> Iterator[PackageReference]:
 
     What is built and never added to the launch description is not visited: it needs nothing.
     """
-    off = tuple(off_by_default(file))
+    off = tuple(with_values(file.python, off_by_default(file)))
     idle = tuple(never_added(file.python)) if file.python is not None else ()
     for use in package_references(file):
         if use.is_late and any(each.contains(use.span) for each in idle):

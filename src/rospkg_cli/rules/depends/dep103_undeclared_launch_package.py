@@ -78,13 +78,14 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     What `ros2 launch` needs (launch, launch_ros, rclpy, PyYAML) is there. What a declared dependency certainly installs
     or may bring, as anything may come with a package that is not here, is one info, and so is a program before a node
     (`xterm -e`) of a launch file that stops without such a package; what only an argument turns on (`sim:=true`), or a
-    variable (`SIM=true`), by a condition or in a branch of Python, is an info that names it; so are what watches a node
-    (`valgrind`, `xterm -e gdb`), packages for examples and for launch files called so
-    (`debug.launch.py`), what only launch files need that nothing installs and no page or other file names, what stands
-    in a function that nothing calls or behind `if="false"`, and unknown packages where a `.repos` file lists
-    repositories that are not here, or a README links to theirs, a script or a page clones it, or builds it from a
-    folder here that colcon passes by, or that begin like this package and like no other one here, and what another
-    package of the repository declares, or a list or a script of it installs (apt alone), where nothing shows a release.
+    variable (`SIM=true`), by a condition or in a branch of Python, is an info that names it, and so is a substitution
+    or action that is bound above and that only such parts read; so are what watches a node (`valgrind`, `xterm -e
+    gdb`), packages for examples and for launch files called so (`debug.launch.py`), what only launch files need that
+    nothing installs and no page or other file names, what stands in a function that nothing calls or behind
+    `if="false"`, and unknown packages where a `.repos` file lists repositories that are not here, or a README links to
+    theirs, a script or a page clones it, or builds it from a folder here that colcon passes by, or that begin like this
+    package and like no other one here, and what another package of the repository declares, or a list or a script of it
+    installs (apt alone), where nothing shows a release.
     Left out are computed names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in
     get_packages_with_prefixes()`), files for ROS 1, actions that nothing adds, and what a module imports too (DEP101).
     A package here that needs this one itself is an info, for to declare it would make a circle; where it declares this
