@@ -92,6 +92,10 @@ def test_what_gazebo_alone_reads(tag: str, is_told: bool) -> None:
     assert (finding.severity.value, ", in Gazebo alone" in finding.message) == ("warning", is_told)
 
 
+LIBRARY = "add_library(a a.cpp)\ninstall(TARGETS a DESTINATION lib)\n"
+TESTS = "install(TARGETS test_a RUNTIME DESTINATION lib/${PROJECT_NAME})\n"
+
+
 @pytest.mark.parametrize(
     ("rest", "level"),
     [
@@ -99,6 +103,14 @@ def test_what_gazebo_alone_reads(tag: str, is_told: bool) -> None:
         ("install(PROGRAMS a.py DESTINATION lib/${PROJECT_NAME})\n", "error"),
         ("rclcpp_components_register_node(a PLUGIN a::B EXECUTABLE talker)\n", "error"),
         ("add_library(a a.cpp)\n", "warning"),
+        (f"{LIBRARY}add_executable(test_a test/test_a.cpp)\n{TESTS}", "warning"),
+        (f"{LIBRARY}add_executable(demo demo.cpp)\n", "warning"),
+        (f"{LIBRARY}add_executable(demo demo.cpp)\n{TESTS.replace('test_a', 'demo')}", "error"),
+        (
+            f"{LIBRARY}add_executable(demo demo.cpp)\ninstall(TARGETS $ENV{{PROGRAMS}} DESTINATION lib/my_pkg)\n",
+            "error",
+        ),
+        ("add_executable(demo demo.cpp)\nadd_library(a a.cpp)\n", "error"),
     ],
 )
 def test_a_package_without_programs_lacks_its_build_type(rest: str, level: str) -> None:
@@ -106,6 +118,15 @@ def test_a_package_without_programs_lacks_its_build_type(rest: str, level: str) 
     files = {"package.xml": text, "CMakeLists.txt": CMAKE.replace("ament_package", f"{rest}ament_package"), "a.cpp": ""}
     assert levels("XML301", files) == [level]
     assert levels("XML301", {**files, "launch/a.launch.xml": "<launch/>\n"}) == ["error"]
+
+
+@pytest.mark.parametrize(("program", "level"), [("test_a", "error"), ("test_b", "warning")])
+def test_a_test_that_a_page_runs_is_to_be_found(program: str, level: str) -> None:
+    text = manifest("", "ament_cmake").replace("<build_type>ament_cmake</build_type>", "")
+    lines = f"{LIBRARY}add_executable(test_a test/test_a.cpp)\n{TESTS}"
+    files = {"package.xml": text, "CMakeLists.txt": CMAKE.replace("ament_package", f"{lines}ament_package")}
+    files |= {"README.md": f"    ros2 run my_pkg {program}\n", "a.cpp": "", "test/test_a.cpp": "int main() {}\n"}
+    assert levels("XML301", files) == [level]
 
 
 FOR_BOTH = "project(my_pkg)\nfind_package(ament_cmake QUIET)\nif(ament_cmake_FOUND)\n{}elseif(CATKIN_X)\n{}endif()\n"

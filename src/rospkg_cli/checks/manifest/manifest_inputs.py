@@ -132,8 +132,11 @@ class ManifestAndCMake:
         cmake = self.cmake
         if cmake is None or not cmake.is_complete or any(path.startswith("launch/") for path in self.files.paths):
             return True
-        is_built = any(target.is_executable for target in cmake.targets)
-        return is_built or any("register_node" in call.name or "PROGRAMS" in call.texts for call in cmake.calls)
+        if any("register_node" in call.name or "PROGRAMS" in call.texts for call in cmake.calls):
+            return True
+        from .run_programs import has_run_programs  # most packages name their build type
+
+        return has_run_programs(cmake, self.files, self.manifest.name)
 
     @property
     def installs_python(self) -> bool:

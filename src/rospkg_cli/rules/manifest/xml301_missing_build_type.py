@@ -21,8 +21,8 @@ EXPORT = "  <export>\n    <build_type>ament_python</build_type>\n  </export>\n"
     over=ManifestAndCMake,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it has no programs and no launch files, is not certainly of ament_cmake, or all is "
-        "installed into one folder (`--merge-install`)",
+        Severity.WARNING: "it has no programs but those of tests, or that nothing installs beside a library, and no "
+        "launch files, is not certainly of ament_cmake, or all is installed into one folder (`--merge-install`)",
         Severity.INFO: "plain CMake builds it, CMake builds and installs nothing, or there is nothing to build",
     },
     examples=(
@@ -64,7 +64,8 @@ def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
     condition may hold for a target. It is an info for plain CMake, which is found by `find_package` alone, and where
     CMake builds and installs nothing, as in a folder that npm builds, or where a folder without dependencies, code and
     launch files is marked for other tools. It is a warning where neither ament_cmake nor plain CMake is certain, or
-    where nothing in it can be started.
+    where nothing in it can be started: tests that are installed, and programs that a library does not install, are
+    not meant to be, unless a page or a script runs one (`ros2 run my_pkg test_camera`).
 
     ## References
     - [REP-149, build_type](https://ros.org/reps/rep-0149.html): "If no build_type is provided, catkin is assumed."
