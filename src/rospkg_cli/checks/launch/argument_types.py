@@ -24,6 +24,9 @@ from ..fault import Fault, TextRepair, replacement
 from .parameter_types import RAISES, parameters_faults
 from .python_truth import shown_value
 
+REFUSED = "launch older than January 2026"
+"""launch 1.0.14, 3.4.10, 3.8.7 and later, of all supported distributions, take a Path for a text (ros2/launch#873)."""
+
 
 def constant_fault(value: Constant, place: Span, message: str, better: str) -> Fault:
     """Return the fault of a constant, with a repair where it is written at the place itself."""
@@ -61,7 +64,7 @@ def no_text(value: Value, place: Span, what: str) -> Iterator[Fault]:
         else:
             yield Fault(place, message)
     elif is_path(value):
-        yield Fault(place, f"{what} takes a string, not a pathlib.Path: launch raises TypeError; use str()")
+        yield Fault(place, f"{what} is a pathlib.Path: {REFUSED} raises TypeError; use str()", "info")
 
 
 def words_faults(argument: Argument, what: str) -> Iterator[Fault]:

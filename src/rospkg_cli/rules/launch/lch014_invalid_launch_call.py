@@ -83,7 +83,8 @@ def invalid_launch_call(calls: LaunchCalls) -> Iterator[Hit]:
     nothing calls it is an info, and so is a LifecycleNode without a namespace where pages and scripts name Foxy alone,
     which gives it one. What launch looks at only when it visits an action, and what goes on with another value, is an
     info where nothing adds the action or reads the value or argument (of an `if`, all that it chooses among), or the
-    action is off by default. A number or word behind an option of one letter (`'-z' '1.5'`) lacks no comma: most
+    action is off by default. A pathlib.Path where a text belongs is an info: launch of all supported distributions
+    takes it since January 2026. A number or word behind an option of one letter (`'-z' '1.5'`) lacks no comma: most
     programs take both in one word. `include_scoped_launch_py_description` of launch_pal takes a dict.
 
     ## Fix safety
