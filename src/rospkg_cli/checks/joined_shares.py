@@ -7,13 +7,13 @@ from functools import cached_property
 
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
+from .held_package_names import argument_defaults, held_names
 
 LOOKUP = regex(
     r"(?:get_package_share_(?:directory|path)|FindPackageShare)\s*\(\s*(?:package(?:_name)?\s*=\s*)?"
-    r"(?:[\"']([\w-]+)[\"']|(\w+))|\$\(find(?:-pkg-share)?\s+[\"']?([\w-]+)|package://([\w-]+)/"
+    r"(?:[\"']([\w-]+)[\"']|LaunchConfiguration\(\s*[\"'](\w+)|(\w+))|\$\(find(?:-pkg-share)?\s+[\"']?([\w-]+)|package://([\w-]+)/"
 )
-"""A lookup of a share directory: of a literal package name, of one in a variable, or in a path."""
-NAMED = regex(r"^[ \t]*(\w+)[ \t]*(?::[^=\n]*)?=[ \t]*[\"']([\w-]+)[\"']", re.MULTILINE)
+"""A lookup of a share directory: of a literal package name, of one in an argument or a variable, or in a path."""
 ASSIGNED = regex(
     r"[ \t]*(?:self\.|(?:const[ \t]+)?(?:auto|(?:\w+::)*(?:string|path))[ \t]+)?(\w+)(?:[ \t]*:[^=\n]*)?([ \t]*)=[^=]"
 )
@@ -68,14 +68,15 @@ class JoinedShares:
     @cached_property
     def lookups(self) -> list[tuple[int, str]]:
         """The ends of lookups, and of variables that hold one, each with the package's name."""
-        named = {match[1]: match[2] for match in NAMED.finditer(self.text)}
+        named, defaults = held_names(self.text), argument_defaults(self.text)
         found: list[tuple[int, str]] = []
         held: dict[str, str] = {}
         ends = {match.start(): match for match in LOOKUP.finditer(self.text)}
         for word in WORD.finditer(self.text) if ends else ():
             match = ends.get(word.start()) or ends.get(word.start() - 2)
             if match is not None:
-                name = match[1] or match[3] or match[4] or named.get(match[2] or "", UNKNOWN)
+                literal = match[1] or match[4] or match[5]
+                name = literal or defaults.get(match[2] or "") or named.get(match[3] or "", UNKNOWN)
             elif word[0] in held:
                 name = held[word[0]]
             else:
