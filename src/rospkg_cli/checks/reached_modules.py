@@ -9,6 +9,7 @@ from functools import cached_property
 from ..languages.python.file import Import, PythonFile
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
+from ..package.cmake.cmake_project import CMake
 from ..package.file_role import Role, role_of
 from ..package.install_table import InstallTable
 from ..package.launch.live_text import live_text
@@ -32,6 +33,7 @@ class ReachedModules:
     installed: InstalledModules
     run: RunImports
     table: InstallTable
+    cmake: CMake | None = None
 
     @cached_property
     def is_library(self) -> bool:
@@ -111,7 +113,7 @@ class ReachedModules:
         words = path.rpartition("/")[2], self.installed.names[path]
         word = re.compile(rf"(?<!\w)(?:{'|'.join(map(re.escape, words))})(?!\w)")  # `a.dot` is not named by `a.dot_qt`
         pages = (each for each in self.installed.files.paths if each.endswith((*PAGES, *NAMING)))
-        others = {path, "setup.py"} if path in self.put_beside else {path}
+        others = {path, "setup.py", *self.laid_down} if path in self.put_beside else {path, *self.laid_down}
         return (each for each in pages if each not in others and self.names(each, word, *words))
 
     @cached_property
@@ -198,8 +200,18 @@ class ReachedModules:
     def is_named(self, module: str, roles: tuple[Role, ...]) -> bool:
         """Return whether a text of the package that is no installed module names one."""
         word, files = re.compile(rf"(?<![\w.]){re.escape(module)}(?!\w)"), self.installed.files
-        paths = (path for path in files.paths if path.endswith(NAMING) and path not in self.installed.names)
+        others = {*self.installed.names, *self.laid_down}
+        paths = (path for path in files.paths if path.endswith(NAMING) and path not in others)
         return any(self.names(path, word, module) for path in paths if role_of(path) in (*roles, "aside"))
+
+    @cached_property
+    def laid_down(self) -> frozenset[str]:
+        """The scripts that a comment alone installs, and that nothing names: what they import serves nobody."""
+        if self.cmake is None:
+            return frozenset()
+        from .cmake.laid_down_scripts import laid_down_scripts  # what few packages have
+
+        return laid_down_scripts(self.cmake, self.installed.files, [each.path for each in self.run.python.files])
 
     def imported_by(self, each: Import, path: str) -> list[str]:
         inner = self.installed.absolute(each, path)

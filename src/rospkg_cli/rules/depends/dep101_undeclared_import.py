@@ -67,7 +67,8 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     declared dependency certainly installs, be it for tests or the build, can't be missing where `rosdep install` ran,
     nor can what rosdep itself needs (PyYAML, rospkg): that is one info, which names who brings it. What may come with a
     declared one is another: anything may, with a package that is neither here nor in the tables. A module that no entry
-    point or other file names, beside others that start, is an info, as is a script that nothing starts or names beside
+    point or other file names, beside others that start, is an info, be it that a script imports it whose install rule
+    stands in a comment; as is a script that nothing starts or names beside
     programs that are started, unless the build names it, what lies in a folder of tools (`benchmarks/`) and is no part
     of a program, and one that others import under `try` … `except ImportError` alone; so is an import under a condition
     (`if self.plot:`), in a function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry
