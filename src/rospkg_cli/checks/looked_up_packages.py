@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from ..languages.python.guarded_nodes import guarded_nodes
 from ..languages.python.nodes import last_name, nodes_of, nodes_of_kind
 from ..lazy_regex import regex
-from ..light_dataclasses import dataclass
+from ..light_dataclasses import dataclass, replace
 from ..package.file_role import role_of
 from ..package.workspace import Workspace
 from ..ros.names import NameKind
@@ -19,6 +19,7 @@ from .depends.undeclared_imports import ImportDependencies
 from .depends.undeclared_launch_packages import LaunchDependencies
 from .lookups_for_users import LookupsForUsers
 from .share_lookups import CATCHES, LOOKUPS, ShareLookups, literal_of
+from .unset_switches import UnsetSwitches
 from .unstarted_programs import UNSTARTED
 
 NAME = regex(r"[a-z][a-z0-9_]+")
@@ -42,6 +43,7 @@ class LookedUpPackages:
     imports: ImportDependencies
     launch: LaunchDependencies
     users: LookupsForUsers | None = None
+    switches: UnsetSwitches | None = None
 
     @property
     def declared(self) -> DeclaredDependencies:
@@ -65,9 +67,17 @@ class LookedUpPackages:
                 found.setdefault(name, []).append(place)
         if not found:
             return found
-        found = {name: sorted(places, key=lambda each: bool(each.why_seldom)) for name, places in found.items()}
+        found = {name: self.met_first(places) for name, places in found.items()}
         told = self.imports.undeclared("run").keys() | self.launch.missing(tests=False).keys() | self.included
         return {name: places for name, places in found.items() if name not in told}
+
+    def met_first(self, places: list[LookUp]) -> list[LookUp]:
+        """Return places with those first that somebody comes to; a switch that nothing throws keeps people away."""
+        asked = self.switches
+        if asked is not None:
+            off = ((each, "" if each.why_seldom else asked.why_off(each.path, each.span)) for each in places)
+            places = [replace(each, why_seldom=each.why_seldom or why) for each, why in off]
+        return sorted(places, key=lambda each: bool(each.why_seldom))
 
     def all(self) -> Iterator[tuple[str, LookUp]]:
         """Yield the literal names that modules and C++ look for, unless they catch that a package is not there."""

@@ -31,8 +31,9 @@ NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
     levels={
         Severity.INFO: "a dependency brings or may bring it, an unreleased repository declares it in another package "
         "or installs it by apt, package.xml has it in a comment or for older distributions alone, an `if` chooses it, "
-        "nothing leads to the place, nothing starts the program, or only packages that have it, or none, use the "
-        "library that looks for it, or it needs this package itself"
+        "only a parameter leads there that is off by default and that nothing sets, or nothing does, nothing starts "
+        "the program, or only packages that have it, or none, use the library that looks for it, or it needs this "
+        "package itself"
     },
     examples=(
         Example(
@@ -58,7 +59,9 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     launched as well is told by DEP101, DEP105 and DEP103. Code that catches the exception, tests, and files that
     nothing installs are left alone. What an `if` chooses, whose other branch looks for another package, is an info, and
     so is what stands in a module that nothing starts or imports, in a program that nothing starts beside others that
-    are started, in a function that nothing calls, or in a source that no target compiles, beside others, and what
+    are started, in a function that nothing calls, behind a condition on a parameter or a constant whose default keeps
+    it from holding, where no YAML, launch file, page or script sets it, or in a source that no target compiles, beside
+    others, and what
     another package of the repository declares, or a list or a script of it installs (apt alone), where nothing
     shows a release. What a library without programs looks for is an info where that package uses the library itself,
     where no package here uses it nor a page builds it by name or imports it, or where each that calls the function or

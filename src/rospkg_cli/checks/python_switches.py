@@ -1,0 +1,92 @@
+"""Conditions of Python code on a parameter whose default keeps them from holding."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable, Iterator
+
+from ..languages.python.file import PythonFile
+from ..languages.python.nodes import nodes_of, nodes_of_kind
+from ..package.params.python_parameters import declared_in
+from ..source import Span
+from .switch import Switch
+
+READS = frozenset({"get_parameter", "declare_parameter"})
+VALUES = frozenset({"value", "bool_value", "integer_value", "get_parameter_value"})
+STATES = {"False": False, "0": False, "True": True, "1": True}
+
+
+def python_switches(file: PythonFile, span: Span, files: Iterable[PythonFile]) -> Iterator[Switch]:
+    """Yield the conditions around a place that do not hold by default."""
+    files = tuple(files)
+    for test, is_on in conditions(file, span):
+        names = parameters_in(test, file, files)
+        defaults = {state for name in names for state in defaults_of(name, files)}
+        if names and defaults == {not is_on}:
+            yield Switch(ast.unparse(test), tuple(sorted(names)), is_on)
+
+
+def conditions(file: PythonFile, span: Span) -> Iterator[tuple[ast.expr, bool]]:
+    """Yield what has to hold for a place to run, each with the truth that it has to have."""
+    for node in nodes_of_kind(file.tree, ast.If):
+        for branch, is_on in ((node.body, True), (node.orelse, False)):
+            if any(file.span(each).holds(span) for each in branch):
+                yield from parts(node.test, is_on)
+
+
+def parts(test: ast.expr, is_on: bool) -> Iterator[tuple[ast.expr, bool]]:
+    """Yield the parts of a condition that all have to be so."""
+    waiting = [(test, is_on)]
+    while waiting:
+        node, wanted = waiting.pop()
+        match node:
+            case ast.UnaryOp(op=ast.Not(), operand=inner):
+                waiting.append((inner, not wanted))
+            case ast.BoolOp(op=op, values=values):
+                waiting += [(each, wanted) for each in values] if isinstance(op, ast.And) is wanted else []
+            case _:
+                yield node, wanted
+
+
+def parameters_in(test: ast.expr, file: PythonFile, files: tuple[PythonFile, ...]) -> frozenset[str]:
+    """Return the parameters that an expression has its value of; none where it may have another."""
+    if name := parameter_of(test):
+        return frozenset({name})
+    if not isinstance(test, ast.Name | ast.Attribute):
+        return frozenset()
+    text, last = ast.unparse(test), test.attr if isinstance(test, ast.Attribute) else ""
+    given = [each.value for each in nodes_of_kind(file.tree, ast.Assign) if [*map(ast.unparse, each.targets)] == [text]]
+    stores = [each for one in (files if last else (file,)) for each in nodes_of(one.tree) if is_store(each, text, last)]
+    names = [parameter_of(each) for each in given]
+    return frozenset(names) if len(stores) == len(given) and all(names) else frozenset()
+
+
+def is_store(node: ast.AST, text: str, last: str) -> bool:
+    """Return whether a node binds a name, or a member of a name in any object; so does a parameter of a function."""
+    if isinstance(node, ast.arg):
+        return node.arg == text
+    if not isinstance(node, ast.Name | ast.Attribute) or isinstance(node.ctx, ast.Load):
+        return False
+    return node.attr == last if isinstance(node, ast.Attribute) else node.id == text
+
+
+def parameter_of(node: ast.expr) -> str:
+    """Return the parameter that an expression is the value of; "" for others."""
+    while True:
+        match node:
+            case ast.Call(func=ast.Name(id="bool" | "int"), args=[inner]):
+                node = inner
+            case ast.Attribute(value=inner, attr=name) if name in VALUES:
+                node = inner
+            case ast.Call(func=ast.Attribute(value=inner, attr="get_parameter_value")):
+                node = inner
+            case ast.Call(func=ast.Attribute(attr=method), args=[ast.Constant(value=str(name)), *_]):
+                return name if method in READS else ""
+            case _:
+                return ""
+
+
+def defaults_of(name: str, files: Iterable[PythonFile]) -> Iterator[bool | None]:
+    """Yield the truth of each default that code declares a parameter with; None where it is not known."""
+    for file in files:
+        yield from (STATES.get(each.default) for each in declared_in(file) if each.fits(name))

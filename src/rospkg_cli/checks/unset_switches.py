@@ -1,0 +1,78 @@
+"""Rule input: places that run only with a parameter or a constant that is off, and that nothing in the repository sets.
+
+Who starts what is here as it is comes to none of them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cached_property
+
+from ..files import PackageFiles
+from ..languages.cpp.file import CppFile
+from ..light_dataclasses import dataclass
+from ..package.file_role import role_of
+from ..source import Span
+from ..tree import READABLE
+from .run_imports import RunImports
+from .switch import Switch
+
+TELLING = (".md", ".rst", ".txt", ".sh", ".bash", ".service", ".env", ".toml", ".json", "Makefile", "Dockerfile")
+"""Files of pages and scripts: that one names a parameter is enough, for people may set it."""
+SETTING = (".yaml", ".yml", ".xml", ".launch")
+"""Files that give a parameter its value, beside launch files in Python."""
+VALUE = r"(?![\w-])(?P<value>[\"']?\s*(?:[:=,]|\bvalue\s*=)\s*[\"']?(?P<said>false|true|0|1)\b)?"
+
+
+@dataclass(frozen=True)
+class UnsetSwitches:
+    files: PackageFiles
+    run: RunImports
+    sources: tuple[CppFile, ...] = ()
+
+    def why_off(self, path: str, span: Span) -> str:
+        """Return what is said of a place that only such a switch leads to; "" for others."""
+        for each in self.switches(path, span):
+            if not any(self.is_set(name, each) for name in each.parameters):
+                named = " and ".join(f"`{name}`" for name in each.parameters)
+                what = f"the parameter {named}" if named else f"`{each.variable}`"
+                state = "on" if each.is_on else "off"
+                return f"; it runs only where {what} is {state}, which it is not by default, and nothing here sets it"
+        return ""
+
+    def switches(self, path: str, span: Span) -> Iterator[Switch]:
+        """Yield the switches that keep a place from running as long as nothing sets them."""
+        file = self.run.modules.at(path) if path.endswith(".py") else None
+        source = next((each for each in self.sources if each.path == path), None)
+        if file is not None:
+            from .python_switches import python_switches  # few packages lack what they look for
+
+            yield from python_switches(file, span, [each for _, each in self.run.files])
+        elif source is not None:
+            from .cpp.switches_in_cpp import switches_in_cpp
+
+            yield from switches_in_cpp(source, span, self.sources)
+
+    def is_set(self, name: str, switch: Switch) -> bool:
+        """Return whether a text of the repository gives a parameter another value than the default, or names it so."""
+        last = name.rpartition(".")[2]
+        word = re.compile(rf"(?<![\w-]){re.escape(last)}{VALUE}", re.IGNORECASE)
+        for path, text in self.texts:
+            for found in word.finditer(text) if last in text else ():
+                is_default = found["said"] is not None and (found["said"].lower() in ("true", "1")) is not switch.is_on
+                if not is_default or path.endswith(TELLING):
+                    return True
+        return False
+
+    @cached_property
+    def texts(self) -> tuple[tuple[str, str], ...]:
+        tree = self.files.whole if self.files.whole is not None else self.files.tree
+        whole = PackageFiles(tree)
+        paths = [path for path, kind in tree.files().items() if kind in READABLE and may_set(path)]
+        return tuple((path, whole.readable_text(path)) for path in paths)
+
+
+def may_set(path: str) -> bool:
+    is_setting = path.endswith((*TELLING, *SETTING)) or role_of(path) == "launch"
+    return is_setting and not path.endswith(("CMakeLists.txt", "package.xml"))
