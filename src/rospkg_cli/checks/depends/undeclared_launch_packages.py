@@ -119,6 +119,17 @@ class LaunchDependencies:
 
         return FetchedRepositories(self.files, self.declared.workspace, self.declared.hidden).may_have(name)
 
+    def why_left_out(self, name: str, uses: Iterable[PackageReference]) -> str:
+        """Return that a page builds this package without a neighbour on purpose, by what the launch files are called
+        that need it; "" for others.
+        """
+        if self.declared.workspace.named(name) is None:
+            return ""
+        from .partial_builds import LEFT_OUT, is_built_without  # most declare their neighbours
+
+        own, paths = self.declared.facts.name, {use.path for use in uses}
+        return LEFT_OUT if is_built_without(self.files, own, name, paths) else ""
+
     def meant(self, name: str) -> str | None:
         """Return the known package that an unknown name is a slip of; with another first letter it is another name.
 

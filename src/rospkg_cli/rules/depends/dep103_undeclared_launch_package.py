@@ -43,7 +43,7 @@ BAD_XML = """\
         "where an argument must turn it on, for examples and debugging, for launch files that nothing installs or "
         "names, for what no launch comes to, for nodes that other code describes, where an unreleased repository "
         "declares it in another package or installs it by apt, where package.xml has it in a comment or for older "
-        "distributions alone, and where it needs this package itself"
+        "distributions alone, where a page has a build leave that part out, and where it needs this package itself"
     },
     examples=(
         Example(
@@ -85,11 +85,11 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     `if="false"`, and unknown packages where a `.repos` file lists repositories that are not here, or a README links to
     theirs, a script or a page clones it, or builds it from a folder here that colcon passes by, or that begin like this
     package and like no other one here, and what another package of the repository declares, or a list or a script of it
-    installs (apt alone), where nothing shows a release.
-    Left out are computed names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in
-    get_packages_with_prefixes()`), files for ROS 1, actions that nothing adds, and what a module imports too (DEP101).
-    A package here that needs this one itself is an info, for to declare it would make a circle; where it declares this
-    one, nothing is said.
+    installs (apt alone), where nothing shows a release, and what launch files for a part need (`simulator.launch.py`)
+    that a page leaves out of a build (`colcon build --packages-up-to arm # without the simulator`). Left out are
+    computed names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`),
+    files for ROS 1, actions that nothing adds, and what a module imports too (DEP101). A package here that needs this
+    one itself is an info, for to declare it would make a circle; where it declares this one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, where a comment of package.xml leaves it out, or where
@@ -133,8 +133,8 @@ def undeclared(launch: LaunchDependencies, tag: str, name: str, uses: list[Packa
         )
         fix_or_none = declaration(declared, tag, name)
     is_meant = meant is None and (is_unmet(declared, name) or launch.is_told(name))
-    is_aside = tag == "exec_depend" and launch.is_for_examples(name, uses)
-    is_aside = is_aside or launch.is_left(uses)
-    mild = is_meant or is_aside or first.only_with or all(use.is_usual for use in uses)
+    is_aside = launch.is_left(uses) or (tag == "exec_depend" and launch.is_for_examples(name, uses))
+    left = "" if meant else launch.why_left_out(name, uses)
+    mild = is_meant or is_aside or first.only_with or left or all(use.is_usual for use in uses)
     places = related((use.path, use.span) for use in uses)
-    return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix_or_none)
+    return Hit(first.path, first.span, f"{message}{left}", Severity.INFO if mild else None, places, fix_or_none)
