@@ -56,6 +56,16 @@ def test_an_import_of_tests_and_a_node_that_a_launch_file_starts() -> None:
     assert level("<!-- joy reads the gamepad -->", launch, "DEP103") == "warning"
 
 
+@pytest.mark.parametrize(("end", "wanted"), [("is built from source by hand", "info"), ("finds neighbours", "warning")])
+def test_a_header(end: str, wanted: str) -> None:
+    tree = existing_files(BACKDROPS["ament_cmake"])
+    target = "add_executable(tree src/tree.cpp)\ninstall(TARGETS tree DESTINATION lib/${PROJECT_NAME})\n"
+    tree["CMakeLists.txt"] = tree["CMakeLists.txt"].replace("ament_package", f"{target}ament_package")
+    tree["src/tree.cpp"] = "#include <nanoflann.hpp>\nint main() {return 0;}\n"
+    tree["package.xml"] = tree["package.xml"].replace("<license", f"<!-- nanoflann {end} -->\n  <license", 1)
+    assert [each.severity.value for each in lint_files(tree, ["DEP105"]).findings] == [wanted]
+
+
 def test_the_fix_is_left_to_people() -> None:
     tree = {**PYTHON, **NODE, "package.xml": manifest(f"  <!-- {LEAST[0]} -->\n")}
     (found,) = lint_files(tree, ["DEP101"]).findings
