@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from functools import cached_property
+from itertools import takewhile
 
 from ...languages.cmake.targets import Target
 from ...lazy_regex import regex
@@ -12,12 +14,14 @@ from ...package.cmake.cmake_project import CMake
 
 SIGN = regex(r"^#+(?:\[=*\[)?|\]=*\]$")
 INSTALLS = regex(r"\binstall\s*\(\s*TARGETS\b([^()]*)", re.IGNORECASE)
+FOLDERS = regex(r"\binstall\s*\(\s*DIRECTORY\b([^()]*)", re.IGNORECASE)
+HERE = "${CMAKE_CURRENT_SOURCE_DIR}/"
 WORD = regex(r"[^\s\"]+")
 KEYWORDS = frozenset({
     "EXPORT", "ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS", "DESTINATION", "PERMISSIONS", "CONFIGURATIONS", "COMPONENT",
-    "OPTIONAL", "INCLUDES",
+    "OPTIONAL", "INCLUDES", "TYPE", "FILES_MATCHING", "PATTERN", "REGEX", "USE_SOURCE_PERMISSIONS",
 })  # fmt: skip
-"""What ends the names of the targets."""
+"""What ends the names of the targets or folders."""
 
 
 @dataclass(frozen=True)
@@ -29,13 +33,21 @@ class CommentedInstalls:
         written = self.cmake.source_text(target.word).strip('"')
         return not self.names.isdisjoint((target.name, written))
 
+    def has_folder(self, folder: str) -> bool:
+        """Return whether a comment installs a folder, as one of the package."""
+        return any(word.rstrip("/").removeprefix(HERE).removeprefix("./") == folder for word in self.folders)
+
+    @cached_property
+    def folders(self) -> frozenset[str]:
+        return frozenset(self.words_of(FOLDERS))
+
     @cached_property
     def names(self) -> frozenset[str]:
-        """What is installed in comments, as it is written; the lines of one comment each have a sign."""
-        found: set[str] = set()
+        return frozenset(self.words_of(INSTALLS))
+
+    def words_of(self, rules: re.Pattern[str]) -> Iterator[str]:
+        """Yield what rules in comments install, as it is written; the lines of one comment each have a sign."""
         for file in self.cmake.files:
-            lines = (SIGN.sub("", file.source.slice(span)) for span in file.syntax.comments)
-            for words in map(WORD.findall, INSTALLS.findall("\n".join(lines))):
-                end = next((at for at, word in enumerate(words) if word in KEYWORDS), len(words))
-                found.update(words[:end])
-        return frozenset(found)
+            lines = (SIGN.sub("", file.source.slice(span)).lstrip(" \t#") for span in file.syntax.comments)
+            for words in map(WORD.findall, rules.findall("\n".join(lines))):
+                yield from takewhile(lambda word: word not in KEYWORDS, words)

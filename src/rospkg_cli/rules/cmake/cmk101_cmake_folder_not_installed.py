@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ...checks.cmake.commented_installs import CommentedInstalls
 from ...checks.cmake.idle_packages import idle_programs
 from ...checks.cmake.share_folders import RuntimeFolders
 from ...checks.opened_in_share import OpenedInShare
@@ -30,7 +31,8 @@ ONE = CMAKE.replace("ament_package", "install(DIRECTORY meshes DESTINATION share
     levels={
         Severity.ERROR: "code, a launch file or the README opens it in the share directory (RViz goes on without)",
         Severity.INFO: "nothing in the package or the workspace seems to; or the README opens it in the source folder; "
-        "or it is one launch file beside others, which no page or script starts",
+        "or it is one launch file beside others, which no page or script starts; or a comment installs it, and nothing "
+        "here opens it",
     },
     examples=(
         Example(
@@ -66,7 +68,8 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     somebody's home, or pages and scripts start launch files by their paths alone (`ros2 launch src/…/a.launch.py`), it
     is an info. It is one, too, where neither the package nor another one of the workspace that names it seems to open
     the folder or a file in it: they may be leftovers, or notes. Launch files are opened by `ros2 launch`, but for those
-    whose names all say `example` or `template`, which people copy.
+    whose names all say `example` or `template`, which people copy, and for a folder that an `install()` in a comment
+    names, where no package opens it and the README does not start it.
     """
     package, place = folders.package, folders.insertion_call
     if not package.is_ament or place is None:
@@ -89,6 +92,9 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
             f"{folders.uses.consequence(folder)}; add `{folder}` to an `install(DIRECTORY …)`"
         )
         level = folders.uses.level(folder)
+        is_left_out = CommentedInstalls(package.cmake).has_folder(folder) and not folders.uses.may_be_opened(folder)
+        if level is None and is_left_out:
+            level, message = "info", f"{message}; a comment of {place.path} installs it"
         yield Hit(place.path, place.command.span, message, Severity(level) if level else None, fix=fix)
 
 
