@@ -108,12 +108,21 @@ class RobotInWorkspace:
                 return softer(fault, "warning", "in Gazebo alone")
         if self.replaced.has(self.robot.document, fault.span):
             return softer(fault, "info", "unless what opens it puts another path there, as a launch file here does")
+        if why := self.why_unread(fault.span):
+            return replace(fault, level="info", message=f"{fault.message}{why}")
         found = self.calls.weighed(self.robot.document.root, fault)
         if found.level != "info" and self.reached.is_never(self.robot.path):
             return softer(found, "info", "where the condition around its include holds, which nothing here makes true")
         if found.level is None and self.reached.is_off(self.robot.path):
             return softer(found, "warning", "where the condition around its include holds")
         return found
+
+    def why_unread(self, place: Span) -> str:
+        """Return why xacro needs no default that a place is in; imported where a file is missing."""
+        from .unread_defaults import why_unread
+        from .ways_into_robots import WaysIntoRobots
+
+        return why_unread(WaysIntoRobots(self.reached, self.opened), self.robot.path, self.robot.document.root, place)
 
     def is_off(self, condition: Element) -> bool:
         """Return whether a condition holds for nobody: by its argument's default, or by what all launch files give."""

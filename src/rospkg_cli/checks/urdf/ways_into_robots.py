@@ -112,14 +112,18 @@ class WaysIntoRobots:
         return {name: self.values_of(name) for name in self.reached.off.arguments}
 
     def values_of(self, argument: str) -> set[Value] | None:
-        """Return what is given: a page tells a value where it writes one; what other packages give is not known."""
+        """Return what is given: a page tells a value where it writes one, and so does what another package has."""
         word = re.compile(rf"(?<![\w.-]){re.escape(argument)}(?![\w.-])")
         ways = re.compile(GIVEN.format(re.escape(argument)))
         own = self.reached.package.name
         others = (facts.robot_words for facts in self.reached.workspace.packages if facts.name != own)
-        if any(argument in each and (own in each or each >= {LAUNCH, ANY}) for words in others for each in words):
-            return None
         values: set[Value] = set()
+        for each in (each for words in others for each in words):
+            if argument in each and (own in each or each >= {LAUNCH, ANY}):
+                given = {literal(word.partition(":=")[2]) for word in each if word.startswith(f"{argument}:=")}
+                if not given:
+                    return None
+                values |= given
         for is_page, text in self.givers:
             found = {literal(next(filter(None, each.groups()), "")) for each in ways.finditer(text)}
             if not found and not is_page and word.search(text):

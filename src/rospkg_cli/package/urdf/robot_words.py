@@ -33,6 +33,11 @@ REPLACES = "~"
 """Stands among the words of a text that replaces paths of a robot, as `.replace('package://…', …)` does."""
 REPLACED = regex(r"(?:\.replace|\bsub)\(\s*[rf]{0,2}[\"'][^\"'\n]*(?:://|meshes)")
 WORD = regex(r"(?:[\"'/:,=\[-] ?|find(?:-pkg-share)? )([A-Za-z][\w-]*)")
+GIVEN = regex(
+    r"[\"'](\w{1,64})[\"']\s*[,:]\s*(?:default(?:_value)?\s*=\s*)?[\"']([^\"'\n]*)[\"']"
+    r"|(?<!\w)(\w{1,64}):=[\"']?([\w.-]+)|\bname=\"(\w{1,64})\"\s+(?:default|value)=\"([^\"\n]*)\""
+)
+"""How Python, a command and XML give an argument a literal value, or declare one of its name with it."""
 INCLUDE = regex(r"<xacro:include\s[^>]*?filename\s*=\s*[\"']\$\(find\s+([\w-]+)\s*\)/([^\"']*)")
 FILE = regex(r"(?:^|[^\w.-])([\w.-]*)(\.(?:urdf|xacro|sdf|world))\b")
 
@@ -40,12 +45,22 @@ FILE = regex(r"(?:^|[^\w.-])([\w.-]*)(\.(?:urdf|xacro|sdf|world))\b")
 def robot_words(reading: ReaderInput) -> tuple[frozenset[str], ...]:
     """Return the words in quotes and paths, and the file names, of each text that tells of robots.
 
-    `*` is among them where a name is put together, `>` where the text is a launch file that is not laid aside.
+    `*` is among them where a name is put together, `>` where the text is a launch file that is not laid aside, and
+    `sim:=false` where it gives an argument a literal value.
     """
     files = reading.files
     paths = (path for path in files.paths if path.endswith(NAMING) and role_of(path) not in ("test", "aside"))
     telling = (path for path in paths if path != "package.xml" and any(files.holds(path, mark) for mark in MARKS))
-    return tuple(words_of(live_text(files, path)) | ({LAUNCH} if is_launch(path) else set()) for path in telling)
+    texts = ((path, live_text(files, path)) for path in telling)
+    return tuple(
+        words_of(text) | given_in(text) | ({LAUNCH} if is_launch(path) else frozenset()) for path, text in texts
+    )
+
+
+def given_in(text: str) -> frozenset[str]:
+    """Return the arguments that a text gives literal values, each as a command does: `sim:=false`."""
+    pairs = (list(filter(None, each)) for each in GIVEN.findall(text))
+    return frozenset(f"{pair[0]}:={pair[1]}" for pair in pairs if len(pair) > 1)
 
 
 def is_launch(path: str) -> bool:

@@ -100,11 +100,11 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     of an include of a `.urdf` that only another package may open. It is an info in a robot that no launch file, code or
     command of a page is shown to open, by its folder, or that lies in a folder such as `old/` or is not installed, and
     in a macro that nothing here calls, or a condition that is constant, or a default that nothing but robots names or
-    each launch file turns off. The default of an argument is one where nothing reads it, or each launch file that opens
-    the robot gives another. A path without a scheme is one where no launch file opens the robot, or none that does
-    starts RViz or move_group by default, or what publishes the robot, where Gazebo finds it: `$(find …)`, or a relative
-    one where `create -file` alone opens the robot. So is a path that each such launch file replaces in its text, what a
-    page or a script fetches or makes, and a mesh that people bring.
+    each launch file turns off. The default of an argument is one where nothing reads it, or only what is off by
+    default, or each launch file that opens the robot gives another. A path without a scheme is one where no launch file
+    opens the robot, or none that does starts RViz or move_group by default, or what publishes the robot, where Gazebo
+    finds it: `$(find …)`, or a relative one where `create -file` alone opens the robot. So is a path that each such
+    launch file replaces in its text, what a page or a script fetches or makes, and a mesh that people bring.
     """
     for each in scope.missing():
         same = list(scope.beside.lacking(scope.robot, each))
