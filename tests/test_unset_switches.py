@@ -142,3 +142,18 @@ def test_a_condition_of_python(given: str, condition: str, level: str) -> None:
     said = told(files)
     assert said[0] == level
     assert level == "warning" or said[1] == OFF[2:].replace(" on,", " off," if "not" in condition else " on,")
+
+
+@pytest.mark.parametrize("code, name", [("DEP112", "my_pgk"), ("DEP113", "my_pkg")])
+@pytest.mark.parametrize("default, level", [("False", "info"), ("True", "warning")])
+def test_other_look_ups_of_python(code: str, name: str, default: str, level: str) -> None:
+    look_up = f"open(get_package_share_directory('{name}') + '/people.csv')"
+    text = PYTHON.format(KEPT.replace("False", default), "self.extra")
+    files = {
+        "package.xml": manifest("  <depend>rclpy</depend>\n  <depend>ament_index_python</depend>\n"),
+        "setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+        "people.csv": "",
+        "my_pkg/__init__.py": "",
+        "my_pkg/talker.py": text.replace("get_package_share_directory('nav2_bringup')", look_up),
+    }
+    assert [each.severity.value for each in lint_files(files, [code]).findings] == [level]

@@ -19,7 +19,6 @@ from .depends.undeclared_imports import ImportDependencies
 from .depends.undeclared_launch_packages import LaunchDependencies
 from .lookups_for_users import LookupsForUsers
 from .share_lookups import CATCHES, LOOKUPS, ShareLookups, literal_of
-from .unset_switches import UnsetSwitches
 from .unstarted_programs import UNSTARTED
 
 NAME = regex(r"[a-z][a-z0-9_]+")
@@ -43,7 +42,6 @@ class LookedUpPackages:
     imports: ImportDependencies
     launch: LaunchDependencies
     users: LookupsForUsers | None = None
-    switches: UnsetSwitches | None = None
 
     @property
     def declared(self) -> DeclaredDependencies:
@@ -73,10 +71,8 @@ class LookedUpPackages:
 
     def met_first(self, places: list[LookUp]) -> list[LookUp]:
         """Return places with those first that somebody comes to; a switch that nothing throws keeps people away."""
-        asked = self.switches
-        if asked is not None:
-            off = ((each, "" if each.why_seldom else asked.why_off(each.path, each.span)) for each in places)
-            places = [replace(each, why_seldom=each.why_seldom or why) for each, why in off]
+        off = ((each, each.why_seldom or self.lookups.why_off(each.path, each.span)) for each in places)
+        places = [replace(each, why_seldom=why) for each, why in off]
         return sorted(places, key=lambda each: bool(each.why_seldom))
 
     def all(self) -> Iterator[tuple[str, LookUp]]:

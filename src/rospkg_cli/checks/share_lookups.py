@@ -39,6 +39,7 @@ from .reached_places import WHY, ReachedPlaces
 from .run_imports import RunImports
 from .unread_paths import UnreadPaths
 from .unrun_tests import is_never_run
+from .unset_switches import UnsetSwitches
 from .wrong_calls import wrong_lookup
 
 LOOKUPS = SHARE | {"get_package_prefix"}
@@ -94,6 +95,7 @@ class ShareLookups:
     table: InstallTable | None = None
     unread: UnreadPaths | None = None
     places: ReachedPlaces | None = None
+    switches: UnsetSwitches | None = None
 
     def is_run(self, path: str) -> bool:
         """Return whether a file runs: every build compiles the C++; of Python see `is_left`."""
@@ -116,8 +118,14 @@ class ShareLookups:
         """Return what is said of a place that seldom or never runs; "" for others."""
         source = next((each for each in self.sources if each.path == path), None)
         if source is not None:
-            return WHY["never"] if is_in_uncalled(source, span, self.sources) else ""
-        return self.places.why_seldom(path, span) if self.places is not None else ""
+            why = WHY["never"] if is_in_uncalled(source, span, self.sources) else ""
+        else:
+            why = self.places.why_seldom(path, span) if self.places is not None else ""
+        return why or self.why_off(path, span)
+
+    def why_off(self, path: str, span: Span) -> str:
+        """Return what is said of a place that only a switch leads to which nothing throws; "" for others."""
+        return self.switches.why_off(path, span) if self.switches is not None else ""
 
     def is_conditional(self, path: str, span: Span) -> bool:
         """Return whether a place is in a branch of its function."""

@@ -76,9 +76,10 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     listed repository that is not here is called like that; where the exception is caught, but for a clear slip of a
     package that is here, which is an info; in files that nothing installs, and under a condition that never holds on
     Linux. In a module that nothing starts or imports, in a function that no program leads to (of C++, that no code
-    calls), behind `rclpy.spin`, and under a switch that nothing throws it is an info. Where the repository builds on an
-    image that is none of the plain ones (`ros`, `ubuntu`, …), that may bring the package: a warning. Launch files have
-    rules of their own (DEP103).
+    calls), behind `rclpy.spin`, and under a switch that nothing throws, be it a parameter that is off by default and
+    that nothing in the repository sets, it is an info. Where the repository builds on an image that is none of the
+    plain ones (`ros`, `ubuntu`, …), that may bring the package: a warning. Launch files have rules of their own
+    (DEP103).
 
     ## Fix safety
     The intended package is a guess.

@@ -32,7 +32,8 @@ PEOPLE = {**NEEDS, "names/people.txt": "Ada\n", "my_pkg/talker.py": MODULE.forma
         Severity.WARNING: "C++ names it, the package does not have it, or the path counts in a branch or for what is "
         "not given alone, or is opened in a `try`",
         Severity.INFO: "nothing starts or imports the module, leads to the function, or reads the variable of the "
-        "path, it stands behind `rclpy.spin`, or it is in a test that `colcon test` does not run",
+        "path, it stands behind `rclpy.spin`, a parameter that nothing sets turns it off, or it is in a test that "
+        "`colcon test` does not run",
     },
     examples=(
         Example(bad={**PEOPLE, "setup.py": SETUP_PY}, good={"setup.py": INSTALLED}),
@@ -57,8 +58,10 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
     asks whether something exists; where the installed files are not all known; for what CMK101, CMK111 and SET206
     to SET208 tell about; in files that nothing installs, and under a condition that never holds on Linux.
     A path that is put into a variable of a function or a member, which nothing reads, is an info, and so is one in a
-    function that no program leads to, or behind `rclpy.spin`. What counts where nothing else is given, as the value of
-    a parameter or an option, is a warning, like what is in a branch or in a `try` that goes on without the file.
+    function that no program leads to, behind `rclpy.spin`, or behind a condition on a parameter (of C++, on a constant,
+    too) that does not hold by default, where nothing in the repository sets it. What counts where nothing else is
+    given, as the value of a parameter or an option, is a warning, like what is in a branch or in a `try` that goes on
+    without the file.
     """
     for found in lookups.missing_files():
         if found.goes_to:
