@@ -108,9 +108,9 @@ class RobotInWorkspace:
                 return softer(fault, "warning", "in Gazebo alone")
         if self.replaced.has(self.robot.document, fault.span):
             return softer(fault, "info", "unless what opens it puts another path there, as a launch file here does")
-        if why := self.why_unread(fault.span):
-            return replace(fault, level="info", message=f"{fault.message}{why}")
         found = self.calls.weighed(self.robot.document.root, fault)
+        if found.level != "info" and (why := self.why_unread(fault.span)):
+            return replace(found, level="info", message=f"{found.message}{why}")
         if found.level != "info" and self.reached.is_never(self.robot.path):
             return softer(found, "info", "where the condition around its include holds, which nothing here makes true")
         if found.level is None and self.reached.is_off(self.robot.path):
