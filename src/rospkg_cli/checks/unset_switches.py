@@ -22,7 +22,7 @@ TELLING = (".md", ".rst", ".txt", ".sh", ".bash", ".service", ".env", ".toml", "
 """Files of pages and scripts: that one names a parameter is enough, for people may set it."""
 SETTING = (".yaml", ".yml", ".xml", ".launch")
 """Files that give a parameter its value, beside launch files in Python."""
-VALUE = r"(?![\w-])(?P<value>[\"']?\s*(?:[:=,]|\bvalue\s*=)\s*[\"']?(?P<said>false|true|0|1)\b)?"
+VALUE = r"(?![\w-])(?:[\"']?\s*(?:[:=,]|\bvalue\s*=)\s*[\"']?(?P<said>false|true|0|1)\b)?"
 
 
 @dataclass(frozen=True)
@@ -58,19 +58,22 @@ class UnsetSwitches:
         """Return whether a text of the repository gives a parameter another value than the default, or names it so."""
         last = name.rpartition(".")[2]
         word = re.compile(rf"(?<![\w-]){re.escape(last)}{VALUE}", re.IGNORECASE)
-        for path, text in self.texts:
-            for found in word.finditer(text) if last in text else ():
+        for path in self.setting:
+            is_there = self.whole.holds(path, last.encode())
+            for found in word.finditer(self.whole.readable_text(path)) if is_there else ():
                 is_default = found["said"] is not None and (found["said"].lower() in ("true", "1")) is not switch.is_on
                 if not is_default or path.endswith(TELLING):
                     return True
         return False
 
     @cached_property
-    def texts(self) -> tuple[tuple[str, str], ...]:
-        tree = self.files.whole if self.files.whole is not None else self.files.tree
-        whole = PackageFiles(tree)
-        paths = [path for path, kind in tree.files().items() if kind in READABLE and may_set(path)]
-        return tuple((path, whole.readable_text(path)) for path in paths)
+    def whole(self) -> PackageFiles:
+        return PackageFiles(self.files.whole if self.files.whole is not None else self.files.tree)
+
+    @cached_property
+    def setting(self) -> tuple[str, ...]:
+        """The files of the whole repository that may set a parameter."""
+        return tuple(path for path, kind in self.whole.tree.files().items() if kind in READABLE and may_set(path))
 
 
 def may_set(path: str) -> bool:
