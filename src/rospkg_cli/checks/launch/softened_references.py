@@ -34,6 +34,8 @@ def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None
         softer, why = "info", ENDS_BEFORE.format(lacked)
     if softer != "info" and (left := left_to_people(scope, each) or written_by_program(scope, each)):
         softer, why = "info", left
+    if softer != "info" and (none := lacked_by_search(scope, each)):
+        softer, why = "info", none
     if softer != "info" and is_template(scope, each):
         softer, why = "info", "until people name theirs there"
     if softer != "info" and each.state in ("absent", "no slash") and has_others(scope, each):
@@ -76,6 +78,16 @@ def left_to_people(scope: LaunchContext, each: MissingReference) -> str:
         return ""
     why = why_left(files_of(scope.files, facts, own=own), each.path, is_code=each.stops_launch)
     return why or written_for(scope, each)
+
+
+def lacked_by_search(scope: LaunchContext, each: MissingReference) -> str:
+    """Return that a file is only named where a search finds none, as people are told; "" where it is not so."""
+    from .found_none import FOUND_NONE, is_found_none  # few packages miss a file
+
+    file = scope.file.python
+    if file is None or each.state != "absent" or each.stops_launch:
+        return ""
+    return FOUND_NONE if all(is_found_none(file, span) for span in (each.span, *each.other_spans)) else ""
 
 
 def is_template(scope: LaunchContext, each: MissingReference) -> bool:

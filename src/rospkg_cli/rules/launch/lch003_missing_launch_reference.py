@@ -100,10 +100,10 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     have, or of another node where its name says nothing of a file (`…_file`, `…_path`, `yaml`, `map`, `url`), and what
     stands behind the place where every launch ends, as it seeks a package that nothing brings. It is an info, too,
     where people bring the file and launch does not include it: a page or a script fetches, saves or copies it there by
-    its name, or its folder has only a `.gitkeep` or the like and is for what people make (`maps`, `data`), has a README
-    alone, or launch says the name, or git ignores a folder that the build installs as a whole (`resource/`). So it is
-    where a program writes it: code puts the name together (`'modified_' + a`), or it is called like
-    `octomap_saver_node`; or where the name is to be replaced (`YOUR_ROBOT.urdf`, `# change this`).
+    its name, or its folder has only a `.gitkeep` and is for what people make (`maps`, `data`), has a README alone, or
+    launch says the name, or git ignores a folder that the build installs as a whole (`resource/`). So it is where a
+    program writes it: code puts the name together (`'modified_' + a`), or it is called like `octomap_saver_node`; or
+    where the name is to be replaced (`YOUR_ROBOT.urdf`, `# change this`), or a `glob` found none, as launch says.
     """
     for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):
