@@ -54,6 +54,14 @@ def declared(value: str) -> str:
     return START.format(f", {GIVEN}", f"DeclareLaunchArgument('sim', default_value='{value}'),")
 
 
+SHOWN = declared("true").replace("ros_gz_sim", "rviz2")
+LOADED = (
+    START.replace("Command(['xacro ', ", "loaded(")
+    .replace("{}])\n", "{})\n")
+    .format(", sim=LaunchConfiguration('sim'), controllers=made", "")
+)
+
+
 @pytest.mark.parametrize(
     ("body", "start", "other", "level"),
     [
@@ -63,6 +71,10 @@ def declared(value: str) -> str:
         (OFF, declared("true"), declared("false"), "warning"),
         (OFF, declared("false"), START.format(f", {GIVEN}", ""), "warning"),
         (PLUGIN, declared("false"), declared("false"), "warning"),
+        (OFF, SHOWN, LOADED, "info"),
+        (PLUGIN, SHOWN, LOADED, "info"),
+        (PLUGIN, LOADED, declared("false"), "warning"),
+        (PLUGIN.replace("gazebo", "link"), SHOWN, LOADED, "warning"),
         (OFF + PLUGIN, declared("false"), declared("false"), "warning"),
     ],
 )

@@ -38,6 +38,7 @@ GIVEN = regex(
     r"|(?<!\w)(\w{1,64}):=[\"']?([\w.-]+)|\bname=\"(\w{1,64})\"\s+(?:default|value)=\"([^\"\n]*)\""
 )
 """How Python, a command and XML give an argument a literal value, or declare one of its name with it."""
+KEYWORD = regex(r"(?<![\w.])([a-z]\w{0,63})=(?!=)")
 INCLUDE = regex(r"<xacro:include\s[^>]*?filename\s*=\s*[\"']\$\(find\s+([\w-]+)\s*\)/([^\"']*)")
 FILE = regex(r"(?:^|[^\w.-])([\w.-]*)(\.(?:urdf|xacro|sdf|world))\b")
 
@@ -46,7 +47,7 @@ def robot_words(reading: ReaderInput) -> tuple[frozenset[str], ...]:
     """Return the words in quotes and paths, and the file names, of each text that tells of robots.
 
     `*` is among them where a name is put together, `>` where the text is a launch file that is not laid aside, and
-    `sim:=false` where it gives an argument a literal value.
+    `sim:=false` where it gives an argument a literal value, `sim=` where it has one of that name in a call.
     """
     files = reading.files
     paths = (path for path in files.paths if path.endswith(NAMING) and role_of(path) not in ("test", "aside"))
@@ -58,9 +59,10 @@ def robot_words(reading: ReaderInput) -> tuple[frozenset[str], ...]:
 
 
 def given_in(text: str) -> frozenset[str]:
-    """Return the arguments that a text gives literal values, each as a command does: `sim:=false`."""
+    """Return the arguments that a text gives literal values, as a command does: `sim:=false`; and keywords: `sim=`."""
     pairs = (list(filter(None, each)) for each in GIVEN.findall(text))
-    return frozenset(f"{pair[0]}:={pair[1]}" for pair in pairs if len(pair) > 1)
+    literal = (f"{pair[0]}:={pair[1]}" for pair in pairs if len(pair) > 1)
+    return frozenset((*literal, *(f"{each}=" for each in KEYWORD.findall(text))))
 
 
 def is_launch(path: str) -> bool:

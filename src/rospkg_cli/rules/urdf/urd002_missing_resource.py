@@ -93,18 +93,18 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     ## When it is quiet
     Nothing is said of packages that are not in the workspace, of paths that a property or an argument fills in, of
     files that the build or code writes, git ignores or a submodule holds that is not checked out, and where install
-    rules are not all known (a CMake macro of another package may install files). Where another rule reports that the
-    folder is not installed, it says so alone. In a condition of xacro, in a file that is only included under one which
-    the defaults of the arguments switch off, and in a `<gazebo>` or `<plugin>`, which Gazebo alone reads, it is a
-    warning (an info where nothing here starts it), and so in a robot that only code names, or a command of a page, and
-    of an include of a `.urdf` that only another package may open. It is an info in a robot that no launch file, code or
-    command of a page is shown to open, by its folder, or that lies in a folder such as `old/` or is not installed, and
-    in a macro that nothing here calls, or a condition that is constant, or a default that nothing but robots names or
-    each launch file turns off. The default of an argument is one where nothing reads it, or only what is off by
-    default, or each launch file that opens the robot gives another. A path without a scheme is one where no launch file
-    opens the robot, or none that does starts RViz or move_group by default, or what publishes the robot, where Gazebo
-    finds it: `$(find …)`, or a relative one where `create -file` alone opens the robot. So is a path that each such
-    launch file replaces in its text, what a page or a script fetches or makes, and a mesh that people bring.
+    rules are not all known (a CMake macro of another package may install files). A folder that is not installed is
+    another rule's. In a condition of xacro, in a file that is only included under one which the defaults of the
+    arguments switch off, and in a `<gazebo>` or `<plugin>`, which Gazebo alone reads, it is a warning (an info where
+    nothing here starts it), and so in a robot that only code names, or a command of a page, and of an include of a
+    `.urdf` that only another package may open. It is an info in a robot that no launch file, code or command of a page
+    is shown to open, by its folder, or that lies in a folder such as `old/` or is not installed, and in a macro that
+    nothing here calls, or a condition that is constant, or a default that only robots name or each launch file turns
+    off. The default of an argument is one where nothing reads it, or only what is off by default, or each launch file
+    that opens the robot gives another, or spawns it, where Gazebo alone reads it. A path without a scheme is one where
+    no launch file opens the robot, or none that does starts RViz or move_group by default, or what publishes the robot,
+    where Gazebo finds it: `$(find …)`, or a relative one where `create -file` alone opens the robot. So is a path that
+    each such launch file replaces, what a page or a script fetches or makes, and a mesh that people bring.
     """
     for each in scope.missing():
         same = list(scope.beside.lacking(scope.robot, each))
