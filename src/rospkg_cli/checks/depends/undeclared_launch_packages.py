@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from functools import cached_property
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from ...files import PackageFiles
 from ...languages.python.unread_values import never_added
@@ -34,6 +34,9 @@ from .compiled_sources import named_sources
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
 from .undeclared_imports import ImportDependencies
+
+if TYPE_CHECKING:
+    from .optional_parts import OptionalParts
 
 FOR_DEMOS = regex(r"turtlesim|demo_nodes_\w+")
 """Packages that no one installs a robot for."""
@@ -121,14 +124,22 @@ class LaunchDependencies:
 
     def why_left_out(self, name: str, uses: Iterable[PackageReference]) -> str:
         """Return that a page builds this package without a neighbour on purpose, by what the launch files are called
-        that need it; "" for others.
+        that need it, or calls another package optional; "" for others.
         """
         if self.declared.workspace.named(name) is None:
-            return ""
+            from .optional_parts import OPTIONAL  # most packages are declared
+
+            return OPTIONAL if self.optional.has(name) else ""
         from .partial_builds import LEFT_OUT, is_built_without  # most declare their neighbours
 
         own, paths = self.declared.facts.name, {use.path for use in uses}
         return LEFT_OUT if is_built_without(self.files, own, name, paths) else ""
+
+    @cached_property
+    def optional(self) -> OptionalParts:
+        from .optional_parts import OptionalParts
+
+        return OptionalParts(self.files)
 
     def meant(self, name: str) -> str | None:
         """Return the known package that an unknown name is a slip of; with another first letter it is another name.

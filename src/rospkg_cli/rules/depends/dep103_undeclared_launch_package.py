@@ -43,7 +43,7 @@ BAD_XML = """\
         "where an argument must turn it on, for examples and debugging, for launch files that nothing installs or "
         "names, for what no launch comes to, for nodes that other code describes, where an unreleased repository "
         "declares it in another package or installs it by apt, where package.xml has it in a comment or for older "
-        "distributions alone, where a page has a build leave that part out, and where it needs this package itself"
+        "distributions alone, where a page leaves it out or calls it optional, and where it needs this package itself"
     },
     examples=(
         Example(
@@ -86,10 +86,11 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     theirs, a script or a page clones it, or builds it from a folder here that colcon passes by, or that begin like this
     package and like no other one here, and what another package of the repository declares, or a list or a script of it
     installs (apt alone), where nothing shows a release, and what launch files for a part need (`simulator.launch.py`)
-    that a page leaves out of a build (`colcon build --packages-up-to arm # without the simulator`). Left out are
-    computed names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`),
-    files for ROS 1, actions that nothing adds, and what a module imports too (DEP101). A package here that needs this
-    one itself is an info, for to declare it would make a circle; where it declares this one, nothing is said.
+    that a page leaves out of a build (`colcon build --packages-up-to arm # without the simulator`), and what a line of
+    a page or script calls optional by its name or first word (`## MAVROS (optional)`). Left out are computed names,
+    uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1,
+    actions that nothing adds, and what a module imports too (DEP101). A package here that needs this one itself is an
+    info, for to declare it would make a circle; where it declares this one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, where a comment of package.xml leaves it out, or where
@@ -121,8 +122,7 @@ def undeclared(launch: LaunchDependencies, tag: str, name: str, uses: list[Packa
     declared = launch.declared
     uses = sorted(uses, key=lambda use: (bool(use.only_with), launch.is_idle(use)))
     first = uses[0]
-    meant = launch.meant(name)
-    if meant:
+    if meant := launch.meant(name):
         message = f"`{name}` is known nowhere, and this launch file {first.does} it: did you mean `{meant}`?"
         fix = Fix(f"write `{meant}`", (Edit(first.path, first.span, meant),), Safety.UNSAFE)
         fix_or_none = fix if launch.is_written(first) else None
