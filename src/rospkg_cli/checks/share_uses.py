@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from functools import cached_property
 
 from ..files import PackageFiles
@@ -45,6 +46,12 @@ class ShareUses:
         if not references_folder(text, self.name, folder):
             return False
         return JoinedShares(text, self.name).may_join(re.compile(rf"[\"'/]{re.escape(folder)}(?=[\"'/])"))
+
+    def makes(self, folder: str, paths: Sequence[str]) -> bool:
+        """Return whether code makes a folder in the share directory that some text opens, and all files in it."""
+        from .made_in_share import is_made_in_share  # what findings alone need
+
+        return self.opens(folder) and is_made_in_share(self.files, self.name, folder, paths)
 
     def names_file(self, name: str) -> bool:
         """Return whether code or a README names a file; a path in a home folder or through src/ opens the source, and

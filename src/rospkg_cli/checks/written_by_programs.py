@@ -24,7 +24,7 @@ from ..unreadable import UnreadableError
 
 UNTIL_WRITTEN = "until `{}` has written it"
 CPP = (".cpp", ".cc", ".cxx", ".hpp", ".h")
-OUTPUT = regex(r"(?:>>?|(?:^|\s)(?:-o|--output))[\s=]*[\"']?([^\s\"'>]+)")
+OUTPUT = regex(r"(?:>>?|(?:^|\s)(?:-o|--out(?:put)?(?:[-_](?:file|path))?))[\s=]*[\"']?([^\s\"'>]+)")
 SAVED_MAP = regex(r"\bmap_saver\w*\s(?:.*\s)?-f[\s=]*[\"']?([^\s\"']+)")
 OWNER = regex(rf"{OPEN}/share/(\w+)/")
 
@@ -71,18 +71,21 @@ def written_in_python(files: PackageFiles, code: str) -> Iterator[str]:
         patterns = PathPatterns(file, OPEN, share_of, any_value)
         for call in nodes_of_kind(file.tree, ast.Call):
             yield from map(patterns.text, written_by(call))
-            command = " ".join(map(patterns.text, commands(call)))
+            command = " ".join(map(patterns.text, commands(call, patterns.held)))
             yield from (found[1] for found in OUTPUT.finditer(command))
             yield from (f"{found[1]}.yaml" for found in SAVED_MAP.finditer(command))
         if not patterns.defaults:
             return
 
 
-def share_of(call: ast.Call) -> str:
+def share_of(call: ast.Call, patterns: PathPatterns) -> str:
     """Return how the share directory ends that a call returns."""
     match call:
-        case ast.Call(args=[ast.Constant(value=str() as package)]) if last_name(call.func) in SHARE:
-            return f"{OPEN}/share/{package}"
+        case ast.Call(func=ast.Attribute(value=ast.Call() as found, attr="perform")):
+            return share_of(found, patterns)
+        case ast.Call(args=[named, *_]) if last_name(call.func) in SHARE:
+            package = patterns.text(named)
+            return f"{OPEN}/share/{package}" if package and OPEN not in package else ""
     return ""
 
 

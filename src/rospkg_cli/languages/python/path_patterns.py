@@ -23,7 +23,9 @@ class PathPatterns:
     followed to what the file gives them, and a ROS parameter to its default, unless it may have any value.
     """
 
-    def __init__(self, file: PythonFile, unknown: str, base_of: Callable[[ast.Call], str], any_value: bool) -> None:
+    def __init__(
+        self, file: PythonFile, unknown: str, base_of: Callable[[ast.Call, PathPatterns], str], any_value: bool
+    ) -> None:
         self.unknown = unknown
         self.base_of = base_of
         self.values: dict[str, list[tuple[int, ast.expr | None]]] = {}
@@ -63,9 +65,17 @@ class PathPatterns:
                 return "".join(self.text(each, depth + 1) for each in values)
             case ast.FormattedValue(value=value) | ast.Attribute(value=value, attr="value" | "string_value"):
                 return self.text(value, depth + 1)
+            case ast.Attribute(value=value, attr="parent"):
+                return self.text(value, depth + 1).rpartition("/")[0] or self.unknown
             case ast.Call():
                 return self.called(node, depth)
         return self.unknown
+
+    def held(self, node: ast.expr) -> ast.expr:
+        """Return what a variable holds, where that is known; an expression of another kind as it is."""
+        if not isinstance(node, ast.Name) or node.id not in self.values:
+            return node
+        return self.bound_before(node.id, node.lineno) or node
 
     def bound_before(self, name: str, line: int) -> ast.expr | None:
         """Return what a name holds on a line, as the lines above say; an attribute may get it below."""
@@ -76,7 +86,7 @@ class PathPatterns:
     def called(self, call: ast.Call, depth: int) -> str:
         """Return the text that a call returns."""
         match call:
-            case ast.Call() if base := self.base_of(call):
+            case ast.Call() if base := self.base_of(call, self):
                 return base
             case ast.Call(func=ast.Attribute(attr="format", value=value)):
                 return FIELD.sub(self.unknown, self.text(value, depth + 1))
@@ -87,6 +97,8 @@ class PathPatterns:
                 return self.text(default, depth + 1) if default is not None else self.unknown
             case ast.Call(func=ast.Attribute(attr="joinpath" | "resolve", value=value), args=args):
                 return self.joined([value, *args], depth)
+            case ast.Call(args=[path]) if last_name(call.func) == "dirname":
+                return self.text(path, depth + 1).rpartition("/")[0] or self.unknown
             case ast.Call(args=args) if args and last_name(call.func) in JOINERS:
                 return self.joined(args, depth)
         return self.unknown

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from ...lazy_regex import regex
 from .nodes import last_name
@@ -18,6 +18,7 @@ EITHER = frozenset({"save"})
 """`np.save(path, values)`, `torch.save(model, path)`."""
 TO = frozenset({"dst", "path", "fname", "filename"})
 RUNNERS = frozenset({"system", "popen", "run", "call", "check_call", "check_output", "Popen"})
+PROCESSES = frozenset({"ExecuteProcess", "ExecuteLocal"})
 
 
 def written_by(call: ast.Call) -> Iterator[ast.expr]:
@@ -42,11 +43,13 @@ def named(call: ast.Call) -> Iterator[ast.expr]:
     yield from (each.value for each in call.keywords if each.arg in TO)
 
 
-def commands(call: ast.Call) -> list[ast.expr]:
-    """Return the words of the command that a call runs; none where it runs none."""
-    first = call.args[0] if call.args and last_name(call.func) in RUNNERS else None
-    words = first.elts if isinstance(first, ast.List) else [first]
-    return [each for each in words if each is not None]
+def commands(call: ast.Call, held: Callable[[ast.expr], ast.expr]) -> list[ast.expr]:
+    """Return the words of the command that a call runs; none where it runs none. `held` is what a variable holds."""
+    name = last_name(call.func)
+    given = call.args[:1] if name in RUNNERS else []
+    given = [each.value for each in call.keywords if each.arg == "cmd"] if name in PROCESSES else given
+    lines = map(held, given)
+    return [word for line in lines for word in (line.elts if isinstance(line, ast.List) else [line])]
 
 
 def is_mode(node: ast.expr | None) -> bool:

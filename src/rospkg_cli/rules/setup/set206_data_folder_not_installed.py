@@ -57,12 +57,12 @@ def data_folder_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     'my_pkg'": only what `data_files` names is installed.
 
     ## When it is quiet
-    Where `data_files` can't be evaluated, or setup.py may write files, where a glob names the folder, and where git
-    ignores its files. Where the README opens them in the source folder (`--params-file src/…/config/a.yaml`), code does
-    so there or in somebody's home, or pages and scripts start launch files by their paths alone
-    (`ros2 launch src/…/a.launch.py`), it is an info. It is one, too, where neither the package nor another one of the
-    workspace that names it seems to open the folder or a file in it: they may be leftovers, or notes. Launch files are
-    opened by `ros2 launch`.
+    Where `data_files` can't be evaluated, or setup.py may write files, where a glob names the folder, where git ignores
+    its files, and where a launch file or module makes the folder in the share directory and writes them there. Where
+    the README opens them in the source folder (`--params-file src/…/config/a.yaml`), code does so there or in
+    somebody's home, or pages and scripts start launch files by their paths alone (`ros2 launch src/…/a.launch.py`), it
+    is an info. It is one, too, where neither the package nor another one of the workspace that names it seems to open
+    the folder or a file in it: they may be leftovers, or notes. Launch files are opened by `ros2 launch`.
     """
     package = shared.package
     setup = package.setup
@@ -70,6 +70,8 @@ def data_folder_not_installed(shared: ShareFiles) -> Iterator[Hit]:
         return
     for folder in shared.uninstalled_runtime_folders:
         files = shared.useful(folder)
+        if shared.uses.makes(folder, files):
+            continue
         edits = install_folder(setup, package.name, folder, files)
         fix = Fix(f"install {folder}/ into share/{package.name}/{folder}", edits) if edits else None
         message = (
