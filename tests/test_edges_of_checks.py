@@ -115,7 +115,9 @@ def test_metapackages_of_metapackages(monkeypatch: pytest.MonkeyPatch, depth: in
 )
 def test_a_header_that_the_build_may_make(header: str, is_own: bool) -> None:
     model: Any = SimpleNamespace(
-        declared=SimpleNamespace(facts=SimpleNamespace(name="my_pkg")), path_endings={"parts", "there.hpp"}
+        inner=frozenset(),
+        declared=SimpleNamespace(facts=SimpleNamespace(name="my_pkg")),
+        path_endings={"parts", "there.hpp"},
     )
     assert IncludeDependencies.is_own(model, header) is is_own
 
