@@ -8,10 +8,9 @@ from pathlib import PurePosixPath
 from ...checks.left_blank import asks_to, is_asked_at, is_asked_for
 from ...checks.pages_and_scripts import own_pages, pages_above
 from ...files import PackageFiles
-from ...finding import Finding, Severity
+from ...finding import Finding
 from ...lazy_regex import regex
-from ...light_dataclasses import replace
-from ...package.run_events import RuleCrash
+from .milder import Results, as_infos
 
 OF_MISSING = frozenset(
     "CMK102 CMK108 CMK110 IDL006 LCH002 LCH003 LCH008 LCH011 PLG002 PRM007 PRM008 SET101 SET205 URD001 URD002".split()
@@ -31,7 +30,7 @@ FIELDS = (
     r"(?:add|define|declare|write|complete|fill in|specify) (?:[\w-]+ ){0,3}(?:fields?|request|response|goal|result)\b"
 )
 IN_MESSAGE = "; a comment in the message says that its fields are still to be written"
-ALL = OF_FIELDS | OF_MISSING | TASKS.keys()
+ALL = frozenset(OF_FIELDS | OF_MISSING | TASKS.keys())
 NAMED = regex("`([^`]+)`")
 MAX_NAMES = 2
 WHY = "; a comment says that it is still to be written"
@@ -42,17 +41,9 @@ BY_PAGE = "; a page has people write it"
 OF_WHOLE = "; a comment in {} says that this is still to be done"
 
 
-def as_announced(results: list[Finding | RuleCrash], files: PackageFiles, package: str) -> list[Finding | RuleCrash]:
+def as_announced(results: Results, files: PackageFiles, package: str) -> Results:
     """Return the results of a package with an info for what a comment leaves to its reader."""
-    return [
-        replace(each, severity=Severity.INFO, message=each.message + why)
-        if isinstance(each, Finding)
-        and each.code in ALL
-        and each.severity is not Severity.INFO
-        and (why := why_left(each, files, package))
-        else each
-        for each in results
-    ]
+    return as_infos(results, ALL, lambda found: why_left(found, files, package))
 
 
 def why_left(found: Finding, files: PackageFiles, package: str) -> str:
@@ -86,9 +77,9 @@ def is_written_by_people(files: PackageFiles, name: str, code: str) -> bool:
     """Return whether a page has people write a file, or open it in an editor as a new one."""
     file = f"{name.rpartition('.')[2]}.py" if code == "SET101" else last(name)
     own = re.compile(rf"(?<![\w.-]){re.escape(file)}(?![\w-])")
-    lines = (line for text in own_pages(files) for line in text.split("\n") if own.search(line))
-    others = (line for text in pages_above(files) for line in text.split("\n") if own.search(line))
-    return any(WRITES.search(own.split(line)[0]) for line in (*lines, *others))
+    texts = (*own_pages(files), *pages_above(files))
+    lines = (line for text in texts for line in text.split("\n") if own.search(line))
+    return any(WRITES.search(own.split(line)[0]) for line in lines)
 
 
 def last(path: str) -> str:

@@ -8,10 +8,9 @@ from __future__ import annotations
 import re
 
 from ...files import PackageFiles
-from ...finding import Finding, Severity
+from ...finding import Finding
 from ...lazy_regex import regex
-from ...light_dataclasses import replace
-from ...package.run_events import RuleCrash
+from .milder import Results, as_infos, is_loud
 
 OF_MISSING = frozenset(
     "CMK101 CMK102 CMK109 CMK124 IDL006 SET101 SET201 SET202 SET203 SET205 SET301 SET302 XML304".split()
@@ -25,17 +24,12 @@ MAKES = regex(r"\bros2[ \t]+pkg[ \t]+create\b")
 WHY = "; a page has people copy these files into a package that `ros2 pkg create` makes"
 
 
-def as_it_lies(results: list[Finding | RuleCrash], files: PackageFiles, name: str) -> list[Finding | RuleCrash]:
+def as_it_lies(results: Results, files: PackageFiles, name: str) -> Results:
     """Return the results of a package with an info for what is missing in a folder that only holds files to copy."""
-    missing = [each for each in results if isinstance(each, Finding) and is_of_missing(each)]
-    if not missing or not is_flat(files, name) or not any(tells(text, name) for text in pages(files)):
+    is_missing = any(isinstance(each, Finding) and is_loud(each, OF_MISSING) for each in results)
+    if not is_missing or not is_flat(files, name) or not any(tells(text, name) for text in pages(files)):
         return results
-    mild = {id(each): replace(each, severity=Severity.INFO, message=each.message + WHY) for each in missing}
-    return [mild.get(id(each), each) for each in results]
-
-
-def is_of_missing(found: Finding) -> bool:
-    return found.code in OF_MISSING and found.severity is not Severity.INFO
+    return as_infos(results, OF_MISSING, lambda _: WHY)
 
 
 def is_flat(files: PackageFiles, name: str) -> bool:
