@@ -152,11 +152,9 @@ class ShareLookups:
         for file in self.modules:
             caught = set(guarded_nodes(file.tree.body, CATCHES))
             for node in nodes_of(file.tree):
-                is_lookup, is_caught = (
-                    isinstance(node, ast.Call) and last_name(node.func) in LOOKUPS,
-                    id(node) in caught,
-                )
-                name = literal_of(node) if is_lookup and isinstance(node, ast.Call) else None
+                if not isinstance(node, ast.Call) or last_name(node.func) not in LOOKUPS:
+                    continue
+                name, is_caught = literal_of(node), id(node) in caught
                 near = self.meant(str(name.value), is_caught) if name is not None else None
                 if name is not None and near and not is_unreached(file, file.span(name)):
                     whole = Span(file.span(name).start + 1, file.span(name).end - 1)

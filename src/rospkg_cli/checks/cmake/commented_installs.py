@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from itertools import takewhile
 
+from ...languages.cmake.file import CMakeFile
 from ...languages.cmake.targets import Target
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -46,8 +47,12 @@ class CommentedInstalls:
         return frozenset(self.words_of(INSTALLS))
 
     def words_of(self, rules: re.Pattern[str]) -> Iterator[str]:
-        """Yield what rules in comments install, as it is written; the lines of one comment each have a sign."""
+        """Yield what rules in comments install, as it is written."""
         for file in self.cmake.files:
-            lines = (SIGN.sub("", file.source.slice(span)).lstrip(" \t#") for span in file.syntax.comments)
-            for words in map(WORD.findall, rules.findall("\n".join(lines))):
+            for words in map(WORD.findall, rules.findall(said_in(file))):
                 yield from takewhile(lambda word: word not in KEYWORDS, words)
+
+
+def said_in(file: CMakeFile) -> str:
+    """Return what the comments of a CMake file say, without their signs: a rule that is laid aside has one a line."""
+    return "\n".join(SIGN.sub("", file.source.slice(span)).lstrip(" \t#") for span in file.syntax.comments)

@@ -14,7 +14,7 @@ from ...package.file_role import role_of
 from ...package.launch.live_text import live_text
 from ..pages_and_scripts import pages_and_scripts
 from ..scripts_above import scripts_above
-from .commented_installs import SIGN
+from .commented_installs import said_in
 
 INSTALLS = regex(r"\binstall\s*\(\s*(?:PROGRAMS|FILES)\b([^()]*)", re.IGNORECASE)
 NAMES = regex(r"[^\s\"]+\.py\b")
@@ -57,8 +57,7 @@ def without_comments(file: CMakeFile) -> str:
 
 
 def commented(cmake: CMake) -> Iterable[str]:
-    """Yield the Python files that comments install, as they are written; the lines of one comment each have a sign."""
+    """Yield the Python files that comments install, as they are written."""
     for file in cmake.files:
-        lines = (SIGN.sub("", file.source.slice(span)) for span in file.syntax.comments)
-        for words in INSTALLS.findall("\n".join(lines)):
+        for words in INSTALLS.findall(said_in(file)):
             yield from NAMES.findall(words)
