@@ -20,7 +20,7 @@ TOP = -1
 
 
 @dataclass(frozen=True, slots=True)
-class Argument:
+class BracketArgument:
     span: Span
     index: int
     opener: int
@@ -63,13 +63,13 @@ class CodeBrackets:
         """Return where the bracket that opens at a place ends, behind its sign."""
         return self._closes.get(opener, len(self.code) - 1) + 1
 
-    def argument(self, opener: int, at: int) -> Argument:
+    def argument(self, opener: int, at: int) -> BracketArgument:
         """Return what stands around a place between the commas of a bracket."""
         commas = self._commas[opener]
         index = bisect_right(commas, at)
         start = commas[index - 1] if index else opener
         end = commas[index] if index < len(commas) else self.end_of(opener) - 1
-        return Argument(Span(start + 1, end), index, opener)
+        return BracketArgument(Span(start + 1, end), index, opener)
 
     def string_around(self, at: int) -> Span | None:
         index = bisect_right(self._starts, at)

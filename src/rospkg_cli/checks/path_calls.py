@@ -8,7 +8,7 @@ from ..lazy_regex import regex
 from ..source import Span
 from .path_ends import COPIES, JOINS, OPENS, End, end_in
 from .path_scopes import KEY
-from .path_statements import KEYWORDS, REBOUND, TYPE, PathStatements, Place
+from .path_statements import KEYWORDS, REBOUND, TYPE, PathPlace, PathStatements
 
 TEXTS = frozenset({"string", "path", "auto", "char", "Path", "string_view"})
 KEYWORD = regex(r"(?:^|[\s&*])(\w+)\s*(?::(?!:)[^=]+)?=\s*[^=]*$")
@@ -20,7 +20,7 @@ NEAR = 240
 
 
 class PathCalls(PathStatements):
-    def in_call(self, place: Place, called: re.Match[str], opener: int, todo: list[Place]) -> Place | End:
+    def in_call(self, place: PathPlace, called: re.Match[str], opener: int, todo: list[PathPlace]) -> PathPlace | End:
         """Return what becomes of an argument."""
         name, end = called[1], self.end_of(opener)
         argument = self.argument(opener, place.span.start)
@@ -54,7 +54,9 @@ class PathCalls(PathStatements):
         self.bind(todo, place, *own)
         return "shown"
 
-    def is_declaration(self, place: Place, called: re.Match[str], of_type: str, opener: int, todo: list[Place]) -> bool:
+    def is_declaration(
+        self, place: PathPlace, called: re.Match[str], of_type: str, opener: int, todo: list[PathPlace]
+    ) -> bool:
         """Return whether what looks like a call declares a parameter, a variable or a member, which may go on."""
         if TYPE.search(self.code, self.argument(opener, place.span.start).span.start, place.span.start):
             return True
@@ -79,7 +81,9 @@ class PathCalls(PathStatements):
     def is_writing_stream(self, name: str) -> bool:
         return re.search(rf"\bofstream\s+(?:\w+\s*,\s*)*{name}\b", self.code) is not None
 
-    def in_parameter(self, place: Place, called: re.Match[str], opener: int, todo: list[Place]) -> Place | End:
+    def in_parameter(
+        self, place: PathPlace, called: re.Match[str], opener: int, todo: list[PathPlace]
+    ) -> PathPlace | End:
         """Return what becomes of the default of a parameter, or of an argument of a command line."""
         key = KEY.search(self.text, opener, place.span.end)
         if key is None:

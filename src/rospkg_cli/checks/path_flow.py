@@ -6,7 +6,7 @@ from ..lazy_regex import regex
 from ..source import Span
 from .path_calls import NEAR, PathCalls
 from .path_ends import COMMAND, FILLED, JOINS, LOOKS, End, end_in
-from .path_statements import KEYWORDS, Place
+from .path_statements import KEYWORDS, PathPlace
 
 MAX_PLACES, MAX_STEPS = 200, 20
 BEHIND = regex(r"\s*(?:\.|->)\s*(\w+)\s*(\()?")
@@ -24,7 +24,7 @@ class PathFlow(PathCalls):
         The name of a parameter stands for its value.
         """
         found: set[str] = set()
-        todo, seen = [Place(each) for each in places], set[Span]()
+        todo, seen = [PathPlace(each) for each in places], set[Span]()
         while todo:
             each = todo.pop()
             if each.span in seen:
@@ -38,19 +38,19 @@ class PathFlow(PathCalls):
             return False
         return bool(found & {"made", "written"})
 
-    def end_of_place(self, place: Place, todo: list[Place]) -> End:
+    def end_of_place(self, place: PathPlace, todo: list[PathPlace]) -> End:
         """Return what becomes of a path that stands at a place, and add where it goes on under another name."""
         for _ in range(MAX_STEPS):
             before = self.text[max(0, place.span.start - NEAR) : place.span.start]
             if COMMAND.search(FILLED.sub("", before).rstrip(" \t\n{\"'+,=")):
                 return "written"
             step = self.called_on(place) or self.within(place, todo)
-            if not isinstance(step, Place):
+            if not isinstance(step, PathPlace):
                 return step
             place = step
         return "unknown"
 
-    def called_on(self, place: Place) -> Place | End | None:
+    def called_on(self, place: PathPlace) -> PathPlace | End | None:
         """Return what becomes of a path by its own method or attribute; None where it has none."""
         found = BEHIND.match(self.code, place.span.end)
         string = self.string_around(place.span.start)
@@ -61,7 +61,7 @@ class PathFlow(PathCalls):
         become = end_in(name, self.text[opener:end])
         return place.over(place.span.start, end, joins=name in JOINS) if become == "path" else become
 
-    def within(self, place: Place, todo: list[Place]) -> Place | End:
+    def within(self, place: PathPlace, todo: list[PathPlace]) -> PathPlace | End:
         """Return what becomes of a path by the string, the brackets or the statement around it."""
         start, end = place.span.start, place.span.end
         string = self.string_around(start)
@@ -86,4 +86,4 @@ class PathFlow(PathCalls):
             return place.over(opener, self.end_of(opener), joins=is_joined) if is_group else "unknown"
         if COMPARES.search(before) or COMPARES.search(after):
             return "shown" if LOOKS.fullmatch(called[1]) or "=" in before + after else "unknown"
-        return self.in_call(Place(place.span, place.is_joined or is_joined), called, opener, todo)
+        return self.in_call(PathPlace(place.span, place.is_joined or is_joined), called, opener, todo)

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from ..lazy_regex import regex
 from ..source import Span
-from .code_brackets import TOP, Argument, CodeBrackets
+from .code_brackets import TOP, BracketArgument, CodeBrackets
 
 DEF = regex(r"(?m)^([ \t]*)(?:async[ \t]+)?def[ \t]+(\w+)[ \t]*\(")
 INDENTED = regex(r"(?m)^([ \t]*)\S")
@@ -94,7 +94,7 @@ class PathScopes(CodeBrackets):
         owner = OWNER.search(self.code, max(0, start - 80), start)
         return owner.start() if owner is not None else start
 
-    def parameter(self, name: str, given: Argument, keyword: str) -> tuple[str, Span] | None:
+    def parameter(self, name: str, given: BracketArgument, keyword: str) -> tuple[str, Span] | None:
         """Return the parameter of a function of this text that gets an argument, and the text of the function."""
         if self.is_python:
             found = re.search(rf"\bdef\s+{name}\s*\(|\bclass\s+{name}\b[\s\S]*?\bdef\s+__init__\s*\(", self.code)

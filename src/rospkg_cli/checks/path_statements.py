@@ -21,23 +21,23 @@ SAVES = r"\s*=\s*[\w.:<]*\b(?:SaveMap|SerializePoseGraph)\b"
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class PathPlace:
     span: Span
     is_joined: bool = False
     """Whether the path goes on behind what was asked for: a file in the folder."""
 
-    def over(self, start: int, end: int, *, joins: bool = False) -> Place:
-        return Place(Span(start, end), self.is_joined or joins)
+    def over(self, start: int, end: int, *, joins: bool = False) -> PathPlace:
+        return PathPlace(Span(start, end), self.is_joined or joins)
 
 
 class PathStatements(PathScopes):
-    def in_statement(self, place: Place, todo: list[Place]) -> End:
+    def in_statement(self, place: PathPlace, todo: list[PathPlace]) -> End:
         """Return what becomes of a path by the statement that it is a value of."""
         start, end = place.span.start, place.span.end
         ends = ("\n",) if self.is_python else (";", "{", "}")
         head = self.code[max(self.code.rfind(each, 0, start) for each in ends) + 1 : start]
         rest = self.code[end : end + 40]
-        joined = Place(place.span, place.is_joined or bool(set("+/%") & set(head + rest.partition("\n")[0])))
+        joined = PathPlace(place.span, place.is_joined or bool(set("+/%") & set(head + rest.partition("\n")[0])))
         assigned = ASSIGNED.search(head)
         if assigned is not None:
             owner, name = assigned[1].replace(" ", ""), assigned[2]
@@ -52,7 +52,7 @@ class PathStatements(PathScopes):
             return "shown"
         stream = STREAMED.match(head)
         if stream is not None and re.search(rf"\bo?stringstream\s+{stream[1]}\b", self.code):
-            self.bind(todo, Place(place.span, is_joined=True), stream[1], self.scope(start, is_declared=True))
+            self.bind(todo, PathPlace(place.span, is_joined=True), stream[1], self.scope(start, is_declared=True))
             return "shown"
         if not head.strip() or ASKS.match(head) or REBOUND.match(rest):
             return "shown"
@@ -61,7 +61,7 @@ class PathStatements(PathScopes):
         is_declaration = TYPE.search(head) is not None and head.split()[0] not in KEYWORDS and not self.is_python
         return "shown" if is_declaration and re.match(r"\s*[;{(]", rest) else "unknown"
 
-    def returned(self, place: Place, todo: list[Place]) -> End:
+    def returned(self, place: PathPlace, todo: list[PathPlace]) -> End:
         """Add the calls of the function that returns a path."""
         name = self.function(place.span.start)[0]
         calls = [*re.finditer(rf"(?<![\w:]){name}\s*\(", self.code)] if name else []
@@ -72,5 +72,5 @@ class PathStatements(PathScopes):
             todo.append(place.over(self.owned(found.start()), self.end_of(found.end() - 1)))
         return "shown" if len(calls) > 1 else "unknown"
 
-    def bind(self, todo: list[Place], place: Place, name: str, scope: Span) -> None:
-        todo += [Place(each, place.is_joined) for each in self.uses(name, scope) if not each.holds(place.span)]
+    def bind(self, todo: list[PathPlace], place: PathPlace, name: str, scope: Span) -> None:
+        todo += [PathPlace(each, place.is_joined) for each in self.uses(name, scope) if not each.holds(place.span)]

@@ -38,7 +38,7 @@ OF_ROS1 = regex(r"\bcatkin")
 
 
 @dataclass(frozen=True)
-class Switches:
+class CMakeSwitches:
     cmake: CMake
 
     def is_left_off(self, name: str) -> bool:

@@ -9,7 +9,7 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from .branch_names import names_around
-from .cmake_switches import FIXED, OF_OTHERS, OFF, Switches
+from .cmake_switches import FIXED, OF_OTHERS, OFF, CMakeSwitches
 
 OTHER_SYSTEMS = frozenset({"WIN32", "MSVC", "MINGW", "APPLE", "ANDROID", "IOS"})
 
@@ -51,8 +51,8 @@ class SwitchedOff:
         return self.known[name]
 
     @cached_property
-    def switches(self) -> Switches:
-        return Switches(self.cmake)
+    def switches(self) -> CMakeSwitches:
+        return CMakeSwitches(self.cmake)
 
     @cached_property
     def known(self) -> dict[str, bool]:

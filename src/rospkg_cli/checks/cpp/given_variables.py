@@ -30,13 +30,13 @@ NEAR = 200
 
 
 @dataclass(frozen=True, slots=True)
-class Given:
+class GivenVariable:
     parameters: tuple[str, ...]
     state: bool | None
     """What the variable is as long as nobody sets a parameter; None where that is not one value."""
 
 
-def given_to(name: str, texts: Iterable[str]) -> Given | None:
+def given_to(name: str, texts: Iterable[str]) -> GivenVariable | None:
     """Return what code without comments gives to a variable of a name; None where it may give anything."""
     having, word = [each for each in texts if name in each], re.compile(rf"(?<![\w\"]){re.escape(name)}(?![\w\"])")
     names, first, states = set[str](), list[bool | None](), list[bool | None]()
@@ -53,7 +53,7 @@ def given_to(name: str, texts: Iterable[str]) -> Given | None:
             (first if TYPE.search(before) else states).append(state_of(None if is_open else value))
     if not names:
         states += first
-    return Given(tuple(sorted(names)), states[0] if len(set(states)) == 1 else None)
+    return GivenVariable(tuple(sorted(names)), states[0] if len(set(states)) == 1 else None)
 
 
 def given_here(before: str, behind: str) -> str | tuple[str, str] | None:
