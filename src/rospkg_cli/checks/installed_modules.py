@@ -82,7 +82,11 @@ class InstalledModules:
         is_made = any(each.startswith(inside) for each in self.files.absent.empty_submodules)
         if is_made or f"{folder}/{name}" in self.files.folders:
             return True
-        return any(path.startswith(f"{folder}/{name}.") for path in self.files.every)
+        if any(path.startswith(f"{folder}/{name}.") for path in self.files.every):
+            return True
+        from .compiled_modules import is_compiled  # few imports are of what is not there
+
+        return is_compiled(self.files, name)
 
     def offers(self, module: str, name: str, depth: int = 0) -> bool:
         """Return whether a module defines or imports a name at its top level, or may do so."""

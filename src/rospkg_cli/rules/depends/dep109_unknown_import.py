@@ -60,13 +60,14 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
 
     ## When it is quiet
     For optional imports and under `TYPE_CHECKING`, in files that nothing installs, where the module may be compiled or
-    generated (a command of CMake may do so, or git ignores it), where it lies in a folder that is not installed, where
-    a module has a `__getattr__` or an unknown star import, and where the package changes `sys.path`. A module that no
-    entry point and no other file of the package names or imports, beside others that start, is an info, and so is an
-    import in a function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's
-    module. Of a library such a module is a warning: others may import it, or nobody. It is an info where other packages
-    here import the library, and none of them comes to that module, or where a comment in the module says that the name,
-    or all that the module would hold, is still to be written.
+    generated (a command of CMake may do so, an inner setup.py or the code of an extension names it, or git ignores it),
+    where it lies in a folder that is not installed, where a module has a `__getattr__` or an unknown star import, and
+    where the package changes `sys.path`. A module that no entry point and no other file of the package names or
+    imports, beside others that start, is an info, and so is an import in a function that no program leads to, behind
+    `rclpy.spin`, or under the `__main__` of an entry point's module. Of a library such a module is a warning: others
+    may import it, or nobody. It is an info where other packages here import the library, and none of them comes to that
+    module, or where a comment in the module says that the name, or all that the module would hold, is still to be
+    written.
 
     ## Fix safety
     The intended name is a guess.
