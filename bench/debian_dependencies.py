@@ -76,19 +76,25 @@ def of_system(rule: object) -> tuple[str, ...]:
     return ()
 
 
-def brought(own: str, first: Iterable[str], needs: Mapping[str, list[str]], keys: Mapping[str, str]) -> set[str]:
-    """Return the keys of what comes with the packages of a key, as far as no other key lies between."""
+def brought(
+    own: str, first: Iterable[str], needs: Mapping[str, list[str]], keys: Mapping[str, str]
+) -> tuple[set[str], set[str]]:
+    """Return the keys of what comes with the packages of a key, and these packages, as far as no other key lies
+    between.
+    """
     found: set[str] = set()
     seen = set(first)
+    met = set(first)
     waiting = [*first]
     while waiting:
         for other in needs.get(waiting.pop(), ()):
+            met.add(other)
             if keys.get(other, own) != own:
                 found.add(keys[other])
             elif other not in seen:
                 seen.add(other)
                 waiting.append(other)
-    return found
+    return found, met
 
 
 def inside(found: Iterable[str], listed: Mapping[str, tuple[str, ...]]) -> set[str]:
@@ -106,11 +112,11 @@ def main(rosdistro: Path) -> None:
         first = needs.get(found[0], ()) if len(found) == 1 else ()
         if len(first) == 1 and re.sub(r"[\d.]+", "", first[0]) == found[0]:
             keys.setdefault(first[0], key)
-    rows = {
-        key: brought(key, found, needs, keys) | {keys[each] for each in found if each in keys} | inside(found, listed)
-        for key, found in listed.items()
-        if all(each in needs for each in found)
-    }
+    rows = dict[str, set[str]]()
+    for key, found in listed.items():
+        if all(each in needs for each in found):
+            others, met = brought(key, found, needs, keys)
+            rows[key] = others | {keys[each] for each in found if each in keys} | inside(met, listed)
     rows |= OF_ROS
     lines = [" ".join([key, *sorted(others - {key})]) for key, others in sorted(rows.items())]
     write(TABLE, ABOUT[TABLE], lines, ORIGIN, Revision("unknown", date.today().isoformat()))
