@@ -109,3 +109,42 @@ def test_each_key_of_the_table_is_known() -> None:
 def test_stems() -> None:
     names = ("libusb-1.0", "boost_regex", "zmq.hpp", "GL/glew.h", "tins/tins.h", "v4l2", "X11")
     assert [*map(stem, names)] == ["usb", "boost", "zmq", "glew", "tins", "v4l", "x11"]
+
+
+GST, GLIB = "pkg_check_modules(GST REQUIRED gstreamer-1.0)", "pkg_check_modules(GLIB REQUIRED glib-2.0)"
+ADD_GST, ADD_GLIB = (
+    ("DEP115", "warning", "add <depend>libgstreamer1.0-dev</depend>"),
+    "add <depend>libglib-dev</depend>",
+)
+
+
+@pytest.mark.parametrize("lines", [f"{GST}\n{GLIB}", f"{GLIB}\n{GST}"])
+def test_what_another_module_brings_that_cmake_requires_is_an_info(lines: str) -> None:
+    assert sorted(told(lines)) == [("DEP115", "info", "declare what you use"), ADD_GST]
+    declared = "  <depend>libgstreamer1.0-dev</depend>\n"
+    assert told(lines, declared) == [("DEP115", "info", "declare what you use")]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        GLIB,
+        f"{GLIB}\npkg_check_modules(USB REQUIRED libusb-1.0)",
+        f"{GLIB}\npkg_check_modules(GST gstreamer-1.0)",
+        f"{GLIB}\nif(BUILD_TESTING)\n  {GST}\nendif()",
+    ],
+)
+def test_what_no_other_module_brings_for_certain_stays_a_warning(lines: str) -> None:
+    assert ("DEP115", "warning", ADD_GLIB) in told(lines)
+
+
+def test_of_two_that_would_do_for_each_other_one_is_asked_for() -> None:
+    lines = f"{GST}\npkg_check_modules(APP REQUIRED gstreamer-app-1.0)"
+    assert told(lines) == [ADD_GST]
+    assert ("DEP105", "warning") in {each[:2] for each in told(lines, source="#include <gst/gst.h>\n")}
+
+
+def test_a_header_comes_with_a_module_that_cmake_requires() -> None:
+    header, ftdi = "#include <libusb-1.0/libusb.h>\n", "pkg_check_modules(FTDI REQUIRED libftdi1)"
+    assert ("DEP105", "info", "declare what you use") in told(ftdi, source=header)
+    assert ("DEP105", "warning", "add <depend>libusb-1.0-dev</depend>") in told("", source=header)

@@ -11,6 +11,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.cmake.target_links import TargetLinks
 from ...ros.libraries import keys_of_linked, keys_of_module
 from ...source import Span
+from .brought_dependencies import Bringer
 from .required_by_cmake import ASKS, without_version
 from .undeclared_includes import IncludeDependencies
 
@@ -44,6 +45,12 @@ class LinkedLibraries:
             if seen.isdisjoint(each.keys) and not declared.has(each.keys) and not self.includes.is_at_hand(each.name):
                 yield each
             seen.update(each.keys)
+
+    def bringer(self, each: LinkedLibrary) -> Bringer | None:
+        """Return what brings a library, or may: a declared dependency, or another that CMake stops without."""
+        declared = self.includes.declared.bringer(each.keys, runs=False)
+        certain = declared is not None and declared.is_certain
+        return declared if certain else self.includes.required_bringer(each.keys, in_tests=each.testing) or declared
 
     @cached_property
     def told(self) -> set[str]:

@@ -39,10 +39,10 @@ def stops_with(found: FoundPackage, cmake: CMake) -> str:
     return "where it is used"
 
 
-def required_modules(cmake: CMake) -> Iterator[str]:
+def required_modules(cmake: CMake, *, with_tests: bool = True) -> Iterator[str]:
     """Yield the modules of pkg-config that CMake certainly requires."""
     for call in cmake.named(*ASKS):
-        if "REQUIRED" in call.texts and not call.maybe:
+        if "REQUIRED" in call.texts and not call.maybe and (with_tests or not call.testing):
             yield from map(without_version, call.texts[1:])
 
 

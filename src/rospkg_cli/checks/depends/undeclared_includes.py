@@ -21,7 +21,7 @@ from ...package.install_table import InstallTable
 from ...package.interfaces.interface_file import InterfaceFile
 from ...ros.headers import LIBRARIES, SHARED
 from ...ros.implied_dependencies import IN_SOURCES, implied_by
-from ...ros.libraries import is_named_among, keys_of_header, stem
+from ...ros.libraries import is_named_among, keys_of_header, keys_of_module, stem
 from ...ros.names import NameKind
 from ...source import Source, Span
 from .brought_dependencies import Bringer, brought_by
@@ -340,12 +340,26 @@ class IncludeDependencies:
         yield from found.values()
 
     def found_bringer(self, each: IncludedPackage) -> Bringer | None:
-        """Return the package or library that CMake stops without, declared or not, and that brings what is included."""
+        return self.required_bringer(each.names, in_tests=each.role == "test")
+
+    def required_bringer(self, names: tuple[str, ...], *, in_tests: bool) -> Bringer | None:
+        """Return the package or library that CMake stops without, declared or not, and that brings some name."""
         found = [one for one in self.cmake.packages if one.is_required and not one.call.maybe]
-        named = {one.name for one in found if each.role == "test" or not one.call.testing}
+        named = {one.name for one in found if in_tests or not one.call.testing}
         wanted = {key for name in named for key in (name, *self.find_packages.providers(name)[:1])}
         there = brought_by(sorted(wanted), self.declared.workspace)
-        return next((Bringer(there[name]) for name in each.names if name in there), None)
+        by_package = next((Bringer(there[name]) for name in names if name in there), None)
+        return by_package or self.module_bringer(names, in_tests)
+
+    def module_bringer(self, names: tuple[str, ...], in_tests: bool) -> Bringer | None:
+        """Return the library of a module of pkg-config that does so: none that would do for a name itself, as only one
+        of these is told, or that comes with it.
+        """
+        workspace, modules = self.declared.workspace, required_modules(self.cmake, with_tests=in_tests)
+        wanted = dict.fromkeys(key for each in modules for key in keys_of_module(each)[:1] if key not in names)
+        there = brought_by(wanted, workspace)
+        found = [(name, there[name]) for name in names if name in there]
+        return next((Bringer(by) for name, by in found if by not in brought_by([name], workspace)), None)
 
     def is_declared(self, each: IncludedPackage) -> bool:
         return self.declared.has(each.names) or bool(self.find_packages.matching_names(each.cmake, self.declared.names))

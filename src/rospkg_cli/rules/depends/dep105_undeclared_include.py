@@ -57,12 +57,12 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     it is not installed, the build ends with "No such file or directory"; in a workspace colcon may build it too early.
 
     ## When it is quiet
-    What a declared dependency or a package that CMake requires certainly installs, or may, is one info, which names who
-    brings it, and DEP104's where CMake requires such a package, too. So is what only files include that an option of
-    CMake must ask for, or only headers that are not compiled, where others are, or no package of the workspace includes
-    a header of this one, or that are not installed. Files that no target compiles, or that no CMake file names beside
-    neighbours named one by one, includes under `#if` (unless it asks for a macro that CMake defines in any case),
-    headers that all others include under it, neighbours whose folder CMake names
+    What a declared dependency or a package or module that CMake requires certainly installs, or may, is one info, which
+    names who brings it, and DEP104's where CMake requires such a package, too. So is what only files include that an
+    option of CMake must ask for, or only headers that are not compiled, where others are, or no package of the
+    workspace includes a header of this one, or that are not installed. Files that no target compiles, or that no CMake
+    file names beside neighbours named one by one, includes under `#if` (unless it asks for a macro that CMake defines
+    in any case), headers that all others include under it, neighbours whose folder CMake names
     (`include_directories(../other/include)`), what CMake fetches, packages that `find_package()` names as well
     (DEP104), and headers that CMake finds in a package inside of this one are left alone. So are libraries that a git
     submodule is named after, checked out or not, and those that CMake looks for without need, where only what includes

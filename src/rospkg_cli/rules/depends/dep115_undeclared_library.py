@@ -42,9 +42,9 @@ def example(lines: str, key: str, more: str = "") -> Example:
     over=LinkedLibraries,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a dependency brings it, or may bring it, an unreleased repository declares it in "
-        "another package or installs it by apt, package.xml has it in a comment or for older distributions alone, or "
-        "a page tells to install it by hand"
+        Severity.INFO: "where a dependency, or what CMake requires beside it, brings it or may bring it, an unreleased "
+        "repository declares it in another package or installs it by apt, package.xml has it in a comment or for older "
+        "distributions alone, or a page tells to install it by hand"
     },
     examples=(
         example(LINKS, "libmodbus-dev"),
@@ -66,11 +66,12 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
     install`, the build stops: "cannot find -lmodbus", or "The following required packages were not found".
 
     ## When it is quiet
-    What a declared dependency certainly installs is one info, which names who brings it, and what may come with one is
-    another, as is what another package of the repository declares, or a list or a script of it installs (apt
-    alone), where nothing shows a release, and what a page tells to install by hand. Targets and library files of the
-    package are left alone, what CMake downloads or takes from a folder of its own (`link_directories()`, `HINTS`),
-    calls under a condition, and libraries that DEP104 or DEP105 tell of.
+    What a declared dependency certainly installs, or another package or module of pkg-config that CMake requires
+    (glib-2.0 comes with gstreamer-1.0), is one info, which names who brings it, and what may come with one is another,
+    as is what another package of the repository declares, or a list or a script of it installs (apt alone), where
+    nothing shows a release, and what a page tells to install by hand. Targets and library files of the package are left
+    alone, what CMake downloads or takes from a folder of its own (`link_directories()`, `HINTS`), calls under a
+    condition, and libraries that DEP104 or DEP105 tell of.
 
     ## Fix safety
     The fix is unsafe where a comment of package.xml leaves the library out.
@@ -82,7 +83,7 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
     brought: list[BroughtUse] = []
     for each in libraries.undeclared():
         key, kind = each.keys[0], "test_depend" if each.testing else "depend"
-        if bringer := declared.bringer(each.keys, runs=False):
+        if bringer := libraries.bringer(each):
             brought.append(BroughtUse(key, bringer, kind, each.path, each.span))
             continue
         message = (
