@@ -11,6 +11,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.install_rules import ARTIFACTS
 from .linker_runs import runs_linker
+from .stray_arguments import OF_ALL, stray_argument
 
 SCOPED = frozenset({
     "target_include_directories", "target_compile_definitions", "target_compile_options", "target_compile_features",
@@ -21,6 +22,8 @@ BEFORE_SCOPE = frozenset({"SYSTEM", "BEFORE", "AFTER"})
 SCOPES = frozenset({"PUBLIC", "PRIVATE", "INTERFACE", "REUSE_FROM"})
 KINDS = frozenset({"FILES", "PROGRAMS", "DIRECTORY"})
 """The forms of install() that want a destination."""
+REPEATED = frozenset({"FILES", "PROGRAMS"})
+"""Those of them that CMake reads once more where they are repeated: `FILES a FILES b`; another DIRECTORY is a path."""
 FOREIGN = frozenset({*KINDS, "TARGETS", *(set(ARTIFACTS) - {"INCLUDES", "RESOURCE"})})
 """Keywords of the other forms of install()."""
 NOT_LINKED = frozenset({"SHARED", "STATIC", "MODULE", "REQUIRED", "COMPONENTS"})
@@ -64,7 +67,7 @@ def refused_calls(cmake: CMake) -> Iterator[RefusedArgument]:
         seen.add(place)
         yield from unscoped(call)
         yield from without_destination(call)
-        yield from foreign_keywords(cmake, call)
+        yield from misplaced_words(cmake, call)
         yield from linked_keywords(cmake, call)
         yield from too_few(call)
         yield from without_sign(call)
@@ -106,11 +109,24 @@ def foreign_keywords(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedAr
     before = ""
     for word in call.words[1:]:
         is_value = before in ("PATTERN", "REGEX", "DESTINATION", "COMPONENT", "RENAME", "CONFIGURATIONS", "TYPE")
+        is_value = is_value or (word.text == call.texts[0] and word.text in REPEATED)
         before = word.text
         if word.text in FOREIGN and not is_value and not word.quoted and not cmake.package_files.is_there(word.text):
             start = f"`{word.text}` is no keyword in `install({call.texts[0]} …)`"
             message = f"{start}: CMake takes it for a path, and the build stops when it installs; remove the word"
             yield RefusedArgument(call, word, message)
+
+
+def misplaced_words(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedArgument]:
+    """Yield the keywords of other forms of install(), or else what stands where no argument belongs."""
+    foreign = list(foreign_keywords(cmake, call))
+    yield from foreign
+    if not foreign and (stray := stray_argument(call)):
+        word, keyword = stray
+        start = f"`{word.text}` stands behind what belongs to `{keyword}` in `install({call.texts[0]} …)`"
+        why = f'CMake stops with "install {call.texts[0]} given unknown argument"'
+        place = f"`{keyword}`" if word.text in OF_ALL else "the first keyword"
+        yield RefusedArgument(call, word, f"{start}: {why}; write it before {place}")
 
 
 def linked_keywords(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedArgument]:

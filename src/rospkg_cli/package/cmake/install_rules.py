@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import takewhile
+from itertools import pairwise, takewhile
 from typing import Literal
 
 from ...languages.cmake.call_stack import PYTHON
@@ -138,7 +138,7 @@ def rules_of_install(call: EvaluatedCommand) -> Iterator[InstallRule]:
 
 
 def targets_rule(call: EvaluatedCommand, words: Sequence[Word]) -> InstallRule:
-    """Return the rule of `install(TARGETS …)`: each kind of artifact may go to its own place."""
+    """Return the rule of `install(TARGETS …)`: each kind of artifact may go to its own place; the last one counts."""
     destinations: dict[str, str | None] = {}
     artifact, keyword = "", "items"
     items: list[Word] = []
@@ -148,6 +148,8 @@ def targets_rule(call: EvaluatedCommand, words: Sequence[Word]) -> InstallRule:
         text = word.text
         if text in ARTIFACTS:
             artifact, keyword = text, text
+        elif text == "TARGETS":
+            keyword = "items"
         elif text in OPTIONS:
             keyword = text
         elif keyword == "items":
@@ -157,8 +159,8 @@ def targets_rule(call: EvaluatedCommand, words: Sequence[Word]) -> InstallRule:
         elif keyword == "DESTINATION":
             if artifact == "INCLUDES":
                 continue
+            place = word if place is None or artifact in destinations else place
             destinations[artifact], keyword = below_prefix(word.text), ""
-            place = place or word
     return InstallRule(
         "TARGETS", tuple(items), destinations.get(""), call, place, destinations, export=export,
         optional="OPTIONAL" in call.texts,
@@ -166,10 +168,10 @@ def targets_rule(call: EvaluatedCommand, words: Sequence[Word]) -> InstallRule:
 
 
 def files_rule(call: EvaluatedCommand, kind: Literal["FILES", "PROGRAMS"], words: Sequence[Word]) -> InstallRule:
-    found = by_keyword(words, OPTIONS)
-    destination, word = destination_of(found)
+    found = by_keyword(words, (*OPTIONS, kind))
+    destination, word = destination_of(words)
     return InstallRule(
-        kind, tuple(found[""]), destination, call, word,
+        kind, (*found[""], *found.get(kind, [])), destination, call, word,
         rename=next(iter(found.get("RENAME", [])), None),
         permissions=frozenset(w.text for w in found.get("PERMISSIONS", [])),
         optional="OPTIONAL" in found,
@@ -178,7 +180,7 @@ def files_rule(call: EvaluatedCommand, kind: Literal["FILES", "PROGRAMS"], words
 
 def directory_rule(call: EvaluatedCommand, words: Sequence[Word]) -> InstallRule:
     found = by_keyword(words, OPTIONS)
-    destination, word = destination_of(found)
+    destination, word = destination_of(words)
     kept = {w.text for w in found.get("FILE_PERMISSIONS", [])}
     kept |= {"USE_SOURCE_PERMISSIONS"} & found.keys()
     return InstallRule(
@@ -188,11 +190,12 @@ def directory_rule(call: EvaluatedCommand, words: Sequence[Word]) -> InstallRule
     )  # fmt: skip
 
 
-def destination_of(found: Mapping[str, Sequence[Word]]) -> tuple[str | None, Word | None]:
-    if found.get("DESTINATION"):
-        word = found["DESTINATION"][0]
+def destination_of(words: Sequence[Word]) -> tuple[str | None, Word | None]:
+    """Return the last one that is given, which counts, and its word."""
+    given = {before.text: word for before, word in pairwise(words) if word.text not in OPTIONS}
+    if word := given.get("DESTINATION"):
         return below_prefix(word.text), word
-    return (TYPES.get(found["TYPE"][0].text) if found.get("TYPE") else None), None
+    return (TYPES.get(given["TYPE"].text) if "TYPE" in given else None), None
 
 
 def patterns_in(words: Sequence[Word]) -> Iterator[Pattern]:

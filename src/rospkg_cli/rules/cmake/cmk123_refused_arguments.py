@@ -76,10 +76,12 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
     ## What it does
     Finds calls whose arguments CMake refuses, or takes for something else than is meant.
     It knows `target_include_directories()` and its like without `PUBLIC`, `PRIVATE` or `INTERFACE`,
-    `install(FILES …)` without a destination or with a keyword of another form, `target_link_libraries(x SHARED …)`,
-    commands that are given too few arguments, such as `pluginlib_export_plugin_description_file()`, and folders of the
-    source tree that an exported target names to its users (`target_include_directories(x PUBLIC include)`), and
-    definitions among the compiler's options (`add_compile_options(WITH_ARM=1)`). It also
+    `install(FILES …)` without a destination or with a keyword of another form, what stands behind the value of a
+    keyword (`install(TARGETS a DESTINATION bin b)`), `EXPORT` in the part of `RUNTIME` and its like,
+    `target_link_libraries(x SHARED …)`, commands that are given too few arguments, such as
+    `pluginlib_export_plugin_description_file()`, folders of the source tree that an exported target names to its users
+    (`target_include_directories(x PUBLIC include)`), and definitions among the compiler's options
+    (`add_compile_options(WITH_ARM=1)`). It also
     finds `flase`, `${CMAKE_CURRENT_SOURCE_DIR}scripts` where the slash is missing, and operands of conditions that may
     be empty and stand without quotes: `$ENV{ROS_DISTRO}`, `${CMAKE_BUILD_TYPE}`.
 

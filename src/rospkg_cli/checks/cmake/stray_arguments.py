@@ -1,0 +1,49 @@
+"""Arguments of `install()` that stand where none belongs: CMake stops at each of them (3.10 to 4.2)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.values import UNKNOWN, Word
+from ...package.cmake.install_rules import ARTIFACTS, OPTIONS, TAKE_A_VALUE, meant_keywords
+
+FORMS = frozenset({"TARGETS", "FILES", "PROGRAMS"})
+"""Whose own keyword may stand again, before more of them; another `DIRECTORY` is told with the foreign keywords."""
+ALONE = frozenset({
+    "OPTIONAL", "EXCLUDE_FROM_ALL", "NAMELINK_ONLY", "NAMELINK_SKIP", "USE_SOURCE_PERMISSIONS", "MESSAGE_NEVER",
+    "FILES_MATCHING", *ARTIFACTS,
+})  # fmt: skip
+"""Keywords behind which another keyword stands, or nothing."""
+OF_ALL = frozenset({"EXPORT", "TARGETS"})
+"""What `install(TARGETS)` takes before the parts of ARCHIVE, LIBRARY and the like alone."""
+UNCLEAR = frozenset({"FILE_SET", "CXX_MODULES_BMI", "RUNTIME_DEPENDENCIES", "RUNTIME_DEPENDENCY_SET"})
+"""Newer keywords with rules of their own."""
+
+
+def stray_argument(call: EvaluatedCommand) -> tuple[Word, str] | None:
+    """Return the first argument that CMake refuses for its place, and the keyword behind which it stands.
+
+    None where there is none, and where an argument is unknown: it may be nothing, or a keyword.
+    """
+    form = call.texts[0] if call.name == "install" and call.words else ""
+    if form not in FORMS or call.may_have_more or UNCLEAR.intersection(call.texts):
+        return None
+    return next(stray_words(call, form), None)
+
+
+def stray_words(call: EvaluatedCommand, form: str) -> Iterator[tuple[Word, str]]:
+    keyword, room, part = form, -1, ""
+    for word, meant in meant_keywords(call):
+        text = meant or word.text
+        is_part = form == "TARGETS" and text in ARTIFACTS
+        if is_part or text == form or text in OPTIONS:
+            if part and text in OF_ALL:
+                yield word, part
+            part = text if is_part else part
+            part = "" if part == "INCLUDES" else part
+            keyword, room = text, 0 if text in ALONE else 1 if text in TAKE_A_VALUE and keyword != "INCLUDES" else -1
+        elif room == 0 and UNKNOWN not in text:
+            yield word, keyword
+        else:
+            room = 0 if room == 1 else room
