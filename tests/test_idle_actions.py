@@ -187,7 +187,8 @@ def test_a_node_of_the_module_may_be_added_by_who_imports_it() -> None:
     text = PYTHON.format(condition="", default="true", added="")
     node = "node = Node(package='my_pkg', executable='missing')\n"
     text = text.replace(f"    {node}", "").replace("def generate", f"{node}\n\ndef generate")
-    assert [level for level, _ in levels(text)] == ["error"]
+    assert [level for level, _ in levels(text, "my_pkg/a.py")] == ["error"]
+    assert [level for level, _ in levels(text)] == ["info"]  # in a folder for launch files nothing imports it
 
 
 def test_a_node_bound_to_two_names_of_which_one_is_read() -> None:

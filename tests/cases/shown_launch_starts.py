@@ -33,8 +33,8 @@ OPEN_CALL = Example(
         **lch002.FILES,
         "launch/a.launch.xml": None,
         "launch/a.launch.py": f"{HEAD}def generate_launch_description():\n    rest = {{'package': unknown}}\n"
-        "    Node(executable='talker')\n"
-        "    return LaunchDescription([Node(executable='talker', **unknown), Node(executable='talker')])\n",
+        "    node = Node(executable='talker')\n"
+        "    return LaunchDescription([node, Node(executable='talker', **unknown), Node(executable='talker')])\n",
     },
     good={},
 )

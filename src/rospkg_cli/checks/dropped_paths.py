@@ -10,10 +10,10 @@ from typing import Annotated
 
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import nodes_of_kind
-from ..languages.python.unread_values import never_added
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass, replace
 from ..package.file_role import Role
+from ..package.launch.never_launched import never_launched
 from ..package.launch.uncalled_functions import uncalled_functions
 from ..ros.share_layout import LAUNCH
 from ..source import Span
@@ -69,7 +69,7 @@ class DroppedPath:
         is_launch = LAUNCH.fullmatch(posixpath.basename(self.file.path)) is not None
         return self.is_for_nothing or (
             is_launch
-            and any(value.contains(self.span) for value in (*never_added(self.file), *uncalled_functions(self.file)))
+            and any(value.contains(self.span) for value in (*never_launched(self.file), *uncalled_functions(self.file)))
         )
 
 

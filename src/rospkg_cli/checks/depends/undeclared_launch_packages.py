@@ -7,7 +7,6 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Annotated
 
 from ...files import PackageFiles
-from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
@@ -15,6 +14,7 @@ from ...package.file_role import Role, role_of
 from ...package.install_table import InstallTable
 from ...package.launch.default_conditions import off_by_default
 from ...package.launch.launch_file import LaunchFile
+from ...package.launch.never_launched import never_shown
 from ...package.launch.off_values import with_values
 from ...package.python.python_imports import PackageImports, own_modules
 from ...package.workspace import Workspace
@@ -277,7 +277,7 @@ def with_conditions(file: LaunchFile) -> Iterator[PackageReference]:
     What is built and never added to the launch description is not visited: it needs nothing.
     """
     off = tuple(with_values(file.python, off_by_default(file)))
-    idle = tuple(never_added(file.python)) if file.python is not None else ()
+    idle = tuple(never_shown(file.python)) if file.python is not None else ()
     for use in package_references(file):
         if use.is_late and any(each.contains(use.span) for each in idle):
             continue

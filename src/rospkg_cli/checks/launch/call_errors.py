@@ -6,12 +6,12 @@ from collections.abc import Iterator, Mapping
 from typing import Annotated
 
 from ...languages.python.evaluate.values import Argument, Call, Constant, Function, Sequence, Value
-from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.launch.evaluated_launch import EvaluatedLaunch, SubstitutionUse
 from ...package.launch.launch_classes import class_of, named_arguments, type_name
 from ...package.launch.launch_file import LaunchFile
+from ...package.launch.never_launched import never_launched
 from ...ros.launch_calls import ACTIONS, SIGNATURES, Signature
 from ...source import Span
 from ...suggest import nearest
@@ -78,7 +78,7 @@ def call_faults(file: LaunchFile) -> list[Fault]:
 
 
 def every_fault(launch: EvaluatedLaunch, truths: Mapping[Span, Truth]) -> Iterator[Fault]:
-    idle, commas = tuple(never_added(launch.file)), lone_commas(launch.file)
+    idle, commas = tuple(never_launched(launch.file)), lone_commas(launch.file)
     for call in launch.calls:
         yield from (at_the_comma(fault, argument, commas) for fault, argument in added_faults(call))
         signature = SIGNATURES.get(class_of(call))

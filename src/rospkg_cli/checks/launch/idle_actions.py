@@ -7,7 +7,6 @@ from contextlib import suppress
 
 from ...languages.python.evaluate.values import Call, Constant, Value
 from ...languages.python.file import PythonFile
-from ...languages.python.unread_values import only_printed
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.argument_defaults import literal_defaults
@@ -15,6 +14,7 @@ from ...package.launch.default_conditions import spans_of
 from ...package.launch.default_texts import Defaults, condition_by_default
 from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile
+from ...package.launch.never_launched import never_shown
 from ...package.launch.plain_values import NotKnownError, truth_of_text
 from ...package.launch.python_to_text import text_of
 from ...package.launch.text import LaunchText, Substitution
@@ -42,7 +42,7 @@ VARIABLE = regex(r"\$\(var ([^()\s]+)\)")
 
 def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
     """Return the level of a fault in an action, None for the rule's own, and why it is not that."""
-    lost = next((each for each in only_printed(file.python) if each.contains(span)), None) if file.python else None
+    lost = next((each for each in never_shown(file.python) if each.contains(span)), None) if file.python else None
     if file.python is not None and lost is not None:
         maker = file.python.source.slice(lost).partition("(")[0].rpartition(".")[2]
         return "info", NEVER_ADDED if maker in ACTIONS else UNUSED

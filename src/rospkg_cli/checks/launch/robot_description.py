@@ -13,12 +13,12 @@ from ...files import PackageFiles
 from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Value
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
-from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.evaluated_launch import EvaluatedLaunch
 from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile
+from ...package.launch.never_launched import never_launched
 from ...package.launch.python_to_text import text_of
 from ...package.launch.text import LaunchText, Literal
 from ...package.launch.uncalled_functions import uncalled_functions
@@ -96,7 +96,7 @@ def printed(text: str) -> str:
 def robot_parameters(launch: EvaluatedLaunch) -> Iterator[RobotParameter]:
     """Yield each place once; what a node gets that nothing adds to the launch description is never evaluated."""
     seen, file = set(), launch.file
-    idle = (*never_added(file), *uncalled_functions(file))
+    idle = (*never_launched(file), *uncalled_functions(file))
     dicts = {file.span(node): node for node in nodes_of_kind(file.tree, ast.Dict)}
     for call in launch.calls:
         is_node = class_of(call) in NODES and not any(each.contains(call.span) for each in idle)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...languages.python.evaluate.values import Call, Sequence
-from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...package.launch.launch_file import LaunchedNode, LaunchFile
+from ...package.launch.never_launched import never_launched
 from ...package.launch.python_to_text import text_of
 from ...source import Span
 
@@ -32,7 +32,7 @@ def starts_same(call: Call, file: LaunchFile, other: LaunchFile) -> bool:
 
 
 def added(file: LaunchFile) -> Iterator[LaunchedNode]:
-    lost = never_added(file.python) if file.python is not None else ()
+    lost = never_launched(file.python) if file.python is not None else ()
     return (node for node in file.nodes if not any(span.contains(node.span) for span in lost))
 
 
@@ -54,6 +54,6 @@ def names_last_word(call: Call, file: LaunchFile, other: LaunchFile) -> bool:
     last = text_of(words.items[-1]).literal if isinstance(words, Sequence) and words.items else None
     if other is not file or not last or file.python is None:
         return False
-    lost = never_added(file.python)
+    lost = never_launched(file.python)
     spans = (Span(*match.span()) for match in STRING.finditer(file.source.text) if match.group(2) == last)
     return any(not any(each.contains(span) for each in lost) for span in spans)

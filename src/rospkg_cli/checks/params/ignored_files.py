@@ -8,10 +8,11 @@ import re
 from collections.abc import Iterable, Iterator
 
 from ...languages.python.nodes import nodes_of_kind
-from ...languages.python.unread_values import never_added, only_read_in
+from ...languages.python.unread_values import only_read_in
 from ...package.launch.file_references import first_in
 from ...package.launch.launch_file import Include, LaunchFile
 from ...package.launch.live_text import without
+from ...package.launch.never_launched import never_launched
 from ...package.launch.text import uncommented
 from ...package.launch.uncalled_functions import uncalled_functions
 from ...package.workspace import Workspace
@@ -60,7 +61,7 @@ def rest_of(launch: LaunchFile, ignored: Iterable[Span]) -> str:
     spans = list(ignored)
     if launch.python is not None:
         spans += (launch.python.span(each) for each in nodes_of_kind(launch.python.tree, ast.Call) if is_print(each))
-        spans += (*never_added(launch.python), *uncalled_functions(launch.python))
+        spans += (*never_launched(launch.python), *uncalled_functions(launch.python))
         spans += only_read_in(launch.python, spans)
     return uncommented(launch.path, without(launch.source.text, spans))
 

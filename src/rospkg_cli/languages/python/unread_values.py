@@ -13,7 +13,9 @@ from .constant_truth import unreached_nodes
 from .file import PythonFile
 from .idle_statements import filling_calls, idle_tests
 from .nodes import nodes_below, nodes_of, nodes_of_kind
-from .printed_names import printed_names
+
+BoundValue = tuple[list[str], ast.expr]
+"""Names, and what is bound to them."""
 
 
 def never_added(file: PythonFile) -> tuple[Span, ...]:
@@ -27,18 +29,8 @@ def never_added(file: PythonFile) -> tuple[Span, ...]:
     return cast("tuple[Span, ...]", known["never_added"])
 
 
-def only_printed(file: PythonFile) -> tuple[Span, ...]:
-    """Return the same values, and those that nothing but `print` reads: their text is shown, and nothing done with."""
-    known = vars(file)
-    if "only_printed" not in known:
-        shown = {id(name) for name in printed_names(file)}
-        found = unread_values(file, shown) if shown else never_added(file)
-        known["only_printed"] = tuple(dict.fromkeys(found))
-    return cast("tuple[Span, ...]", known["only_printed"])
-
-
-def unread_values(file: PythonFile, shown: Set[int] = frozenset()) -> Iterator[Span]:
-    """Yield the values, where the reads whose identities are given count for none."""
+def unread_values(file: PythonFile, shown: Set[int] = frozenset(), more: Iterable[BoundValue] = ()) -> Iterator[Span]:
+    """Yield the values, where the reads whose identities are given count for none; of `more` as well."""
     loads = [node for node in nodes_of_kind(file.tree, ast.Name) if not is_stored(node) and id(node) not in shown]
     again = {id(node) for node in loads_for_itself(file)} | {*unreached_nodes(nodes_of(file.tree), file.constants)}
     loads = [node for node in loads if id(node) not in again]
@@ -47,7 +39,7 @@ def unread_values(file: PythonFile, shown: Set[int] = frozenset()) -> Iterator[S
     filled = list(filling_calls(file))
     itself = {id(name) for name, _ in filled}
     loads = [node for node in loads if id(node) not in itself]
-    waiting = [*local_values(file), *(([name.id], call) for name, call in filled)]
+    waiting = [*local_values(file), *(([name.id], call) for name, call in filled), *more]
     replaced = {id(each.value) for each in bound_again(file)}
     gone: set[int] = set()
     while True:  # what only such a value reads is not read either
@@ -84,9 +76,14 @@ def only_read_in(file: PythonFile, spans: Iterable[Span]) -> Iterator[Span]:
             return
 
 
-def bound_values(file: PythonFile) -> Iterator[tuple[list[str], ast.expr]]:
+def bound_values(file: PythonFile) -> Iterator[BoundValue]:
     """Yield what functions and the module bind to plain names, with these."""
     yield from local_values(file)
+    yield from module_values(file)
+
+
+def module_values(file: PythonFile) -> Iterator[BoundValue]:
+    """Yield what the module itself binds to one plain name, with this."""
     for node in file.tree.body:
         match node:
             case ast.Assign(targets=[ast.Name(id=name)], value=value):
@@ -95,7 +92,7 @@ def bound_values(file: PythonFile) -> Iterator[tuple[list[str], ast.expr]]:
                 yield [name], value
 
 
-def local_values(file: PythonFile) -> Iterator[tuple[list[str], ast.expr]]:
+def local_values(file: PythonFile) -> Iterator[BoundValue]:
     """Yield what functions bind to plain names, with these."""
     for function in nodes_of_kind(file.tree, ast.FunctionDef):
         for node in nodes_below(function):

@@ -10,10 +10,10 @@ from collections.abc import Iterable
 
 from ...files import PackageFiles
 from ...languages.python.file import PythonFile, parse_python
-from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...source import Span
 from ...unreadable import UnreadableError
+from .never_launched import never_launched
 from .text import uncommented
 from .uncalled_functions import ENTRY, uncalled_functions
 
@@ -38,7 +38,7 @@ def live_text(files: PackageFiles, path: str) -> str:
 
 def without_unread(file: PythonFile, more: Iterable[Span] = ()) -> str:
     """Return the text of a file without the values that are bound to local names which nothing reads, and some more."""
-    return without(file.source.text, (*never_added(file), *uncalled_functions(file), *more))
+    return without(file.source.text, (*never_launched(file), *uncalled_functions(file), *more))
 
 
 def without(text: str, spans: Iterable[Span]) -> str:

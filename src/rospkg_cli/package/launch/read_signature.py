@@ -6,7 +6,6 @@ import posixpath
 from collections.abc import Iterator
 
 from ...files import ReaderInput
-from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ...ros.imports import STANDARD
 from ..install_table import InstallTable
@@ -14,6 +13,7 @@ from .file_references import first_in
 from .launch_classes import HOMES, SOURCES
 from .launch_file import DeclaredArgument, LaunchFile
 from .launch_signature import LaunchSignature
+from .never_launched import never_launched
 
 KNOWN = HOMES | SOURCES | {"launch_testing", "launch_testing_ros", "launch_pytest", "yaml", "xacro", "nav2_common"}
 """Packages whose functions neither declare nor use arguments by themselves."""
@@ -77,7 +77,7 @@ def left_idle(file: LaunchFile) -> Iterator[str]:
     met = {each.name for each in file.events or () if each.kind == "use"} | {*NAMED_USE.findall(file.source.text)}
     uses = [(each.arguments[0].literal or "" if each.arguments else "", each.span) for each in file.configurations()]
     uses = [(name, span) for name, span in uses if name and name not in met]
-    unread = never_added(file.python) if uses and file.python is not None else ()
+    unread = never_launched(file.python) if uses and file.python is not None else ()
     read = {name for name, span in uses if not any(each.contains(span) for each in unread)}
     yield from dict.fromkeys(name for name, _ in uses if name not in read)
 

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from posixpath import normpath
 
 from ...files import ReaderInput
-from ...languages.python.unread_values import never_added
 from ...lazy_regex import regex
 from ..launch.launch_file import LaunchedNode, LaunchFile
+from ..launch.never_launched import never_launched
 from ..launch.text import LaunchText, Literal, Substitution
 from ..manifest import Manifest
 
@@ -60,7 +60,7 @@ def yaml_readers(reading: ReaderInput) -> frozenset[tuple[str, str, str, str]]:
 
 def started(launch: LaunchFile) -> Iterator[LaunchedNode]:
     """Yield the nodes that a launch file of ROS 2 adds to its description, perhaps under a condition."""
-    lost = never_added(launch.python) if launch.python is not None else ()
+    lost = never_launched(launch.python) if launch.python is not None else ()
     for node in launch.nodes if not launch.is_ros1 else ():
         if not any(span.contains(node.span) for span in lost):
             yield node
