@@ -117,3 +117,9 @@ def test_what_waits_for_an_action_that_nothing_starts() -> None:
     assert level(f"{FIRST}\n    started(first)", WAITS) == "warning"
     assert level("pass", WAITS, FIRST) is None
     assert level(f"{FIRST}\n    for first in started():\n        pass", WAITS) == "warning"
+
+
+def test_an_action_that_is_a_statement_or_of_the_module_is_told() -> None:
+    assert level(f"launch_ros.actions.{NODE},", code="LCH018") == "info"
+    assert level(module=f"joy = {NODE}", code="LCH018") == "info"
+    assert level(module=f"joy = {NODE}", added="# joy\n", code="LCH018") is None

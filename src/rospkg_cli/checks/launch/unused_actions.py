@@ -14,6 +14,7 @@ from ...languages.python.undefined_names import undefined_names
 from ...languages.python.unread_values import is_stored
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_classes import class_of
+from ...package.launch.never_launched import of_module
 from ...package.launch.python_to_text import text_of
 from ...package.workspace import Workspace
 from ...ros.launch_calls import ACTIONS
@@ -114,6 +115,16 @@ def unread(file: PythonFile) -> Iterator[tuple[str, ast.expr, ast.expr]]:
                     yield name, target, value
                 case ast.Expr(value=ast.Call(func=function_name) as value):
                     yield "", function_name, value
+                case ast.Expr(value=ast.Tuple(elts=items) | ast.List(elts=items)):  # a comma behind the action
+                    yield from (("", each.func, each) for each in items if isinstance(each, ast.Call))
+    for node in file.tree.body:
+        match node:
+            case ast.Assign(targets=[ast.Name(id=name) as target], value=value) if name in unread_names(file) - read:
+                yield name, target, value
+
+
+def unread_names(file: PythonFile) -> frozenset[str]:
+    return frozenset(name for names, _ in of_module(file) for name in names)
 
 
 def is_mentioned(name: str, file: PythonFile) -> bool:

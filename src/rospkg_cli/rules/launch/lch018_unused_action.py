@@ -65,8 +65,8 @@ def unused_action(configurations: LaunchConfigurations) -> Iterator[Hit]:
     """
     ## What it does
     Finds nodes, includes and other actions of a Python launch file that are made and never added.
-    The action is bound to a local name that nothing but an event handler reads, to one that holds something else
-    before it is read, or to none at all.
+    The action is bound to a name that nothing but an event handler reads, to one that holds something else before it
+    is read, or to none at all (`Node(…),` as a statement).
 
     ## Why is this bad?
     launch visits only what the launch description holds: the node is never started, and nothing says so.
