@@ -13,6 +13,9 @@ OF_CONTAINER = regex(
     r"(?i)(?:^|/)(?:[^/]*(?:dockerfile|containerfile)[^/]*|[^/]*compose[^/]*\.ya?ml|devcontainer\.json)$"
 )
 OF_WORKFLOW = regex(r"(?:^|/)(?:\.github/workflows/[^/]+\.ya?ml|\.gitlab-ci\.yml)$")
+BARE = regex(r"(?:^|/)[^./]+$")
+SHELL = regex(r"#![^\n]*\b(?:ba|da|k|z)?sh\b")
+"""The name of a file without a suffix, and its first line where it is a script of a shell: `scripts/install`."""
 OF_SCRIPT = regex(r"(?i)\.(?:sh|bash|md|rst|ya?ml)$|(?:^|/)(?:makefile|justfile)$")
 
 

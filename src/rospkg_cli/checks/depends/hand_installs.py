@@ -9,7 +9,7 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from .pip_installs import installing_texts
+from .pip_installs import installing_texts, is_job, texts_called
 
 CLONES = regex(r"\bgit\s+clone\b[^\n]*?[/:]([\w.-]+?)(?:\.git)?/?(?=[\s'\"`)]|$)", re.MULTILINE)
 CONDA = regex(r"\b(?:conda|mamba)\s+install\b([^\n&|;]*)")
@@ -27,10 +27,21 @@ FOLDERS = regex(r"\bpip3?\s+install\s+(?:-\w\s+)?((?:\.{1,2}|~)?/[^\s&|;]+)")
 SETUPS = regex(r"\bcd\s+([^\n;&|]{1,200})[^c]{0,9}(?:sudo\s+)?python[\d.]*\s+setup\.py\s+install\b")
 """How a library that lies in a folder, or is a file of its own, is put where Python looks."""
 MAKES = regex(
-    r"\bcd[ \t]+(?:[^\s;&|]{0,200}/)?([A-Za-z][\w.+-]*)(?=/?[\s;&|\"'`)])(?=(?s:.){0,400}?\b(?:"
+    r"\b(?:cd|pushd|WORKDIR)[ \t]+\"?(?:[^\s;&|]{0,200}/)?([A-Za-z][\w.+-]*)\*?(?=/?[\s;&|\"'`)])(?=(?s:.){0,400}?\b(?:"
     r"(?:make|ninja)[ \t][^\n;&|]{0,40}?install|cmake[^\n;&|]{0,60}?[ \t]--(?:install|target[ =]install))\b)"
 )
 """The folder of sources that a build is made and installed from: `cd lcm-1.4.0 && mkdir build && cd build && …`."""
+MADE_THERE = regex(
+    r"\b(?:make|ninja)[ \t]+-C[ \t]+(?:[^\s;&|]{0,200}/)?([A-Za-z][\w.+-]*)(?=/?[ \t][^\n;&|]{0,40}?install\b)"
+    r"|\bcmake[ \t][^\n;&|]{0,200}?-S[ \t]*(?:[^\s;&|]{0,200}/)?([A-Za-z][\w.+-]*)/?"
+    r"(?=[\s;&|](?s:.){0,400}?\bcmake[^\n;&|]{0,60}?[ \t]--install\b)"
+)
+"""The same without a step into the folder: `make -C lcm install`."""
+ARCHIVES = regex(
+    r"\b(?:wget|curl)\b[^\n]{0,300}?/([A-Za-z][\w+]*?(?:-[A-Za-z]\w*)*)[-_]v?\d[\w.]*\.(?:tar\.\w+|tgz|zip)\b"
+    r"(?=(?s:.){0,800}?\b(?:make|ninja|cmake)\b[^\n;&|]{0,60}?\binstall\b)"
+)
+"""An archive of sources that is fetched, and made and installed behind that."""
 RELEASE = regex(r"[-_.]v?\d+(?:\.\d+)+$")
 """What the folder of an unpacked archive has behind its name."""
 WORD = regex(r"[A-Za-z][\w.+-]*")
@@ -51,11 +62,14 @@ class HandInstalls:
     def told(self) -> frozenset[str]:
         """What pages tell so of, without what keys and headers have around it; words of prose are among it."""
         found = set[str]()
-        for _, text in installing_texts(self.files):
+        for _, text in (*installing_texts(self.files), *texts_called(self.files, is_job)):
             found.update(
-                name for each in (CLONES, FETCHES, RELEASES, ROBOTPKG, WHEEL_FILES) for name in each.findall(text)
+                name
+                for each in (CLONES, FETCHES, RELEASES, ROBOTPKG, WHEEL_FILES, ARCHIVES)
+                for name in each.findall(text)
             )
             found.update(RELEASE.sub("", name) for name in MAKES.findall(text))
+            found.update(RELEASE.sub("", name) for names in MADE_THERE.findall(text) for name in names if name)
             told = (part for each in (CONDA, WHEELS, SOURCE, COPIES, FOLDERS, SETUPS) for part in each.findall(text))
             found.update(word for part in told for word in WORD.findall(part))
         return frozenset(map(plain, found))

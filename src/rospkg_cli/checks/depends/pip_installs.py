@@ -13,7 +13,7 @@ from ...light_dataclasses import dataclass
 from ...ros.aliases import key_for_pip
 from ...ros.names import Names
 from ...tree import READABLE
-from ..container_files import OF_CONTAINER, files_called
+from ..container_files import BARE, OF_CONTAINER, SHELL, files_called
 from .locked_names import locked_names, may_lock
 from .own_requirements import own_requirements
 from .pip_requirements import distributions_of, required_by
@@ -80,6 +80,8 @@ def installing_texts(files: PackageFiles) -> Iterator[tuple[str, str]]:
     yield from texts_called(files, is_read)
     for owner, path in files_called(files, OF_CONTAINER):
         yield path, owner.readable_text(path)
+    bare = texts_called(files, lambda path: BARE.search(path) is not None)
+    yield from ((path, text) for path, text in bare if SHELL.match(text))
 
 
 def texts_called(files: PackageFiles, is_wanted: Callable[[str], bool]) -> Iterator[tuple[str, str]]:

@@ -33,7 +33,8 @@ from .compiled_sources import (
     own_compiled,
 )
 from .declared_dependencies import DeclaredDependencies
-from .hand_installs import HandInstalls
+from .hand_installs import BY_PAGE, HandInstalls
+from .places_beside_apt import BESIDE_APT, place_beside_apt
 from .required_by_cmake import required_modules, required_packages
 from .ros1_headers import Ros1Headers
 from .ros1_sources import Ros1Sources
@@ -208,10 +209,15 @@ class IncludeDependencies:
     def certain(self) -> set[str]:
         return certainly_compiled(self.cmake, self.sources)
 
-    def are_by_hand(self, cmake: str, names: Iterable[str], headers: Iterable[str] = ()) -> bool:
-        """Return whether a page of the repository tells people to install a library by hand."""
+    def why_by_hand(self, cmake: str, names: Iterable[str], headers: Iterable[str] = ()) -> str:
+        """Return what is said of a library that a page tells people to install by hand, or that CMake takes from where
+        they put it; "" for others.
+        """
         keys = [each for each in names if self.declared.workspace.index.is_key(each)]
-        return bool(keys) and HandInstalls(self.files).has((cmake, *keys, *headers))
+        every = (cmake, *keys, *headers) if keys else ()
+        if place := place_beside_apt(self.cmake, every) if keys else "":
+            return BESIDE_APT.format(place)
+        return BY_PAGE if keys and HandInstalls(self.files).has(every) else ""
 
     def may_be_submodule(self, each: IncludedPackage) -> bool:
         """Return whether it is a library that a submodule may hold, which CMake looks into and which is not here."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.find_package_sentences import not_installable, unknown_command
-from ...checks.depends.hand_installs import BY_PAGE
 from ...checks.depends.name_source import is_unmet
 from ...checks.depends.own_places import ELSEWHERE
 from ...checks.depends.required_by_cmake import stops_with
@@ -79,12 +78,13 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
     ## When it is quiet
     What a declared dependency certainly installs, or may, as anything may come with a package that is not here, is one
     info, with what only C++ includes of the kind (DEP105). So is a library that a page tells to install by hand, or
-    that CMake looks for in a folder that is named here (`HINTS`, `set(OpenCV_DIR …)`, CMAKE_PREFIX_PATH, a Find module
-    that names folders of the package), what another package of the repository declares, or a list or a script of it
-    installs (apt alone), where nothing shows a release, and a key of rosdep that no supported distribution has a rule
-    for, as vendor packages took the place of `gz-math7`. What is optional (QUIET, without use) or under a condition
-    that depends on the machine is left alone, and so is what comes with the build tools. A package here that needs this
-    one itself is an info, for to declare it would make a circle; where it declares this one, nothing is said.
+    that CMake links from /usr/local or /opt, or that CMake looks for in a folder that is named here (`HINTS`,
+    `set(OpenCV_DIR …)`, CMAKE_PREFIX_PATH, a Find module that names folders of the package), what another package of
+    the repository declares, or a list or a script of it installs (apt alone), where nothing shows a release, and a key
+    of rosdep that no supported distribution has a rule for, as vendor packages took the place of `gz-math7`. What is
+    optional (QUIET, without use) or under a condition that depends on the machine is left alone, and so is what comes
+    with the build tools. A package here that needs this one itself is an info, for to declare it would make a circle;
+    where it declares this one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -122,7 +122,7 @@ def undeclared(includes: IncludeDependencies, missing: UndeclaredFindPackage, ki
     known = "" if name == found.name else f" (`{name}` for rosdep)"
     library = includes.find_packages.for_run_time(found)
     what = f"declares `{library}` alone, which has no headers" if library else "does not declare it"
-    aside = BY_PAGE if includes.are_by_hand(found.name, missing.names) else ""
+    aside = includes.why_by_hand(found.name, missing.names)
     aside = aside or (ELSEWHERE if includes.find_packages.is_elsewhere(found, missing.names) else "")
     message = (
         f"CMake requires `{found.name}`{known}, and package.xml {what}: "

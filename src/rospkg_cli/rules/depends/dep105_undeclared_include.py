@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.hand_installs import BY_PAGE
 from ...checks.depends.name_source import is_unmet
 from ...checks.depends.undeclared_includes import IncludeDependencies
 from ...edits.undeclared_hits import advice, brought_includes, declaration, left_to_others, related, tag_of
@@ -68,12 +67,12 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     submodule is named after, checked out or not, and those that CMake looks for without need, where only what includes
     them waits for it, what is declared under a condition that does not hold (`$ROS_VERSION == 1`), where no build is
     sure to compile what includes it, and types whose package comes with another undeclared one. What an empty submodule
-    that CMake looks into may hold is an info, and a library that a page tells to install by hand, and what another
-    package of the repository declares, or a list or a command of it installs (apt alone), where nothing shows a
-    release. So is what only targets include that stop at a source of ROS 1 before. Headers of ROS 1
-    (`std_msgs/String.h`), and others that no package of interfaces has, come with no declaration: CMK201 tells of them.
-    A package here that needs this one itself is an info, for to declare it would make a circle; where it declares this
-    one, nothing is said.
+    that CMake looks into may hold is an info, and a library that a page tells to install by hand, or that CMake takes
+    from /usr/local or /opt, and what another package of the repository declares, or a list or a command of it installs
+    (apt alone), where nothing shows a release. So is what only targets include that stop at a source of ROS 1 before.
+    Headers of ROS 1 (`std_msgs/String.h`), and others that no package of interfaces has, come with no declaration:
+    CMK201 tells of them. A package here that needs this one itself is an info, for to declare it would make a circle;
+    where it declares this one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -94,10 +93,10 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
         )
         places = related((use.path, use.span) for use in each.uses)
         is_mild = is_unmet(declared, name, each.names) or includes.are_optional(each) or includes.are_idle(each)
-        by_page = BY_PAGE if includes.are_by_hand(each.cmake, each.names, [use.header for use in each.uses]) else ""
+        by_hand = includes.why_by_hand(each.cmake, each.names, [use.header for use in each.uses])
         behind = None if includes.are_required(each) else includes.ros1.stopping_all(use.path for use in each.uses)
-        is_mild = is_mild or includes.may_be_submodule(each) or bool(by_page) or behind is not None
+        is_mild = is_mild or includes.may_be_submodule(each) or bool(by_hand) or behind is not None
         level, end = Severity.INFO if is_mild else None, "" if behind is None else behind.sentence
-        yield Hit(first.path, first.span, message + by_page + end, level, places, declaration(declared, kind, name))
+        yield Hit(first.path, first.span, message + by_hand + end, level, places, declaration(declared, kind, name))
     if not any(missing.bringer for missing in includes.find_packages.missing()):  # else DEP104 tells of both
         yield from left_to_others(declared, brought_includes(includes), "included")

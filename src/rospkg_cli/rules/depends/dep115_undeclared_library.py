@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.bare_libraries import BareLibraries
-from ...checks.depends.hand_installs import BY_PAGE
 from ...checks.depends.linked_libraries import LinkedLibraries
 from ...checks.depends.name_source import is_unmet
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others
@@ -69,9 +68,9 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
     What a declared dependency certainly installs, or another package or module of pkg-config that CMake requires
     (glib-2.0 comes with gstreamer-1.0), is one info, which names who brings it, and what may come with one is another,
     as is what another package of the repository declares, or a list or a script of it installs (apt alone), where
-    nothing shows a release, and what a page tells to install by hand. Targets and library files of the package are left
-    alone, what CMake downloads or takes from a folder of its own (`link_directories()`, `HINTS`), calls under a
-    condition, and libraries that DEP104 or DEP105 tell of.
+    nothing shows a release, and what a page tells to install by hand, or CMake links from /usr/local or /opt. Targets
+    and library files of the package are left alone, what CMake downloads or takes from a folder of its own
+    (`link_directories()`, `HINTS`), calls under a condition, and libraries that DEP104 or DEP105 tell of.
 
     ## Fix safety
     The fix is unsafe where a comment of package.xml leaves the library out.
@@ -90,9 +89,9 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
             f"`{key}` is not declared, and CMake needs `{each.name}` of it: the build stops where nothing else "
             f"brings it; {advice(declared, kind, *each.keys)}"
         )
-        by_page = BY_PAGE if libraries.includes.are_by_hand(each.name, each.keys) else ""
-        level = Severity.INFO if by_page or is_unmet(declared, key, each.keys) else None
-        yield Hit(each.path, each.span, message + by_page, level, fix=declaration(declared, kind, key))
+        by_hand = libraries.includes.why_by_hand(each.name, each.keys)
+        level = Severity.INFO if by_hand or is_unmet(declared, key, each.keys) else None
+        yield Hit(each.path, each.span, message + by_hand, level, fix=declaration(declared, kind, key))
     yield from left_to_others(declared, brought, "needed by CMake")
     for bare in BareLibraries(libraries).all():
         kind = "test_depend" if bare.testing else "build_depend"
