@@ -68,3 +68,34 @@ def test_what_is_not_meant_to_be_built_is_left_alone(more: dict[str, str]) -> No
 @pytest.mark.parametrize("folder", ["test", "templates", "vendor", "fixtures", "resource", "examples/a", "legacy/a"])
 def test_folders_of_copies_are_left_alone(folder: str) -> None:
     assert lint_files({**FILES, f"{folder}/package.xml": INNER}, ["WSP005"]).findings == ()
+
+
+WANTED = {**FILES, "package.xml": manifest("  <depend>inner</depend>\n")}
+"""A package that needs the one inside of it."""
+ENTRY = "#!/bin/bash\n. /opt/ros/humble/setup.sh && cd ~/workspace/inner && colcon build\n"
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "level"),
+    [
+        (".devcontainer/entrypoint", ENTRY, "info"),
+        (".devcontainer/entrypoint", ENTRY.replace("#!/bin/bash", "#!/usr/bin/python3"), "warning"),
+        (".devcontainer/entrypoint", ENTRY.replace("/inner", ""), "warning"),
+        ("setup.bash", ENTRY, "info"),
+        ("scripts/build.bash", "cd ws\ncd inner\ncolcon --log-base log build\n", "info"),
+        ("docker/Dockerfile.humble", "WORKDIR /ws/inner\nRUN colcon build\n", "info"),
+        ("build.sh", 'cd "$(dirname $0)"/inner && colcon build\n', "info"),
+        ("build.sh", "cd $(git rev-parse --show-toplevel)/inner && colcon build\n", "info"),
+        ("build.sh", "cd inner\ncd ..\ncolcon build\n", "warning"),
+        ("build.sh", "source ~/ws/inner/install/setup.bash\n", "info"),
+        ("build.sh", ". ./inner/install/local_setup.sh\n", "info"),
+        ("build.sh", "source ~/ws/install/setup.bash\n", "warning"),
+        ("build.sh", "source ~/ws/my-inner/install/setup.bash\n", "warning"),
+        ("Dockerfile", "COPY ./inner/install/inner/lib/* /opt/ros/humble/lib/\n", "info"),
+        (".github/workflows/ci.yml", "path: |\n  install/my_pkg\n  inner/install/inner\n", "info"),
+        (".vscode/tasks.json", '{"options": {"cwd": "${workspaceFolder}/inner"}, "command": "colcon build"}\n', "info"),
+    ],
+)
+def test_a_package_that_is_built_on_its_own_is_an_info(path: str, text: str, level: str) -> None:
+    found = lint_files({**WANTED, "inner/package.xml": INNER, path: text}, ["WSP005"]).findings
+    assert [each.severity.value for each in found] == [level]

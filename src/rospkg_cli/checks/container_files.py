@@ -25,3 +25,8 @@ def files_called(files: PackageFiles, *names: re.Pattern[str]) -> Iterator[tuple
     for path, kind in whole.tree.files().items():
         if kind in READABLE and any(name.search(path) for name in names):
             yield whole, path
+
+
+def is_shell_script(files: PackageFiles, path: str) -> bool:
+    """Return whether a file without a suffix is a script of a shell, as its first line says."""
+    return BARE.search(path) is not None and files.holds(path, b"#!") and bool(SHELL.match(files.readable_text(path)))

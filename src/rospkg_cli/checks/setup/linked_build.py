@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...tree import READABLE
+from ..container_files import is_shell_script
 
 LINKS, MERGES = b"symlink-install", b"merge-install"
 PAGES = tuple(
@@ -15,7 +16,11 @@ PAGES = tuple(
     for name in ("README", "Readme", "readme", "ReadMe", "SETUP", "INSTALL", "BUILD", "CLAUDE", "AGENTS")
     for suffix in (".md", ".rst", ".txt", "")
 )
-SCRIPTS = tuple(f"{name}.sh" for name in "build setup install compile run start entrypoint docker_entrypoint".split())
+SCRIPTS = tuple(
+    f"{name}.{end}"
+    for name in "build setup install compile run start entrypoint docker_entrypoint".split()
+    for end in ("sh", "bash")
+)
 FILES = (*PAGES, *SCRIPTS, "Makefile", "justfile", "Dockerfile", "docker-compose.yml", "docker-compose.yaml",
          "colcon_defaults.yaml", "colcon.meta", ".gitlab-ci.yml")  # fmt: skip
 """Files that say how a repository is built, in each folder from the package's up to the root."""
@@ -80,5 +85,5 @@ def building(whole: PackageFiles, above: str) -> Iterator[str]:
     for folder in FOLDERS:
         place = posixpath.join(above, folder)
         for path, kind in whole.tree.sub(place).files().items():
-            if kind in READABLE and path.endswith(TEXTS):
+            if kind in READABLE and (path.endswith(TEXTS) or is_shell_script(whole, f"{place}/{path}")):
                 yield f"{place}/{path}"

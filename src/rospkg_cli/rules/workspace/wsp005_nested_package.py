@@ -35,8 +35,8 @@ SENTENCES: dict[Way, str] = {
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "distributions have them, or nothing depends on one, or builds, runs, imports or looks for it; "
-        "all of them are for ROS 1, in a hidden folder, or built by the outer one; or a README has colcon started "
-        "below the outer one, brings them to another place, or builds them without colcon"
+        "all of them are for ROS 1, in a hidden folder, or built by the outer one; or a page or a script has colcon "
+        "started below the outer one, brings them to another place, or builds them without colcon"
     },
     examples=(
         Example(
@@ -59,14 +59,14 @@ def nested_package(nested: NestedPackages) -> Iterator[Hit]:
     templates, examples and third parties, and a package.xml that is installed as data, are left alone. Those that
     nobody is shown to want are an info: no package depends on one, no launch file, code or CMake names it, and no page
     or script beside it builds or runs it (`ros2 run my_driver`, `--packages-select my_driver`). So are copies of what
-    distributions have, which may be installed, unless a page or script builds one. So are packages for ROS 1, those
-    in hidden folders, and those whose name a package has that colcon finds. So are those that
-    colcon finds where a README or a script starts it (`cd driver && colcon build`), those that one links, copies or
-    mounts into a workspace (`ln -s`, `cp -r`, `COPY`), those that one builds without colcon
-    (`cd serial && mkdir build && cd build && cmake ..`, `pip install ./serial`), and those whose folder the CMake of
-    the outer package names: `add_subdirectory`, `ExternalProject_Add`, a target with their sources, a command of its
-    own or of another package (`add_interfaces(my_msgs)`), or any other one with a path: only their package.xml is not
-    read.
+    distributions have, which may be installed, unless a page or script builds one. So are packages for ROS 1, those in
+    hidden folders, and those whose name a package has that colcon finds. So are those that colcon finds where a README,
+    a script or a container starts it (`cd driver && colcon build`), as one shows, too, that takes what this leaves
+    (`source driver/install/setup.bash`), those that one links, copies or mounts into a workspace (`ln -s`, `cp -r`,
+    `COPY`), those that one builds without colcon (`cd serial && mkdir build && cd build && cmake ..`, `pip install
+    ./serial`), and those whose folder the CMake of the outer package names: `add_subdirectory`, `ExternalProject_Add`,
+    a target with their sources, a command of its own or of another package (`add_interfaces(my_msgs)`), or any other
+    one with a path: only their package.xml is not read.
 
     ## References
     colcon/colcon-recursive-crawl: package_discovery/recursive_crawl.py
