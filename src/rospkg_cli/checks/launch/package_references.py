@@ -34,7 +34,7 @@ WATCHES = "watches a node with"
 """What a file does with a tool of developers, or with the terminal that such a tool is started in."""
 
 OF_DESKTOP = frozenset({"gnome-terminal"})
-"""Programs that every desktop of Ubuntu has."""
+"""Programs that every desktop of Ubuntu has, without which they show nothing."""
 
 STARTED_BY = ("executable", "node_executable", "plugin", "node_plugin")
 """Keywords that say which part of a package a node is."""
@@ -64,10 +64,10 @@ class PackageReference:
 
     @property
     def is_usual(self) -> bool:
-        """Whether any usual installation has it, or its name may be the user's own, or it is a tool of developers: it
-        is said mildly.
+        """Whether any usual installation or desktop has it, or its name may be the user's own, or it is a tool of
+        developers: it is said mildly.
         """
-        return self.fails in ("command", "controller") or self.does == WATCHES
+        return self.fails in ("command", "controller") or self.does == WATCHES or self.name in OF_DESKTOP
 
 
 def package_references(file: LaunchFile) -> Iterator[PackageReference]:

@@ -39,11 +39,11 @@ BAD_XML = """\
     over=LaunchDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "for launch itself, which users of launch files have, where a declared dependency brings it, "
-        "where an argument must turn it on, for examples and debugging, for launch files that nothing installs or "
-        "names, for what no launch comes to, for nodes that other code describes, where an unreleased repository "
-        "declares it in another package or installs it by apt, where package.xml has it in a comment or for older "
-        "distributions alone, where a page leaves it out or calls it optional, and where it needs this package itself"
+        Severity.INFO: "for launch itself and a desktop's terminal, where a declared dependency brings it, where an "
+        "argument must turn it on, for examples and debugging, for launch files that nothing installs or names, for "
+        "what no launch comes to, for nodes that other code describes, where an unreleased repository declares it in "
+        "another package or installs it by apt, where package.xml has it in a comment or for older distributions "
+        "alone, where a page leaves it out or calls it optional, and where it needs this package"
     },
     examples=(
         Example(
@@ -80,17 +80,17 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     (`xterm -e`) of a launch file that stops without such a package; what only an argument turns on (`sim:=true`), or a
     variable (`SIM=true`), by a condition or in a branch of Python, is an info that names it, and so is a substitution
     or action that is bound above and that only such parts read; so are what watches a node (`valgrind`, `xterm -e
-    gdb`), packages for examples and for launch files called so (`debug.launch.py`), what only launch files need that
-    nothing installs and no page or other file names, what stands in a function that nothing calls or behind
-    `if="false"`, and unknown packages where a `.repos` file lists repositories that are not here, or a README links to
-    theirs, a script or a page clones it, or builds it from a folder here that colcon passes by, or that begin like this
-    package and like no other one here, and what another package of the repository declares, or a list or a script of it
-    installs (apt alone), where nothing shows a release, and what launch files for a part need (`simulator.launch.py`)
-    that a page leaves out of a build (`colcon build --packages-up-to arm # without the simulator`), and what a line of
-    a page or script calls optional by its name or first word (`## MAVROS (optional)`). Left out are computed names,
-    uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1,
-    actions that nothing adds, and what a module imports too (DEP101). A package here that needs this one itself is an
-    info, for to declare it would make a circle; where it declares this one, nothing is said.
+    gdb`), desktop terminals (`gnome-terminal`), packages for examples and launch files called so (`debug.launch.py`),
+    what only launch files need that nothing installs and no page or other file names, what stands in a function that
+    nothing calls or behind `if="false"`, and unknown packages where a `.repos` file lists repositories that are not
+    here, or a README links to theirs, a script or a page clones it, or builds it from a folder that colcon passes by,
+    or that begin like this package and no other, and what another package of the repository declares, or a list or a
+    script of it installs (apt alone), where nothing shows a release, and what launch files for a part need
+    (`simulator.launch.py`) that a page leaves out of a build (`colcon build --packages-up-to arm # without the
+    simulator`), and what a page or script calls optional by its name or first word (`## MAVROS (optional)`). Left out
+    are computed names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`),
+    files for ROS 1, actions that nothing adds, and what a module imports too (DEP101). A package here that needs this
+    one itself is an info, as a circle would follow; nothing, where it declares this one.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, where a comment of package.xml leaves it out, or where
