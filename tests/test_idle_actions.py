@@ -259,3 +259,62 @@ def test_what_git_ignores_or_a_submodule_holds_is_not_missing(more: dict[str, st
     }
     assert len(lint_files(files, ["LCH003", "URD002"]).findings) == 4
     assert lint_files({**files, **more}, ["LCH003", "URD002"]).findings == ()
+
+
+BOUND = """\
+    share = FindPackageShare('my_pkg')
+    path = [share, '/launch/b.launch.py']
+    again = [share, '/launch/b.launch.py']
+    return LaunchDescription([
+        DeclareLaunchArgument('sim', default_value='{default}'),
+        {added}
+    ])
+"""
+OFF_ACTION = "IncludeLaunchDescription({}, condition=IfCondition(LaunchConfiguration('sim'))),"
+ON_ACTION = "IncludeLaunchDescription({}),"
+
+
+@pytest.mark.parametrize(
+    ("added", "default", "level"),
+    [
+        (OFF_ACTION.format("path"), "false", "info"),
+        (OFF_ACTION.format("path"), "true", "error"),
+        (OFF_ACTION.format("path") + ON_ACTION.format("path"), "false", "error"),
+        (OFF_ACTION.format("path") + OFF_ACTION.format("again"), "false", "info"),
+        (OFF_ACTION.format("path") + ON_ACTION.format("again"), "false", "error"),
+        (OFF_ACTION.format("path").replace("'sim')", "'other')"), "false", "warning"),
+        ("Node(package='my_pkg', executable='a', arguments=[path], condition=IfCondition('false')),", "false", "info"),
+        (f"load(path), {OFF_ACTION.format('path')}", "false", "error"),
+    ],
+)
+def test_a_path_that_is_bound_above_is_met_where_it_is_read(added: str, default: str, level: str) -> None:
+    text = f"{IMPORTS}def generate_launch_description():\n{BOUND.format(added=added, default=default)}"
+    setup = SETUP.replace(")\n", ", data_files=[('share/my_pkg', ['package.xml', 'launch/a.launch.py'])])\n")
+    files = {"package.xml": manifest(), "setup.py": setup, "my_pkg/__init__.py": "", "launch/a.launch.py": text}
+    (finding,) = lint_files(files, ["LCH003"]).findings
+    assert finding.severity.value == level
+
+
+@pytest.mark.parametrize(
+    ("opens", "level"), [("xacro.process_file(path)", "error"), ("Command(['xacro ', path])", "info")]
+)
+def test_what_python_opens_itself_is_opened_whoever_reads_it(opens: str, level: str) -> None:
+    body = f"""\
+    path = join(get_package_share_directory('my_pkg'), 'urdf', 'b.urdf.xacro')
+    robot = {opens}
+    sim = IfCondition(LaunchConfiguration('sim'))
+    return LaunchDescription([
+        DeclareLaunchArgument('sim', default_value='false'),
+        Node(package='a', executable='b', parameters=[{{'c': robot}}], condition=sim),
+    ])
+"""
+    more = (
+        "import xacro\nfrom os.path import join\n"
+        "from ament_index_python.packages import get_package_share_directory\n"
+        "from launch.substitutions import Command\n"
+    )
+    setup = SETUP.replace(")\n", ", data_files=[('share/my_pkg', ['package.xml', 'launch/a.launch.py'])])\n")
+    text = f"{more}{IMPORTS}def generate_launch_description():\n{body}"
+    files = {"package.xml": manifest(), "setup.py": setup, "my_pkg/__init__.py": "", "launch/a.launch.py": text}
+    (finding,) = lint_files(files, ["LCH003"]).findings
+    assert finding.severity.value == level

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping, Sequence
 from contextlib import suppress
 
 from ...languages.python.evaluate.values import Call, Constant, Value
 from ...languages.python.file import PythonFile
+from ...languages.python.unread_values import only_read_in
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.argument_defaults import literal_defaults
@@ -56,6 +57,24 @@ def level_at(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
     if any(each.contains(span) for each in in_branches(file)):
         return "warning", IN_BRANCH
     return None, ""
+
+
+def level_read(file: LaunchFile, span: Span) -> tuple[Level | None, str]:
+    """Return the same of what launch comes to where it is read: a value that only such actions read is like them."""
+    level, why = level_at(file, span)
+    if level is None and file.python is not None:
+        parts = list(conditional(file))
+        off = [each.around for each in parts if each.holds is False]
+        if is_read_in(file.python, off, span):
+            return "info", OFF
+        if is_read_in(file.python, [each.around for each in parts], span):
+            return "warning", CONDITIONAL
+    return level, why
+
+
+def is_read_in(file: PythonFile, parts: Sequence[Span], span: Span) -> bool:
+    """Return whether a place is in a value that is bound to a name, and that only some parts of the file read."""
+    return bool(parts) and any(each.contains(span) for each in only_read_in(file, parts))
 
 
 def is_uncalled(file: PythonFile, span: Span) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ..fault import Fault, Level, softer_advice
-from .idle_actions import NEVER_ADDED, NEVER_CALLED, OFF, UNUSED, level_at
+from .idle_actions import NEVER_ADDED, NEVER_CALLED, OFF, UNUSED, level_read
 from .missing_references import LaunchContext
 from .unread_values import UnreadValues
 from .who_meets import as_python_meets, why_unmet
@@ -28,7 +28,7 @@ def where_met(scope: LaunchContext, faults: Iterable[Fault], late: tuple[Level |
 
 def why_lost(scope: LaunchContext, fault: Fault) -> str:
     """Return why a plain launch does not come to a fault; "" where it may."""
-    level, why = level_at(scope.file, fault.span)
+    level, why = level_read(scope.file, fault.span)
     if level == "info" and why in LOST:
         return why
     unused = UNUSED if UnreadValues(scope).holds(fault.span) else ""

@@ -5,11 +5,13 @@ from __future__ import annotations
 import posixpath
 
 from ...package.file_role import role_of
+from ...package.launch.collect_texts import READERS
 from ...package.launch.file_references import OPEN
+from ...package.launch.launch_file import LaunchFile
 from ..fault import Level
 from ..left_to_people import files_of, why_left
 from .given_arguments import why_given
-from .idle_actions import NEVER_CALLED, NO_ENTRY, OFF, level_at
+from .idle_actions import NEVER_CALLED, NO_ENTRY, OFF, level_at, level_read
 from .include_arguments import IncludeContext
 from .missing_references import LaunchContext, MissingReference
 from .open_paths import ANYTHING
@@ -21,10 +23,13 @@ from .unread_values import UnreadValues
 from .who_meets import ENDS_BEFORE
 from .written_by_nodes import written_for
 
+LEVELS: tuple[Level | None, ...] = (None, "warning", "info")
+"""From the worst to the mildest; None is the rule's own."""
+
 
 def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None, str]:
     """Return the level that a missing file has at most, and why; None where nothing softens it."""
-    softer, why = level_at(scope.file, each.span) if each.use != "caught" else ("info", "")
+    softer, why = level_of_places(scope.file, each) if each.use != "caught" else ("info", "")
     if why == NO_ENTRY and is_in_left_helper(scope, each):
         softer, why = "info", NEVER_CALLED
     if softer != "info" and (unmet := unmet_by_all(scope, each)):
@@ -43,6 +48,14 @@ def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None
     if not softer and each.state != "elsewhere" and not scope.is_installed:
         softer, why = "warning", "where it is started from the source: it is not installed"
     return softer, why
+
+
+def level_of_places(file: LaunchFile, each: MissingReference) -> tuple[Level | None, str]:
+    """Return the level of the place that is met most, and why; what Python opens itself, it opens in any case."""
+    calls = file.evaluated.calls if file.evaluated is not None else ()
+    is_early = each.use == "open" and any(call.callee in READERS for call in calls)
+    ask = level_at if is_early else level_read
+    return min((ask(file, span) for span in (each.span, *each.other_spans)), key=lambda found: LEVELS.index(found[0]))
 
 
 def is_in_left_helper(scope: LaunchContext, each: MissingReference) -> bool:
