@@ -65,7 +65,9 @@ class FetchedFiles:
         return any(each in line for line in self.lines for each in wanted)
 
     def has_itself(self, path: str) -> bool:
-        """Return whether a line that brings or makes files names a missing one by its own name."""
+        """Return whether a line that brings or makes files names a missing one by its own name, or a script writes it
+        under a name that its variables give.
+        """
         name = posixpath.basename(path)
         stem, end = posixpath.splitext(name)
         whole = rf"(?<![\w.-]){re.escape(name)}(?![\w-])"
@@ -74,7 +76,11 @@ class FetchedFiles:
         is_named = re.compile(whole)
         if any(is_named.search(line) for line in self.lines):
             return True
-        return any(each.search(text) for text in self.texts for each in patterns)
+        if any(each.search(text) for text in self.texts for each in patterns):
+            return True
+        from .script_outputs import ScriptOutputs  # few files are missing
+
+        return ScriptOutputs(self.files, frozenset({posixpath.basename(self.files.folder)} - {""})).has(path)
 
     @cached_property
     def lines(self) -> tuple[str, ...]:

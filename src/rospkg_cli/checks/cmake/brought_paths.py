@@ -12,6 +12,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.referenced_paths import Use
 from ..left_to_people import UNTIL_MADE
 from ..pages_and_scripts import FetchedFiles, pages_and_scripts
+from ..script_outputs import ScriptOutputs
 from .folders_of_people import FoldersOfPeople
 
 LISTS = (".repos", ".rosinstall")
@@ -33,7 +34,9 @@ class BroughtPaths:
         return UNTIL_MADE if paths and all(self.is_brought(use, each) for each in paths) else ""
 
     def is_brought(self, use: Use, path: str) -> bool:
-        """Return whether one is: a folder is made or filled, a file copied, or a repository around it cloned."""
+        """Return whether one is: a folder is made or filled, a file written or copied, or a repository cloned."""
+        if ScriptOutputs(self.files, self.names).has(path, is_folder=use in ("folder", "matching", "subdirectory")):
+            return True
         if use in ("folder", "matching"):
             return FoldersOfPeople(self.files, self.names).is_left(path)
         return self.is_cloned(path) or (use == "install" and FetchedFiles(self.files).has_itself(path))

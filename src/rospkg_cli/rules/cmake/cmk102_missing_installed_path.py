@@ -91,13 +91,13 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     an installed folder whose files people write, such as `launch`, is an info. Below a submodule that is not checked
     out. Inside `if(EXISTS …)`, for what is installed inside any condition that can't be evaluated, and with OPTIONAL. A
     folder with FILES_MATCHING stops nothing: an info, or a warning where another one is called nearly so. Where CMake
-    chooses between ament and catkin and all sources are of ROS 1, it is an info; so is what is named inside
-    `if(WIN32)` or the like, for another processor (`aarch64`), and inside a branch that asks for a switch which is off:
-    an option without `ON`, a variable that nothing sets, and that no page or script of the repository has, or one that
-    is never true (`if(0)`, after `set(WITH_ARM OFF)`). So is a folder that a script makes (`mkdir -p generated`), or a
-    page has people make or fill for maps, data or the like, a file that one has them copy, also with the whole folder
-    into a package of `ros2 pkg create`, and what lies in a repository that they clone (`git clone … third_party/sdk`)
-    or that a `.repos` file lists.
+    chooses between ament and catkin and all sources are of ROS 1, it is an info; so is what is named inside `if(WIN32)`
+    or the like, for another processor (`aarch64`), and inside a branch that asks for a switch which is off: an option
+    without `ON`, a variable that nothing sets, and that no page or script of the repository has, or one that is never
+    true (`if(0)`, after `set(WITH_ARM OFF)`). So is what a script makes (`mkdir -p generated`, `-o a.urdf`), a folder
+    that a page has people make or fill for maps, data or the like, a file that one has them copy, also with the whole
+    folder into a package of `ros2 pkg create`, and what lies in a repository that they clone (`git clone …
+    third_party/sdk`) or that a `.repos` file lists.
     """
     missing = MissingPaths(package.cmake)
     names = frozenset({package.facts.name, basename(package.facts.folder)} - {""})

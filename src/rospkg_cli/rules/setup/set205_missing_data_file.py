@@ -96,10 +96,11 @@ def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
     bare AssertionError that does not mention setup.py.
 
     ## When it is quiet
-    Where setup.py may write files, where a .gitignore names the file, since a build then writes it, below a
-    submodule that is not checked out, and for sources that can't be evaluated. A file whose folder or archive a page or
-    a script of the repository tells to fetch or unpack is missing on a clean machine alone: a warning. It is an info
-    where one has people fetch, make or copy the file itself (`map_saver_cli -f maps/lab`).
+    Where setup.py may write files, where a .gitignore names the file, since a build then writes it, below a submodule
+    that is not checked out, and for sources that can't be evaluated. A file whose folder or archive a page or a script
+    of the repository tells to fetch or unpack is missing on a clean machine alone: a warning. It is an info where one
+    has people fetch, make or copy the file itself (`map_saver_cli -f maps/lab`), or writes it, by variables or in a
+    loop, too.
     """
     for entry in shared.package.setup.data_entries:
         if entry.shape:
