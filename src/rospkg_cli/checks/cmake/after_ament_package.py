@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import ROOT
@@ -28,6 +28,10 @@ LOST: dict[str, str] = {
 """What ament_package() would have finished, and what becomes of it."""
 
 STOPS = "CMake stops"
+DESCRIBES = "pluginlib_export_plugin_description_file"
+REGISTERS = (DESCRIBES, "rclcpp_components_register_node", "rclcpp_components_register_nodes")
+COMPONENTS = "rclcpp_components"
+"""As a category of plugins: class_loader's container finds components by what registers nodes, and not by pluginlib."""
 
 AUTOMATIC = ("ament_auto_add_library", "ament_auto_add_executable")
 
@@ -43,6 +47,8 @@ class MisplacedCommand:
     call: EvaluatedCommand
     end: EvaluatedCommand
     consequence: str
+    unmissed: str = ""
+    """Why nothing is lost: nobody reads what the call says, or another call says it in time; "" where it is."""
 
     @property
     def only_linters(self) -> bool:
@@ -64,7 +70,16 @@ def commands_after_ament_package(cmake: CMake) -> Iterator[MisplacedCommand]:
         if linted and call.name == LINTERS:
             continue
         if call.path == ROOT and not call.maybe and not call.function and (why := consequence(call, end)):
-            yield MisplacedCommand(call, end, why)
+            yield MisplacedCommand(call, end, why, unmissed(call, cmake.calls[:at]))
+
+
+def unmissed(call: EvaluatedCommand, before: Sequence[EvaluatedCommand]) -> str:
+    """Return why nobody misses what a call registers too late; "" where it may be missed."""
+    if call.name == DESCRIBES and call.texts[:1] == (COMPONENTS,):
+        return "nobody looks for it, as containers load what `rclcpp_components_register_node` registers"
+    said = [each for each in before if each.name == call.name and is_sure(each)]
+    is_said = call.name in REGISTERS and any(each.texts == call.texts for each in said)
+    return "the same call stands above in time" if is_said else ""
 
 
 def is_sure(call: EvaluatedCommand) -> bool:

@@ -21,7 +21,10 @@ EXPORT = "ament_export_include_directories(include/${PROJECT_NAME})\n"
     "after-ament-package",
     over=CMakePackage,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "what comes too late are only the linters"},
+    levels={
+        Severity.WARNING: "what comes too late are only the linters",
+        Severity.INFO: "what is registered too late is registered in time as well, or nobody looks for it",
+    },
     examples=(
         Example(
             bad={"CMakeLists.txt": f"{HEAD}ament_package()\n«{EXPORT.strip()}»\n"},
@@ -43,13 +46,18 @@ def after_ament_package(package: CMakePackage) -> Iterator[Hit]:
     ## When it is quiet
     For a plain `install()`, which does no harm there. In files that CMakeLists.txt includes, in functions, and under a
     condition that can't be evaluated. For linters where a macro such as `autoware_package()` has run them before.
+    It is an info where the same call stands before `ament_package()` too, and for a description of plugins of
+    `rclcpp_components`: containers find components by what `rclcpp_components_register_node()` registers.
 
     ## Fix safety
     The call of `ament_package()` goes to the end of the file, past everything that may be there on purpose.
     """
-    late = sorted(commands_after_ament_package(package.cmake), key=lambda each: (each.only_linters, not each.is_fatal))
+    found = list(commands_after_ament_package(package.cmake))
+    late = [each for each in found if not each.unmissed]
     if not late:
+        yield from map(superfluous, found[:1])
         return
+    late.sort(key=lambda each: (each.only_linters, not each.is_fatal))
     first, *others = late
     end, more = first.end.name, f" and {len(others)} more come" if others else " comes"
     message = f"`{first.call.name}`{more} after `{end}()`: {first.consequence}; call `{end}()` last"
@@ -58,6 +66,13 @@ def after_ament_package(package: CMakePackage) -> Iterator[Hit]:
     level = Severity.WARNING if first.only_linters else None
     fix = move_to_end(package, first)
     yield Hit(first.call.path, first.call.command.span, message, level, (place, *also), fix)
+
+
+def superfluous(late: MisplacedCommand) -> Hit:
+    end = late.end.name
+    place = Related(late.end.path, late.end.command.span, f"`{end}()` is called here")
+    message = f"`{late.call.name}` comes after `{end}()`: it registers nothing, and {late.unmissed}; remove it"
+    return Hit(late.call.path, late.call.command.span, message, Severity.INFO, (place,))
 
 
 def move_to_end(package: CMakePackage, late: MisplacedCommand) -> Fix | None:
