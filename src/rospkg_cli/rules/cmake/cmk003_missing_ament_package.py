@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.commented_installs import said_in
 from ...checks.cmake.unknown_commands import UnknownCommands
+from ...checks.manifest.manifest_inputs import IDLE
 from ...edits.cmake_commands import add_at_end
 from ...example import Example
 from ...finding import Fix, Hit, Safety, Severity
@@ -25,6 +27,8 @@ MACRO = regex(r"(?!ament_|find_|configure_|write_|catkin_|cpm|install|extract_|a
 """What may be a macro around ament_package(), such as `my_team_package`; `autoware_package` only looks for packages."""
 INSTALLS = regex(r"rosidl_|pluginlib_|rclcpp_components_|ament_python_|ament_index_|ament_auto_|generate_parameter")
 """How commands begin that install or register something."""
+CALLED = regex(r"\b(?:autoware_)?ament_(?:auto_)?package\s*\(")
+HOLLOW = "all that would build something is commented out: the build is green, and the package is hollow"
 
 
 @rule(
@@ -32,7 +36,10 @@ INSTALLS = regex(r"rosidl_|pluginlib_|rclcpp_components_|ament_python_|ament_ind
     "missing-ament-package",
     over=CMakePackage,
     severity=Severity.ERROR,
-    levels={Severity.INFO: "targets are built, and nothing is installed or exported: they run where they are built"},
+    levels={
+        Severity.WARNING: "the package is switched off: the call is commented out, with all that would build something",
+        Severity.INFO: "targets are built, and nothing is installed or exported: they run where they are built",
+    },
     examples=(
         Example(
             bad={
@@ -60,7 +67,9 @@ def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
     Where all that is built is for tests. Where a file that can't be read is included, and where a macro of another
     package whose name has `package` in it is called: both may call `ament_package()`. (`autoware_package()` does not.)
     Where its name is misspelt, which CMK114 reports. It is an info where targets are built and nothing is installed,
-    exported or registered, as for tests that are run in the build folder.
+    exported or registered, as for tests that are run in the build folder. It is a warning where the call is commented
+    out, and with it all that would build or install something: the package is switched off on purpose, and is built all
+    the same, for those who depend on it.
     """
     cmake = package.cmake
     if not package.is_ament or not cmake.is_complete or cmake.ends_a_package or cmake.only_tests:
@@ -72,6 +81,10 @@ def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
     if any(near in PACKAGE_ENDS for _, near in UnknownCommands(cmake).all()):
         return
     place = projects[0].span if projects else root.source.line_span(1)
+    if is_switched_off(package):
+        advice = "mark it with an empty file `COLCON_IGNORE`, or bring its commands back"
+        yield Hit(root.path, place, f"{HOLLOW}; {advice}", Severity.WARNING)
+        return
     is_idle, name = has_only_built(package), package.facts.name
     found = f"`ros2 run {name}` and `find_package({name})` don't find the package"
     found = "nobody finds the package, of which nothing is installed either" if is_idle else found
@@ -79,6 +92,13 @@ def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
     knows_ament = any(each.name.startswith("ament_cmake") for each in cmake.packages)
     fix = Fix("call `ament_package()` at the end", (add_at_end(root, "ament_package()"),)) if knows_ament else None
     yield Hit(root.path, place, message, Severity.INFO if is_idle else None, fix=fix)
+
+
+def is_switched_off(package: CMakePackage) -> bool:
+    """Return whether comments call `ament_package()`, and what is no comment builds and installs nothing."""
+    cmake = package.cmake
+    is_empty = all(call.name in IDLE for call in (*cmake.calls, *cmake.unreachable))
+    return is_empty and CALLED.search(said_in(cmake.root)) is not None
 
 
 def has_only_built(package: CMakePackage) -> bool:
