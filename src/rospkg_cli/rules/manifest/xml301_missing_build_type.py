@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.manifest.foreign_build import foreign_maker
 from ...checks.manifest.manifest_inputs import ManifestAndCMake
 from ...checks.setup.linked_build import merging_file
 from ...edits.manifest import add_export
@@ -23,7 +24,8 @@ EXPORT = "  <export>\n    <build_type>ament_python</build_type>\n  </export>\n"
     levels={
         Severity.WARNING: "it has no programs but those of tests, or that nothing installs beside a library, and no "
         "launch files, is not certainly of ament_cmake, or all is installed into one folder (`--merge-install`)",
-        Severity.INFO: "plain CMake builds it, CMake builds and installs nothing, or there is nothing to build",
+        Severity.INFO: "plain CMake or another build system makes it, CMake builds and installs nothing, or there is "
+        "nothing to build",
     },
     examples=(
         Example(
@@ -62,10 +64,11 @@ def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
     Packages that depend on catkin and on no ament_cmake are for ROS 1, and so are those whose CMakeLists.txt calls
     `catkin_package()` in one branch and `ament_package()` in none. A build type under a condition counts where the
     condition may hold for a target. It is an info for plain CMake, which is found by `find_package` alone, and where
-    CMake builds and installs nothing, as in a folder that npm builds, or where a folder without dependencies, code and
-    launch files is marked for other tools. It is a warning where neither ament_cmake nor plain CMake is certain, or
-    where nothing in it can be started: tests that are installed, and programs that a library does not install, are
-    not meant to be, unless a page or a script runs one (`ros2 run my_pkg test_camera`).
+    CMake builds and installs nothing, as in a folder that npm builds, where a macro that no file here defines makes the
+    package (`add_acme_package(my_pkg …)`) and nothing of ament is called or declared, or where a folder without
+    dependencies, code and launch files is marked for other tools. It is a warning where neither ament_cmake nor plain
+    CMake is certain, or where nothing in it can be started: tests that are installed, and programs that a library does
+    not install, are not meant to be, unless a page or a script runs one (`ros2 run my_pkg test_camera`).
 
     ## References
     - [REP-149, build_type](https://ros.org/reps/rep-0149.html): "If no build_type is provided, catkin is assumed."
@@ -75,15 +78,20 @@ def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
         return
     export = manifest.first("export")
     span = export.open if export else manifest.root.open
-    guess = package.likely_build_type
+    maker = foreign_maker(package)
+    guess = "" if maker else package.likely_build_type
     advice = f"add `<build_type>{guess}</build_type>` to `<export>`" if guess else "name one in `<export>`"
-    level, what_happens = consequence(package)
+    level, what_happens = made_elsewhere(maker) if maker else consequence(package)
     message = f"no `<build_type>` is named, so colcon takes this for a catkin package{what_happens}; {advice}"
     fix = None
     if guess:
         edit = add_export(manifest, f"<build_type>{guess}</build_type>")
         fix = Fix(f"Add the build type {guess}", (edit,))
     yield Hit(manifest.path, span, message, level=level, fix=fix)
+
+
+def made_elsewhere(maker: str) -> tuple[Severity, str]:
+    return Severity.INFO, f" of ROS 1; `{maker}`, which no file here defines, makes none of ROS 2"
 
 
 def consequence(package: ManifestAndCMake) -> tuple[Severity, str]:
