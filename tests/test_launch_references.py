@@ -655,3 +655,26 @@ def test_a_part_of_a_name_that_stands_twice_where_a_macro_may_install_more() -> 
 
     assert "did you mean `config/a.param.yaml`?" in told("a.param.param.yaml")[0]
     assert told("a.param.yaml") == []
+
+
+MESHES = ["meshes/visual/base.stl", "meshes/visual/arm.stl", "meshes/collision/base.stl", "meshes/collision/arm.stl"]
+ROBOTS = ["arms/fer/visual/link0.dae", "arms/fer/visual/link1.dae", "arms/fp3/visual/link1.dae", "arms/old/link9.dae"]
+
+
+@pytest.mark.parametrize(
+    ("path", "known", "meant"),
+    [
+        ("meshes/visual/arm.stl", [*MESHES[:1], *MESHES[2:]], None),
+        ("meshes/visual/arm.stl", ["meshes/visual/base.dae", *MESHES[2:]], "meshes/collision/arm.stl"),
+        ("meshs/visual/arm.stl", MESHES, "meshes/visual/arm.stl"),
+        ("visual/arm.stl", MESHES, "meshes/visual/arm.stl"),
+        ("meshes/visual/arm.stl", ["meshes/arm.stl"], "meshes/arm.stl"),
+        ("meshes/arm.stl", MESHES, None),
+        ("arms/fp3/visual/link0.dae", ROBOTS, None),
+        ("arms/fr3/visual/link1.dae", ["arms/fer/visual/link1.dae", "arms/panda/visual/link1.dae"], None),
+        ("arms/fp3/visual/link9.dae", ROBOTS, "arms/old/link9.dae"),
+    ],
+)
+def test_folders_with_the_same_names_are_not_taken_for_each_other(path: str, known: list[str], meant) -> None:
+    """`collision/` has other things by the names of `visual/`, and so has the folder of another robot."""
+    assert closest_path(path, known) == meant

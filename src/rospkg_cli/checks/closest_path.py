@@ -15,16 +15,30 @@ MARK = 2
 
 
 def closest_path(path: str, known: Collection[str]) -> str | None:
-    """Return the only similar path: a similar name in the same folder, or the same name in another, similar one."""
+    """Return the only similar path: a similar name in the same folder, or the same name in another, similar one.
+
+    None where folders have the same names for different things, as `collision/` and `visual/`, or one for each robot.
+    """
     folder, name = posixpath.split(path)
     neighbours = {posixpath.basename(each) for each in known if posixpath.dirname(each) == folder}
     if near := nearest(name, {each for each in neighbours if is_like(name, each)}):
         return posixpath.join(folder, near)
     same = {each for each in known if posixpath.basename(each) == name and each != path}
+    kind = {each for each in neighbours if posixpath.splitext(each)[1] == posixpath.splitext(name)[1]}
+    homes = {posixpath.dirname(each) for each in same}
+    if any(posixpath.dirname(each) in homes and posixpath.basename(each) in kind for each in known):
+        return None
     if len(same) == 1:
         return same.pop()
-    near = nearest(folder, {posixpath.dirname(each) for each in same})
-    return posixpath.join(near, name) if near else None
+    whole = [each for each in homes if each.endswith(f"/{folder}")]
+    near = whole[0] if len(whole) == 1 else nearest(folder, homes)
+    return posixpath.join(near, name) if near and is_misspelt_folder(folder, near) else None
+
+
+def is_misspelt_folder(folder: str, other: str) -> bool:
+    """Return whether two folders are the same but for slips, or one has a part more; `.` ends what may differ alone."""
+    parts, others = ([f"{part}." for part in each.split("/")] for each in (folder, other))
+    return len(parts) != len(others) or all(map(is_like, parts, others))
 
 
 def is_like(name: str, other: str) -> bool:
