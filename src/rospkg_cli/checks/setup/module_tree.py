@@ -102,7 +102,8 @@ class ModuleTree:
             found |= {folder: None} if self.lacks_init(folder) else {}
             found |= {each: None for each in self.without_init(folder, top=False) if each not in listed}
         ignores = self.package.files.absent.is_ignored
-        return tuple(folder for folder in found if not ignores(f"{folder}/__init__.py"))
+        lacking = (folder for folder in found if not ignores(f"{folder}/__init__.py"))
+        return tuple(folder for folder in lacking if not self.is_installed_in_parts(self.dotted(folder)))
 
     def lacks_init(self, folder: str) -> bool:
         """Return whether a folder holds modules and no `__init__.py`."""
@@ -133,8 +134,10 @@ class ModuleTree:
 
     def may_be_for_others(self, folder: str) -> bool:
         """Return whether modules that nothing here starts are there for a package that depends on this one."""
-        if not self.package.workspace.is_needed(self.package.name):
-            return False
+        return self.package.workspace.is_needed(self.package.name) and self.is_imported_elsewhere(folder)
+
+    def is_imported_elsewhere(self, folder: str) -> bool:
+        """Return whether code of the repository outside of a folder imports what is in it."""
         from .imported_in_repository import is_imported_in_repository  # what findings alone need
 
         return is_imported_in_repository(self.package.files, folder, self.dotted(folder))
@@ -182,9 +185,18 @@ class ModuleTree:
                 and above & listed
                 and path.endswith("__init__.py")
                 and not TESTS & set(parts)
+                and not self.is_installed_in_parts(name)
             ):
                 found[name] = None
         return tuple(found)
+
+    def is_installed_in_parts(self, package: str) -> bool:
+        """Return whether `py_modules` installs all that is imported of a package that `packages` leaves out."""
+        if all(said.text.rpartition(".")[0] != package for said in self.setup.py_modules):
+            return False
+        paths = {m: path for m, path in self.package.on_disk.items() if m.rpartition(".")[0] == package}
+        left = {m for m, path in paths.items() if m not in self.setup.modules and not path.endswith("/__init__.py")}
+        return left.isdisjoint(name for name, _ in self.imported)
 
 
 def inside(path: str, folder: str) -> bool:

@@ -119,7 +119,10 @@ class SetupPy(SetupArguments):
 
     @cached_property
     def modules(self) -> Mapping[str, str]:
-        """The modules that are installed: dotted name to file."""
+        """The modules that are installed: dotted name to file.
+
+        Beside a module of `py_modules` setuptools installs the `__init__.py` of its folder, too.
+        """
         found: dict[str, str] = {}
         for package in self.packages:
             name_of, folder = dotted(package.text), self.folder_of(package.text)
@@ -131,6 +134,9 @@ class SetupPy(SetupArguments):
         for module in self.py_modules:
             if (file := self.file_of(module.text)) is not None:
                 found[module.text] = file
+                init = posixpath.join(posixpath.dirname(file), "__init__.py")
+                if (above := module.text.rpartition(".")[0]) and self.kind(init) == "file":
+                    found.setdefault(above, init)
         return found
 
     def kind(self, path: str) -> Kind | None:
