@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 
 from ...files import PackageFiles
@@ -14,7 +15,8 @@ REACH = 1000
 def is_imported_in_repository(files: PackageFiles, folder: str, name: str) -> bool:
     """Return whether code outside of a folder of a package imports what is in it; True where that code is not seen.
 
-    `name` is the dotted one of the folder. Tests do not count, nor what is set aside.
+    `name` is the dotted one of the folder. Tests do not count, nor what is set aside, nor what has a module of that
+    name beside it, which comes first.
     """
     if files.whole is None:
         return True
@@ -22,13 +24,16 @@ def is_imported_in_repository(files: PackageFiles, folder: str, name: str) -> bo
     own = f"{files.folder}/{folder}/" if files.folder else f"{folder}/"
     above, _, last = name.rpartition(".")
     paths = (path for path in opening(every.every) if not path.startswith(own) and every.holds(path, last.encode()))
-    return any(names(live(every, path), above, last) for path in paths)
+    beside = (
+        path for path in paths if above or not every.has_file(posixpath.join(posixpath.dirname(path), f"{last}.py"))
+    )
+    return any(names(live(every, path), above, last) for path in beside)
 
 
 def names(text: str, above: str, last: str) -> bool:
     """Return whether a text has `my_pkg.speech`, `from my_pkg import speech`, or the same with dots in front."""
     parent, word = re.escape(above), re.escape(last)
-    if re.search(rf"(?<![\w.]){parent}\.{word}(?!\w)" if above else rf"\bimport\s+{word}\b", text):
+    if re.search(rf"(?<![\w.]){parent}\.{word}(?!\w)" if above else rf"\b(?:import|from)[ \t]+{word}(?!\w)", text):
         return True
     if re.search(rf"\bfrom[ \t]+\.+(?:\w+\.)*{word}(?!\w)", text):
         return True

@@ -4,14 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.setup.entry_points import EntryPoint
 from ..older_distribution import OlderDistribution
 from ..unstarted_programs import UnstartedPrograms
+from .linked_build import build_texts
 from .module_tree import ModuleTree
 from .python_package import PythonPackage
 
 LEFT = "; nothing here starts it, as others of the package are"
+
+SETUPTOOLS = regex(r"(?m)^.*\bpip3?\b.*\binstall\b.*\bsetuptools\b.*$")
+PINNED = regex(r"\bsetuptools[\"']?\s*(?P<sign>[=<>~]=|<)\s*(?P<major>\d+)")
+UPGRADED = regex(r"\s(?:-U|--upgrade)\b")
+NEWER = 60
+"""The setuptools that stops at what the one of Humble takes."""
 
 
 @dataclass(frozen=True)
@@ -21,10 +29,15 @@ class StartedEntryPoints:
     distribution: OlderDistribution | None = None
 
     @property
-    def takes_duplicates(self) -> bool:
-        """Whether the repository is for distributions alone whose setuptools keeps one of two equal names."""
+    def has_old_setuptools(self) -> bool:
+        """Whether the repository is for distributions before Jazzy alone, and installs no newer setuptools by pip.
+
+        That of Humble is 59: it keeps one of two equal names, and stops at no second folder.
+        """
         known = self.distribution
-        return known is not None and known.is_before_jazzy and not known.reaches_jazzy
+        if known is None or not known.is_before_jazzy or known.reaches_jazzy:
+            return False
+        return not any(installs_newer(line) for text in build_texts(known.files) for line in SETUPTOOLS.findall(text))
 
     def left_all(self, entries: Sequence[EntryPoint]) -> str:
         """Return that nothing starts the programs of some entries, where others are started; "" where one may be."""
@@ -42,3 +55,11 @@ class EntryPointTree:
 
     tree: ModuleTree
     started: StartedEntryPoints
+
+
+def installs_newer(line: str) -> bool:
+    """Return whether a line installs a setuptools by pip that is newer than the one of Humble."""
+    pinned = PINNED.search(line)
+    if pinned is None or pinned["sign"] == ">=":
+        return bool(UPGRADED.search(line)) or (pinned is not None and int(pinned["major"]) >= NEWER)
+    return not pinned["sign"].startswith("<") and int(pinned["major"]) >= NEWER

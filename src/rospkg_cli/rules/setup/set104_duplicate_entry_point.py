@@ -44,8 +44,8 @@ def duplicate_entry_point(started: StartedEntryPoints) -> Iterator[Hit]:
 
     ## When it is quiet
     Where an entry is made by code that can't be evaluated. One name in two groups is no duplicate. Where
-    the pages, scripts and workflows of the repository name Humble or older ones alone, nothing stops: two entries that
-    are the same are an info, and others a warning.
+    the pages, scripts and workflows of the repository name Humble or older ones alone, and install no newer setuptools
+    by pip, nothing stops: two entries that are the same are an info, and others a warning.
     """
     seen: dict[tuple[str, str], EntryPoint] = {}
     for entry in started.package.setup.entry_points:
@@ -57,7 +57,7 @@ def duplicate_entry_point(started: StartedEntryPoints) -> Iterator[Hit]:
             is_same = (entry.module, entry.attribute) == (first.module, first.attribute)
             start, advice = f"`{entry.name}` is twice in `{entry.group}`", "remove" if is_same else "rename"
             message, level = f"{start}: setuptools stops, Humble's keeps one; {advice} one", None
-            if started.takes_duplicates:
+            if started.has_old_setuptools:
                 message = f"{start}: the setuptools of Humble keeps one, later ones stop; {advice} one"
                 level = Severity.INFO if is_same else Severity.WARNING
             yield Hit(entry.path, entry.name_span, message, level, related)

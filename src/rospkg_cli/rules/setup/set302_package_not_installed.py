@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from ...checks.enumeration import in_ticks
 from ...checks.setup.module_tree import ModuleTree
+from ...checks.setup.started_entry_points import EntryPointTree
 from ...edits.setup_py import add_packages
 from ...example import SETUP_PY, Example, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
@@ -25,11 +26,11 @@ NONE = SETUP_PY.replace(f"    packages={FOUND},\n", "").replace("import find_pac
 @rule(
     "SET302",
     "package-not-installed",
-    over=ModuleTree,
+    over=EntryPointTree,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "no entry point imports it as it starts, the workspace is built with `--symlink-install`, or "
-        "a newer setuptools finds it",
+        "a newer setuptools finds it; or the pages name no distribution after Humble, and nothing imports it",
         Severity.INFO: "nothing that an entry point leads to imports it, and no package depends on this one or nothing "
         "in the repository imports it at all",
     },
@@ -49,7 +50,7 @@ NONE = SETUP_PY.replace(f"    packages={FOUND},\n", "").replace("import find_pac
         ),
     ),
 )
-def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
+def package_not_installed(entries: EntryPointTree) -> Iterator[Hit]:
     """
     ## What it does
     Finds Python packages that `packages=[…]` leaves out, and listed ones that do not exist.
@@ -67,9 +68,11 @@ def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
     Python imports from the source folder: where a README, a Dockerfile or another file of the repository builds that
     way, a package that is left out is a warning. It is one, too, where no entry point imports it as it starts: a
     function does. It is an info where nothing imports it to which an entry point leads, and no package of the workspace
-    depends on this one or no code of the repository imports it at all.
+    depends on this one or no code of the repository imports it at all. Where `py_modules` installs all modules of it
+    that are imported, nothing is said. Without `packages` it is a warning where the pages, scripts and workflows of the
+    repository name Humble or older ones alone, install no newer setuptools by pip, and nothing imports the package.
     """
-    setup = tree.setup
+    tree, setup = entries.tree, entries.tree.setup
     if not tree.package.knows_installed_modules or setup.searches:
         return
     for said in tree.missing_folders:
@@ -79,10 +82,7 @@ def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
         message = f"there is no folder `{setup.folder_of(said.text)}`: setuptools stops; {todo}"
         yield Hit(said.path, said.shown, message)
     if tree.has_unnamed_package:
-        own, has_resource = tree.package.name, setup.kind("resource") == "dir"
-        ends = "a newer setuptools stops, and one before 61" if has_resource else "setuptools before 61"
-        message = f"setup() has no `packages`: {ends} installs nothing of `{own}`; add `packages=find_packages()`"
-        yield Hit(setup.path, setup.span, message, level=None if has_resource else Severity.WARNING)
+        yield without_packages(entries)
     unlisted = tree.unlisted if setup.argument("packages") else ()
     levels = {name: level_of(tree, name) for name in unlisted}
     for level in (None, Severity.WARNING, Severity.INFO):
@@ -90,6 +90,18 @@ def package_not_installed(tree: ModuleTree) -> Iterator[Hit]:
         link = tree.link_of(*names)
         if names:
             yield left_out(setup, names, level or (Severity.WARNING if link else None), link)
+
+
+def without_packages(entries: EntryPointTree) -> Hit:
+    """Return what is wrong with a setup() that names no packages at all."""
+    tree, own = entries.tree, entries.tree.package.name
+    has_resource, is_old = tree.setup.kind("resource") == "dir", entries.started.has_old_setuptools
+    is_met = has_resource and (not is_old or tree.is_imported_elsewhere(tree.setup.folder_of(own)))
+    ends = f"a newer setuptools stops, and one before 61 installs nothing of `{own}`"
+    if not has_resource or is_old:
+        ends = f"setuptools before 61 installs nothing of `{own}`{', and a newer one stops' if has_resource else ''}"
+    message = f"setup() has no `packages`: {ends}; add `packages=find_packages()`"
+    return Hit(tree.setup.path, tree.setup.span, message, level=None if is_met else Severity.WARNING)
 
 
 def level_of(tree: ModuleTree, name: str) -> Severity | None:
