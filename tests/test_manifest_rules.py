@@ -132,18 +132,22 @@ def test_xhtml_is_a_description(inside: str) -> None:
 def test_names() -> None:
     def level(name: str, **files: str) -> Severity | None:
         text = manifest(build_type="ament_cmake").replace("my_pkg", name)
-        cmake = CMAKE.replace("my_pkg", name)
+        cmake = CMAKE.replace("my_pkg", name).replace("ament_package", f"{files.pop('call', '')}ament_package")
         results = lint_files({"package.xml": text, "CMakeLists.txt": cmake, **files}, ["XML101"])
         return next((f.severity for f in results.findings), None)
 
     assert level("my-pkg", **{"my-pkg/__init__.py": ""}) is Severity.WARNING
     assert level("my-pkg", **{"my_pkg/__init__.py": ""}) is level("MyPkg", **{"MyPkg/__init__.py": ""}) is Severity.INFO
     assert level("my-pkg") is level("MyPkg") is Severity.INFO
-    assert level("my-pkg", **{"msg/A.msg": "int32 a\n"}) is Severity.ERROR
+    generated = {"msg/A.msg": "int32 a\n", "call": "rosidl_generate_interfaces(${PROJECT_NAME} msg/A.msg)\n"}
+    left = {**generated, "call": f"# {generated['call']}"}
+    assert level("my-pkg", **generated) is level("MyPkg", **generated) is Severity.ERROR
+    assert level("my-pkg", **left) is level("MyPkg", **left) is Severity.WARNING
     assert [level(name) for name in ("my pkg", "_pkg", "")] == [Severity.ERROR] * 3
     built = ("a", "my__pkg", "my_pkg_", "1pkg")
     assert [level(name) for name in built] == [Severity.INFO] * 4
-    for files in ({"tracks.yaml": "tracks: {}\n"}, {"msg/A.msg": "int32 a\n"}):
+    assert [level(name, **left) for name in built] == [Severity.INFO] * 4
+    for files in ({"tracks.yaml": "tracks: {}\n"}, generated):
         assert [level(name, **files) for name in built] == [Severity.ERROR] * 4
     assert level("m2") is None
 

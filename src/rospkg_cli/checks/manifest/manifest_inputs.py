@@ -5,10 +5,12 @@ from __future__ import annotations
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import PACKAGE_ENDS, CMake
 from ...package.file_role import is_set_aside
 from ...package.install_table import InstallTable
+from ...package.launch.live_text import live_text
 from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts
 from ...package.rule_settings import RuleSettings
@@ -23,6 +25,9 @@ IDLE = frozenset(
     "add_definitions add_compile_options add_compile_definitions ament_package enable_testing return".split()
 )
 """Commands that build and install nothing; ament_package alone writes what only CMake reads."""
+
+GENERATES = regex(r"(?i)rosidl|generate\w*_(?:interfaces|messages)|_interfaces\s*\(")
+"""Commands that generate interfaces, and macros around them by their usual names."""
 
 CODE = (".py", ".cpp", ".cc", ".c", ".hpp", ".h", ".rs", ".msg", ".srv", ".action", ".launch", "Makefile", "Cargo.toml")
 
@@ -44,7 +49,7 @@ class NamedManifest:
     @property
     def is_met(self) -> bool:
         """Whether rosidl, a test with the schema or a release refuses an odd name."""
-        return bool(self.package.interface_files) or self.tests.is_tested or self.release.is_made
+        return self.package.generates_interfaces or self.tests.is_tested or self.release.is_made
 
 
 @dataclass(frozen=True)
@@ -69,6 +74,12 @@ class ManifestAndFiles:
             for path in self.files.below(kind)
             if path.endswith("." + kind) and path.count("/") == 1
         )
+
+    @cached_property
+    def generates_interfaces(self) -> bool:
+        """Whether it has interface files, and its CMake files speak of a command that generates them."""
+        built = (path for path in self.files.paths if path.endswith(("CMakeLists.txt", ".cmake")))
+        return bool(self.interface_files) and any(GENERATES.search(live_text(self.files, path)) for path in built)
 
     @property
     def is_set_aside(self) -> bool:

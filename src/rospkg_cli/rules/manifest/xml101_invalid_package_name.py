@@ -30,8 +30,8 @@ def named(name: str) -> dict[str, str]:
     over=NamedManifest,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a hyphen, where a Python package has that name, and there are no interfaces",
-        Severity.INFO: "a hyphen or an uppercase letter otherwise, where no interfaces are generated; `__` and other "
+        Severity.WARNING: "a hyphen, where a Python package has that name, or interface files that no build generates",
+        Severity.INFO: "a hyphen or an uppercase letter otherwise, where there are no interfaces; `__` and other "
         "names that colcon builds, where no test compares package.xml with its schema and nothing shows a release",
     },
     examples=(
@@ -59,10 +59,11 @@ def invalid_package_name(scope: NamedManifest) -> Iterator[Hit]:
     generated. Python can't import a package whose name has a hyphen.
 
     ## When it is quiet
-    A hyphen or an uppercase letter stops the build only where interfaces are generated. Otherwise it is an info, but
-    for a hyphen where a folder of Python modules has the name, too; in a metapackage, of which nothing is imported, it
-    is one as well. So is a name of one letter, with `__`, with a digit first or `_` last: colcon builds it. It is an
-    error where interfaces are generated, where a test compares package.xml with its schema, or for a release.
+    A hyphen or an uppercase letter stops the build only where interfaces are generated. Where interface files are there
+    and no CMake file generates them, it is a warning. Otherwise it is an info, but for a hyphen where a folder of
+    Python modules has the name, too; in a metapackage, of which nothing is imported, it is one as well. So is a name of
+    one letter, with `__`, with a digit first or `_` last: colcon builds it. It is an error where interfaces are
+    generated, where a test compares package.xml with its schema, or for a release.
 
     ## References
     - [REP-144, Mandatory Rules](https://ros.org/reps/rep-0144.html), [REP-149, name](https://ros.org/reps/rep-0149.html)
@@ -99,13 +100,13 @@ def judged(scope: NamedManifest) -> tuple[str, Severity | None]:
 def odd(package: ManifestAndFiles) -> tuple[str, Severity | None]:
     """Return what is said of a name with a hyphen or an uppercase letter."""
     name = package.manifest.name
-    level = None if package.interface_files else Severity.WARNING
+    level = None if package.generates_interfaces else Severity.WARNING
     has_modules = "-" in name and any(f"/{path}".endswith(f"/{name}/__init__.py") for path in package.files.paths)
     is_harmless = is_metapackage(package.files, package.manifest) or not (has_modules or package.interface_files)
     level = Severity.INFO if is_harmless else level
     sign, harm = "an uppercase letter", "REP-144 allows only lowercase ones"
     if "-" in name:
         sign, harm = "a hyphen", "REP-144 allows only `_`" if level is Severity.INFO else "Python can't import it"
-    if level is None:
+    if package.interface_files and not is_harmless:
         harm = "rosidl refuses it, and the interfaces can't be generated"
     return f"the name `{name}` has {sign}: {harm}", level
