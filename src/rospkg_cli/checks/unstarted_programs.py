@@ -14,6 +14,7 @@ from ..package.install_table import InstallTable
 from ..package.launch.live_text import live_text
 from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
+from .opened_elsewhere import opening_elsewhere
 from .pages_and_scripts import pages_and_scripts
 from .reached_modules import ReachedModules
 
@@ -41,8 +42,10 @@ class UnstartedPrograms:
 
     def is_beside_started(self, name: str) -> bool:
         """Return whether nothing starts a program, and another one of the package is started."""
+        if not self.table.knows("executable") or self.is_meant(name):
+            return False
         others = self.facts.executables - {name}
-        return self.table.knows("executable") and not self.is_started(name) and any(map(self.is_started, others))
+        return any(map(self.is_started, others)) or any(map(self.is_run_elsewhere, others))
 
     def has_script(self, path: str) -> bool:
         """Return the same of scripts that come with their folder: one that the build names is to be started."""
@@ -87,6 +90,29 @@ class UnstartedPrograms:
             self.known[name] = in_launch or any(map(word.search, self.texts)) or self.is_run_by_code(name)
         return self.known[name]
 
+    def is_meant(self, name: str) -> bool:
+        """Return whether something starts a program, or names it where no other thing has the name.
+
+        A word behind a slash is a topic or a folder, and one that is the name of another package, or of a program of
+        one, need not mean this program.
+        """
+        if not self.is_started(name):
+            return self.is_run_elsewhere(name)
+        if self.is_run(name) or self.is_run_elsewhere(name):
+            return True
+        word = re.compile(rf"(?<![\w/-]){re.escape(name)}(?![\w-])|(?<![\w-]){re.escape(name)}\.py\b")
+        return not self.is_of_others(name) and any(map(word.search, self.texts))
+
+    def is_of_others(self, name: str) -> bool:
+        """Return whether another package of the workspace, or a program of one, has the name of a program."""
+        holders = self.workspace.having("executables", name)
+        return name in self.workspace.names - {self.facts.name} or any(each.name != self.facts.name for each in holders)
+
+    def is_run_elsewhere(self, name: str) -> bool:
+        """Return whether code of another package has a program behind the name of this one."""
+        words = self.behind_package(name)
+        return any(map(words.search, opening_elsewhere(self.files, self.facts.name, self.workspace)))
+
     def is_run(self, name: str) -> bool:
         """Return whether a launch file starts a program, or a text or code has it behind the name of its package."""
         if self.workspace.having("started_nodes", self.facts.name, name):
@@ -95,7 +121,8 @@ class UnstartedPrograms:
         return any(map(words.search, self.texts)) or self.is_run_by_code(name)
 
     def behind_package(self, name: str) -> re.Pattern[str]:
-        return re.compile(rf"(?<!\w){re.escape(self.facts.name)}['\",\s]+{re.escape(name)}(?![\w-])")
+        own = re.escape(self.facts.name)
+        return re.compile(rf"(?<!\w)(?:{own}['\",\s]+|lib/{own}/){re.escape(name)}(?![\w-])")
 
     @cached_property
     def known(self) -> dict[str, bool]:

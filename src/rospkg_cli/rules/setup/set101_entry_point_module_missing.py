@@ -48,8 +48,10 @@ def entry_point_module_missing(started: StartedEntryPoints) -> Iterator[Hit]:
     ## When it is quiet
     Where setup.py may write files or generates the module, for compiled modules, templates and links, for modules
     of other packages, where a .gitignore names the file, and below a submodule that is not checked out. It is a warning
-    where nothing in the workspace starts or names the program, while another one of the package is started. It is
-    an info in a folder of a course whose page has people copy its files into a package of `ros2 pkg create`.
+    where nothing in the workspace starts or names the program, while another one of the package is started, by a launch
+    file, a page, a script, a workflow or code with `ros2 run`. The word alone does not name it where another package or
+    a program of one is called so, nor behind a slash, where it is a topic or a folder. It is an info in a folder of a
+    course whose page has people copy its files into a package of `ros2 pkg create`.
     """
     package = started.package
     for entry in package.setup.entry_points:
