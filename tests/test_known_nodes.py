@@ -50,6 +50,21 @@ def said(launch: str = "", values: str = "", **others: str) -> list[str]:
 @pytest.mark.parametrize(
     "values, starts",
     [
+        ("{'delay_between_messages': 0}", []),
+        ("{'delay_between_messages': 0.0, 'websocket_ping_interval': 10.0}", []),
+        ("{'port': '9090'}", ["PRM006 `port` is declared as int by `rosbridge_server`: a string"]),
+        ("{'default_call_service_timeout': 5}", []),
+        ("{'actions_glob': '[]', 'binary_encoder_type': 'b64'}", []),
+    ],
+)
+def test_releases_of_one_distribution_may_declare_a_parameter_otherwise(values: str, starts: list[str]) -> None:
+    found = said(LAUNCH.format("rosbridge_server", values))
+    assert [each.startswith(start) for each, start in zip(found, starts, strict=True)] == [True] * len(starts)
+
+
+@pytest.mark.parametrize(
+    "values, starts",
+    [
         ("{'deadzone': 0}", ["PRM006 `deadzone` is declared as double by `joy`: an int stops the node"]),
         ("{'deadzone': '0'}", ["PRM006 `deadzone` is declared as double"]),
         ("{'deadzone': 0.0, 'device_id': 1.5}", ["PRM006 `device_id` is declared as int by `joy`: a double"]),

@@ -10,6 +10,7 @@ from .read_table import rows
 NAMES = "node_names.txt"
 TABLE = "well_known_parameters.txt"
 NEWER = "newer_parameters.txt"
+CHANGED = "changed_parameters.txt"
 OF_TABLES = "known_defaults.txt", "more_defaults.txt"
 TYPES = {"b": "bool", "d": "double", "i": "int", "s": "string"}
 TAIL = "*"
@@ -21,7 +22,10 @@ class KnownParameter:
     """Where `is_tail`, what follows a part that is known at run time only, with the sign between them."""
     is_tail: bool
     type: str
-    """bool, int, double or string, with `[]` for a list of them; "" where it is unknown, or releases differ."""
+    """bool, int, double or string, with `[]` for a list of them; "" where it is unknown, or releases differ.
+
+    Releases of one distribution may differ, too: those are in a table of their own.
+    """
 
     @property
     def key(self) -> str:
@@ -43,7 +47,10 @@ def known_nodes() -> dict[str, tuple[str, ...]]:
 @cache
 def known_parameters(package: str) -> tuple[KnownParameter, ...]:
     """Return what a well-known package declares; nothing for any other."""
-    return tuple(map(known_parameter, rows(TABLE).get(package, ())))
+    changed = tuple(map(known_parameter, rows(CHANGED).get(package, ())))
+    replaced = {each.key for each in changed}
+    known = map(known_parameter, rows(TABLE).get(package, ()))
+    return (*(each for each in known if each.key not in replaced), *changed)
 
 
 @cache
