@@ -3,8 +3,8 @@
     python -m bench.well_known_parameters FOLDER
 
 FOLDER holds bare mirrors, `owner+name/repo` each.  Of every repository the branches of the supported distributions and
-the newest one are read as `rospkg lint` reads a workspace.  A type is written where all branches agree on it; what older
-releases of one branch declare otherwise, or a branch in a loop, which is not seen, stands in changed_parameters.txt.
+the newest one are read as `rospkg lint` reads a workspace.  A type is written where all branches agree on it.  What
+older releases on a branch declare otherwise, or a branch in a loop, which is not seen, is in changed_parameters.txt.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from ..finding import Edit
 from ..languages.xml.elements import Element, XmlComment
@@ -20,9 +20,9 @@ BLANK_LINE = regex(r"[ \t]*\n")
 END = regex(r"[ \t]*</package>")
 
 
-def add_dependency(manifest: Manifest, tag: str, name: str) -> Edit:
+def add_dependency(manifest: Manifest, tag: str, name: str, condition: str = "") -> Edit:
     """Add a dependency among those of its tag, sorted where they are sorted, and not below a comment of others."""
-    condition = condition_for(manifest, name)
+    condition = condition or condition_for(manifest, name) or ""
     attribute = f" condition={quoted(condition)}" if condition else ""
     return add_element(manifest, tag, f"<{tag}{attribute}>{escaped(name)}</{tag}>", name)
 
@@ -35,11 +35,16 @@ def condition_for(manifest: Manifest, name: str) -> str | None:
     return next((each for each in conditions if FOR_ROS_2.fullmatch(each.strip())), None)
 
 
-def add_dependencies(manifest: Manifest, wanted: Iterable[tuple[str, str]]) -> tuple[Edit, ...]:
-    """Add several dependencies, each a tag and a name; those that belong to one place are one edit."""
+def add_dependencies(
+    manifest: Manifest, wanted: Iterable[tuple[str, str]], conditions: Mapping[str, str] | None = None
+) -> tuple[Edit, ...]:
+    """Add several dependencies, each a tag and a name; those that belong to one place are one edit.
+
+    `conditions` are those of some names (REP-149).
+    """
     texts: dict[Span, list[str]] = {}
     for tag, name in sorted(wanted):
-        edit = add_dependency(manifest, tag, name)
+        edit = add_dependency(manifest, tag, name, (conditions or {}).get(name, ""))
         texts.setdefault(edit.span, []).append(edit.text)
     return tuple(Edit(manifest.path, span, in_order(each)) for span, each in sorted(texts.items()))
 

@@ -11,6 +11,7 @@ from ..checks.depends.declared_dependencies import DeclaredDependencies
 from ..checks.depends.name_source import is_of_family, only_distros, source_of
 from ..checks.depends.pip_requirements import FRAMEWORKS
 from ..checks.depends.similar_names import SimilarNames
+from ..checks.depends.split_distributions import split_distributions
 from ..checks.depends.system_installs import TOLD
 from ..checks.depends.undeclared_includes import IncludeDependencies, IncludedPackage
 from ..checks.enumeration import enumerated, in_ticks
@@ -83,8 +84,7 @@ def todo(declared: DeclaredDependencies, tag: str, name: str, *serving: str) -> 
     """Return what to do about a dependency that nothing but its source keeps from being declared."""
     match source_of(declared, name):
         case "released":
-            few = only_distros(declared, name)
-            only = f", which only {enumerated(few)} {'have' if few[1:] else 'has'}" if few else ""
+            only = only_for(declared, name)
             told = TOLD if declared.is_installed_otherwise((name, *serving)) else ""
             return f"add {written(declared, tag, name)}{only}{told}"
         case "pip":
@@ -101,12 +101,30 @@ def todo(declared: DeclaredDependencies, tag: str, name: str, *serving: str) -> 
             return "no supported distribution has it: correct the name, or list its repository in a .repos file"
 
 
+def only_for(declared: DeclaredDependencies, name: str) -> str:
+    """Return which distributions alone have what is to be declared, or which of those named here lack it."""
+    if few := only_distros(declared, name):
+        return f", which only {enumerated(few)} {'have' if few[1:] else 'has'}"
+    split = split_distributions(declared, name)
+    if not split.without:
+        return ""
+    lack = f": {enumerated(split.without)}, which the repository names, {'lack' if split.without[1:] else 'lacks'} it"
+    return lack if split.is_for_some else f"{lack}, so list its repository in a .repos file"
+
+
 def declaration(declared: DeclaredDependencies, tag: str, name: str) -> Fix | None:
     """Return the fix that declares a dependency; None where it would make a circle."""
     if circle_with(declared, name):
         return None
-    edits = add_dependencies(declared.manifest, ((each, name) for each in tags(declared, tag)))
+    conditions = {name: condition_of(declared, name)}
+    edits = add_dependencies(declared.manifest, ((each, name) for each in tags(declared, tag)), conditions)
     return Fix(f"add {written(declared, tag, name)}", edits, safety_of(declared, name))
+
+
+def condition_of(declared: DeclaredDependencies, name: str) -> str:
+    """Return the condition under which a dependency is declared, for some of the distributions that are named."""
+    has_conditions = declared.manifest.schema_format >= 3
+    return split_distributions(declared, name).condition if has_conditions else ""
 
 
 def tags(declared: DeclaredDependencies, tag: str) -> tuple[str, ...]:
@@ -115,14 +133,21 @@ def tags(declared: DeclaredDependencies, tag: str) -> tuple[str, ...]:
 
 
 def written(declared: DeclaredDependencies, tag: str, name: str) -> str:
-    return " and ".join(f"<{each}>{name}</{each}>" for each in tags(declared, tag))
+    condition = condition_of(declared, name)
+    attribute = f' condition="{condition}"' if condition else ""
+    return " and ".join(f"<{each}{attribute}>{name}</{each}>" for each in tags(declared, tag))
 
 
 def safety_of(declared: DeclaredDependencies, name: str) -> Safety:
-    """Return whether a name may be declared unasked: all distributions have it, and it was not left out on purpose."""
+    """Return whether a name may be declared unasked: all distributions have it, and it was not left out on purpose.
+
+    Where some that the repository names lack it, a condition does it for the others.
+    """
     is_left = name in declared.commented_out or name in declared.for_other_distributions
     is_left = is_left or name.removeprefix("python3-") in FRAMEWORKS
     is_left = is_left or is_installed_by_comment(declared.manifest, (name,))
+    split = split_distributions(declared, name)
+    is_left = is_left or (bool(split.without) and not condition_of(declared, name))
     sure = source_of(declared, name) == "released" and not is_left
     return Safety.SAFE if sure and not only_distros(declared, name) else Safety.UNSAFE
 
@@ -165,7 +190,9 @@ def declarations(declared: DeclaredDependencies, wanted: Sequence[tuple[str, str
     """Return the fix that declares several dependencies, each as (tag, name): the safe ones if there are any."""
     safe = [(tag, name) for tag, name in wanted if safety_of(declared, name) is Safety.SAFE]
     asked = safe or wanted
-    edits = add_dependencies(declared.manifest, ((each, name) for tag, name in asked for each in tags(declared, tag)))
+    conditions = {name: condition_of(declared, name) for _, name in asked}
+    pairs = ((each, name) for tag, name in asked for each in tags(declared, tag))
+    edits = add_dependencies(declared.manifest, pairs, conditions)
     return Fix(f"declare {in_ticks(name for _, name in asked)}", edits, Safety.SAFE if safe else Safety.UNSAFE)
 
 

@@ -18,6 +18,7 @@ from ...ros.manifest import BUILD_TYPES, CONDITIONAL_TAGS, DEPENDENCY_TAGS, EXPO
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
+from ..older_distribution import OlderDistribution
 from ..released import Release
 from .brought_dependencies import (
     COLCON,
@@ -229,6 +230,11 @@ class DeclaredDependencies:
     @cached_property
     def installs(self) -> SystemInstalls:
         return SystemInstalls(self.release.files, self.workspace)
+
+    @cached_property
+    def distribution(self) -> OlderDistribution:
+        """The distributions that the repository names."""
+        return OlderDistribution(self.release.files)
 
     @cached_property
     def hidden(self) -> HiddenPackages:

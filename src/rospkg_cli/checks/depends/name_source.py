@@ -14,6 +14,7 @@ from .circles import circle_with
 from .commented_installs import is_installed_by_comment
 from .declared_dependencies import DeclaredDependencies
 from .similar_names import SimilarNames
+from .split_distributions import split_distributions
 
 NameSource = Literal["released", "pip", "unknown"]
 
@@ -86,12 +87,13 @@ def is_unmet(declared: DeclaredDependencies, name: str, serving: Iterable[str] =
 
     It is missing on purpose, or another package of the repository declares it, which nobody shows to be released, or a
     list or a command of the repository installs it, or a comment of package.xml has people do so, or to declare it
-    would make a circle.
+    would make a circle, or would stop rosdep on one of the distributions that the repository names.
     """
     names = (name, *serving)
     is_there = is_lacked_by_nobody(declared, names) or declared.is_installed_otherwise(names)
     is_there = is_there or is_installed_by_comment(declared.manifest, names)
-    return is_there or is_left_out(declared, name) or circle_with(declared, name) is not None
+    is_there = is_there or is_left_out(declared, name) or circle_with(declared, name) is not None
+    return is_there or split_distributions(declared, name).is_for_some
 
 
 def is_lacked_by_nobody(declared: DeclaredDependencies, names: Collection[str]) -> bool:

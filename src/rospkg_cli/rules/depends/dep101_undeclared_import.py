@@ -34,7 +34,7 @@ OPTIONAL = "; this module is imported only where that may fail"
         "for older distributions alone, where an unreleased repository declares it in another package or installs it "
         "by apt, where only PyPI has it or the repository has it installed by pip or by hand, where nothing but "
         "launch files, only `try`, or nothing at all imports the module or starts the script, where nothing leads to "
-        "the function, where another Python runs the file or an image may bring it, and where it needs this one itself"
+        "the function, where another Python or image has it, where one that is named lacks it, or it needs this one"
     },
     examples=(
         Example(
@@ -84,8 +84,8 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     of rosdep, or where containers build on an image of others than ROS and Ubuntu, which may bring it. Left out are
     optional imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks
     for the package (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files that nothing
-    installs, the package's own modules, and libraries that rosdep has for older releases of Ubuntu alone. A package
-    here that needs this one itself is an info: to declare it would make a circle.
+    installs, own modules, and libraries that rosdep has for older releases of Ubuntu alone. A package here that needs
+    this one itself, in a circle, is an info; so is what one of the distributions that the repository names lacks.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, not all distributions have it, or a comment leaves it out.

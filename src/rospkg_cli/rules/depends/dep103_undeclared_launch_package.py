@@ -43,7 +43,7 @@ BAD_XML = """\
         "argument must turn it on, for examples and debugging, for launch files that nothing installs or names, for "
         "what no launch comes to, for nodes that other code describes, where an unreleased repository declares it in "
         "another package or installs it by apt, where package.xml has it in a comment or for older distributions "
-        "alone, where a page leaves it out or calls it optional, and where it needs this package"
+        "alone, where a page leaves it out, where one that is named lacks it, and where it needs this package"
     },
     examples=(
         Example(
@@ -87,14 +87,14 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     or that begin like this package and no other, and what another package of the repository declares, or a list or a
     script of it installs (apt alone), where nothing shows a release, and what launch files for a part need
     (`simulator.launch.py`) that a page leaves out of a build (`colcon build --packages-up-to arm # without the
-    simulator`), and what a page or script calls optional by its name or first word (`## MAVROS (optional)`). Left out
-    are computed names, uses that catch PackageNotFoundError or ask first (`if 'pkg' in get_packages_with_prefixes()`),
-    files for ROS 1, actions that nothing adds, and what a module imports too (DEP101). A package here that needs this
-    one itself is an info, as a circle would follow; nothing, where it declares this one.
+    simulator`), what a page or script calls optional by its name or first word (`## MAVROS (optional)`), and what one
+    of the named distributions lacks. Left out are computed names, uses that catch PackageNotFoundError or ask first
+    (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, actions that nothing adds, and what a module imports
+    too (DEP101). What needs this one itself is an info, as a circle would follow; nothing, where it declares this one.
 
     ## Fix safety
-    The fix is unsafe where no released package has the name, where a comment of package.xml leaves it out, or where
-    another name may be intended.
+    Unsafe where no released package has the name, a named distribution lacks it in format 2 (which has no conditions),
+    a comment of package.xml leaves it out, or another name may be meant.
 
     ## References
     - REP-149, exec_depend

@@ -1,0 +1,63 @@
+"""Which of the distributions that a repository names have a package that it does not declare, and which lack it."""
+
+from __future__ import annotations
+
+from ...light_dataclasses import dataclass
+from ...ros.distros import DISTROS, Targets
+from ...ros.rosdep import NOT_THERE
+from .declared_dependencies import DeclaredDependencies
+
+
+@dataclass(frozen=True, slots=True)
+class SplitDistributions:
+    having: tuple[str, ...] = ()
+    """The supported ones that have it, named or not; nothing where all of the named ones have it."""
+    lacking: tuple[str, ...] = ()
+    """The supported ones that lack it, named or not."""
+    named: frozenset[str] = frozenset()
+    """The supported ones that the pages of the repository name."""
+
+    @property
+    def is_for_some(self) -> bool:
+        """Whether some of the named ones have it: a plain declaration stops rosdep on the others."""
+        return not self.named.isdisjoint(self.having)
+
+    @property
+    def without(self) -> tuple[str, ...]:
+        """The named ones that lack it."""
+        return tuple(name for name in self.lacking if name in self.named)
+
+    @property
+    def condition(self) -> str:
+        """The condition of a declaration for those that have it (REP-149); "" where no named one does."""
+        if not self.is_for_some:
+            return ""
+        if len(self.having) <= len(self.lacking):
+            return " or ".join(f"$ROS_DISTRO == {name}" for name in self.having)
+        return " and ".join(f"$ROS_DISTRO != {name}" for name in self.lacking)
+
+
+def split_distributions(declared: DeclaredDependencies, name: str) -> SplitDistributions:
+    """Return who has a package or a key, where a distribution that the repository names lacks it; empty else.
+
+    The repository is asked last, for it has many pages.
+    """
+    having = frozenset(having_it(declared, name))
+    supported = [each.name for each in DISTROS]
+    if not having or having.issuperset(supported):
+        return SplitDistributions()
+    named = declared.distribution.meant.intersection(supported)
+    if having.issuperset(named):
+        return SplitDistributions()
+    lacking = tuple(each for each in supported if each not in having)
+    return SplitDistributions(tuple(each for each in supported if each in having), lacking, named)
+
+
+def having_it(declared: DeclaredDependencies, name: str) -> list[str]:
+    """Return the supported distributions that have a released package or a rule for a key; nothing for what is here."""
+    index = declared.workspace.index
+    if declared.workspace.is_available(name):
+        return []
+    if index.is_key(name) and not index.is_package(name):
+        return [each.name for each in Targets() if index.installer(name, each) != NOT_THERE]
+    return [each.name for each in DISTROS if each.name in index.packages.get(name, ())]
