@@ -18,6 +18,7 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.workspace import Workspace
 from ...ros.share_layout import FOLDERS
 from ...unreadable import READABLE
+from ..launch.launched_programs import launches_nothing
 from ..share_uses import ShareUses
 from ..started_files import is_started
 from .unmatched_patterns import unmatched_patterns
@@ -121,11 +122,12 @@ class RuntimeFolders:
         ignores = files.absent.is_ignored
         ros1 = {file.path for file in self.launch_files if file.is_ros1}
         useful = [path for path in useful if path not in self.built_from | ros1 and "/test/" not in path]
-        return tuple(path for path in useful if not ignores(path) and not (folder == LAUNCH and self.is_blank(path)))
+        return tuple(path for path in useful if not ignores(path) and not (folder == LAUNCH and self.is_none(path)))
 
-    def is_blank(self, path: str) -> bool:
-        """Return whether a launch file is an empty placeholder."""
-        return not self.package.cmake.package_files.readable_text(path).strip()
+    def is_none(self, path: str) -> bool:
+        """Return whether a file among launch files is an empty placeholder, or none that launch can load."""
+        files = self.package.cmake.package_files
+        return not files.readable_text(path).strip() or launches_nothing(files, path)
 
     @cached_property
     def built_from(self) -> frozenset[str]:

@@ -15,6 +15,7 @@ from ...package.setup.data_files import DataEntry, DataFile
 from ...package.setup.python_install_table import MARKERS
 from ...ros.share_layout import FOLDERS, LAUNCH
 from ...suggest import nearest
+from ..launch.launched_programs import launches_nothing
 from ..opened_in_share import OpenedInShare
 from ..pages_and_scripts import FetchedFiles
 from ..share_uses import ShareUses
@@ -93,7 +94,8 @@ class ShareFiles:
 
     def useful(self, folder: str) -> tuple[str, ...]:
         """Return the files of a folder that are used at run time, at any depth."""
-        pattern = FOLDERS.get(folder.rpartition("/")[2], re.compile(r"[^.].*"))
+        last = folder.rpartition("/")[2]
+        pattern = FOLDERS.get(last, re.compile(r"[^.].*"))
         files = self.package.files
         found = [
             path
@@ -102,7 +104,9 @@ class ShareFiles:
         ]
         ignores = files.absent.is_ignored
         found = [path for path in found if not path.endswith("/__init__.py") and "/test/" not in path]
-        return tuple(path for path in found if not ignores(path))
+        return tuple(
+            path for path in found if not (ignores(path) or (last == "launch" and launches_nothing(files, path)))
+        )
 
     @cached_property
     def empty_globs(self) -> tuple[GlobResult, ...]:

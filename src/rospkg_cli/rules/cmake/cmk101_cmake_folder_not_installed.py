@@ -62,15 +62,16 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     'my_pkg'": only what `install()` names is installed.
 
     ## When it is quiet
-    Where a launch file or module makes the folder in the share directory and writes all its files there. Where install
-    rules can't be evaluated (what the build makes hides only its destination), where a macro of another package is
-    called, which may install files, where another command names the folder, and where git ignores its files. Where the
-    README opens them in the source folder (`--params-file src/…/config/a.yaml`), code does so there or in somebody's
-    home, or pages and scripts start launch files by their paths alone (`ros2 launch src/…/a.launch.py`), it is an info.
-    It is one, too, where neither the package nor another one of the workspace that names it seems to open the folder or
-    a file in it: they may be leftovers, or notes. Launch files are opened by `ros2 launch`, but for those whose names
-    all say `example` or `template`, which people copy, and for a folder that an `install()` in a comment names, where
-    no package opens it and the README does not start it.
+    Where a launch file or module makes the folder in the share directory and writes all its files there. Where
+    `launch/` holds nothing that launch can load (a program, files for ROS 1). Where install rules can't be evaluated
+    (what the build makes hides only its destination), where a macro of another package is called, which may install
+    files, where another command names the folder, and where git ignores its files. Where the README opens them in the
+    source folder (`--params-file src/…/config/a.yaml`), code does so there or in somebody's home, or pages and scripts
+    start launch files by their paths alone (`ros2 launch src/…/a.launch.py`), it is an info. It is one, too, where
+    neither the package nor another one of the workspace that names it seems to open the folder or a file in it: they
+    may be leftovers, or notes. Launch files are opened by `ros2 launch`, but for those whose names all say `example` or
+    `template`, which people copy, and for a folder that an `install()` in a comment names, where no package opens it
+    and the README does not start it.
     """
     package, place = folders.package, folders.insertion_call
     if not package.is_ament or place is None:
