@@ -18,9 +18,8 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.workspace import Workspace
 from ...ros.share_layout import FOLDERS
 from ...unreadable import READABLE
-from ..launch.launched_programs import launches_nothing
 from ..share_uses import ShareUses
-from ..started_files import is_started
+from ..started_files import is_started, launches_nothing
 from .unmatched_patterns import unmatched_patterns
 
 LAUNCH = "launch"

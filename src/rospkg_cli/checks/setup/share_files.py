@@ -15,11 +15,10 @@ from ...package.setup.data_files import DataEntry, DataFile
 from ...package.setup.python_install_table import MARKERS
 from ...ros.share_layout import FOLDERS, LAUNCH
 from ...suggest import nearest
-from ..launch.launched_programs import launches_nothing
 from ..opened_in_share import OpenedInShare
 from ..pages_and_scripts import FetchedFiles
 from ..share_uses import ShareUses
-from ..started_files import is_started
+from ..started_files import is_started, launches_nothing
 from .python_package import PythonPackage
 
 
