@@ -21,7 +21,12 @@ def is_on_python_path(files: PackageFiles, path: str) -> bool:
 
     Of a launch file of the package any such line does: what its substitutions end in is known when it runs.
     """
-    name = posixpath.basename(posixpath.dirname(path))
+    return has_on_python_path(files, posixpath.dirname(path))
+
+
+def has_on_python_path(files: PackageFiles, folder: str) -> bool:
+    """Return whether one does so in a folder of the package; "" is the package's own."""
+    name = posixpath.basename(folder) or posixpath.basename(files.folder)
     ends = re.compile(rf"/{re.escape(name)}/?(?![\w./-])")
     launched = (each for each in files.paths if role_of(each) == "launch")
     if any(SETS.search(files.readable_text(each)) for each in launched):

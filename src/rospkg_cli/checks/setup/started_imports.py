@@ -6,8 +6,11 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...light_dataclasses import dataclass
+from ...package.setup.entry_points import EntryPoint
+from ..ros1_import import ros1_import
 from .module_exports import absolute
 from .python_package import PythonPackage
+from .replaced_imports import is_replaced
 
 
 @dataclass(frozen=True)
@@ -24,12 +27,23 @@ class StartedImports:
 
     @cached_property
     def names_at_some_time(self) -> frozenset[str]:
-        """The same with what is imported in functions, or may fail."""
+        """The same with what is imported in functions, or may fail and has nothing in its place."""
         return self.all_from_entries(at_once=False)
 
     def all_from_entries(self, *, at_once: bool) -> frozenset[str]:
+        return frozenset[str]().union(*(self.from_entry(each, at_once=at_once) for each in self.entries))
+
+    @property
+    def entries(self) -> list[EntryPoint]:
+        return [entry for entry in self.package.setup.entry_points if entry.module and not entry.fault]
+
+    def starting(self, package: str) -> list[EntryPoint]:
+        """Return the entry points whose start imports a Python package, or a module in it."""
+        return [each for each in self.entries if is_among(package, self.from_entry(each, at_once=True))]
+
+    def from_entry(self, entry: EntryPoint, *, at_once: bool) -> frozenset[str]:
         found: set[str] = set()
-        waiting = [entry.module for entry in self.package.setup.entry_points if entry.module and not entry.fault]
+        waiting = [entry.module]
         while waiting:
             name = waiting.pop()
             if name and name not in found:
@@ -41,8 +55,13 @@ class StartedImports:
         """Yield what a module of the package imports, as soon as it is imported itself or at some time."""
         path = self.package.on_disk.get(module, "")
         file = self.package.modules.at(path) if path else None
+        ended = ros1_import(file.imports) if file is not None else None
         for each in file.imports if file is not None else ():
-            if not (each.is_for_typing or (at_once and (each.is_optional or each.is_local))):
+            if ended is not None and each.span.start > ended.span.start:
+                return
+            is_late = each.is_local or each.is_optional
+            is_spared = each.is_optional and file is not None and is_replaced(file, each)
+            if not (each.is_for_typing or is_spared or (at_once and is_late)):
                 name = absolute(each, path, self.package.setup)
                 yield from (name, *(f"{name}.{part}" for part in each.names))
 

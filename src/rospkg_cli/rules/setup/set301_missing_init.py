@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.lost_modules import LostModules
 from ...checks.setup.module_tree import ModuleTree
 from ...checks.setup.stand_alone_scripts import are_scripts
 from ...edits.setup_py import add_packages
@@ -28,7 +29,7 @@ SHOWN = regex(r"(?:.*/)?(?:examples?|demos?|scripts?|tools?|tutorials?|notebooks
 @rule(
     "SET301",
     "missing-init",
-    over=ModuleTree,
+    over=LostModules,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "no entry point imports it as it starts, or the workspace is built with `--symlink-install`",
@@ -43,7 +44,7 @@ SHOWN = regex(r"(?:.*/)?(?:examples?|demos?|scripts?|tools?|tutorials?|notebooks
         ),
     ),
 )
-def missing_init(tree: ModuleTree) -> Iterator[Hit]:
+def missing_init(lost: LostModules) -> Iterator[Hit]:
     """
     ## What it does
     Finds folders of Python modules without an `__init__.py` that `find_packages()` leaves out.
@@ -53,10 +54,12 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
     `find_packages()` leaves them out: the build is green, and at run time there is "No module named 'my_pkg.speech'".
     In the source folder, and with `--symlink-install`, it works, so the error is found late: where a README, a
     Dockerfile or another file of the repository builds that way, it is a warning. It is one, too, where no entry point
-    imports the folder as it starts: a function does. It is an info for a folder that nothing imports to which an entry
-    point leads, where no package of the workspace depends on this one or no code of the repository imports it at all,
-    the folder is called `deprecated`, `legacy`, `old` or `backup`, or each of its files has a shebang line or a
-    `__main__`.
+    imports the folder as it starts, as a function does, or nothing starts those that do, and another program is. It is
+    an info for a folder that nothing imports to which an entry point leads, where no package of the workspace depends
+    on this one or no code of the repository imports it at all, the folder is called `deprecated`, `legacy`, `old` or
+    `backup`, or each of its files has a shebang line or a `__main__`. It is one, too, where a text puts the source
+    folder on PYTHONPATH or has pip install it (`pip install -e .`), or where an import is tried and has something in
+    its place.
 
     ## When it is quiet
     With `find_namespace_packages()`, in folders of launch files that nothing imports, in folders of tests and below
@@ -67,6 +70,7 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
     ## Fix safety
     It is unsafe for a folder of examples, scripts or tools that nothing imports: it would be installed with the rest.
     """
+    tree = lost.tree
     for folder in tree.missing_inits:
         inside = [path for path in tree.package.files.below(folder) if path.endswith(".py")]
         if all(role_of(path) == "test" for path in inside) or tree.holds_launch_files(folder):
@@ -89,12 +93,24 @@ def missing_init(tree: ModuleTree) -> Iterator[Hit]:
             listing, also = listed_too(tree, name)
             message = f"{start}; create an empty one{also}"
             fix = Fix(f"create {init}{also}", (Create(init, ""), *listing), safety)
-        is_for_nobody = is_listed or tree.is_set_aside(folder) or are_scripts(inside, tree.package.files)
-        may_matter = imported and tree.started.may_reach(name)
-        may_matter = may_matter or (not is_for_nobody and tree.may_be_for_others(folder))
-        mild = Severity.WARNING if may_matter else Severity.INFO
-        is_fatal = imported and tree.started.reaches(name) and not link
-        yield Hit(inside[0], Span(0, 0), message, None if is_fatal else mild, fix=fix)
+        level, why = level_of(lost, folder, inside)
+        yield Hit(inside[0], Span(0, 0), f"{message}{why}", level, fix=fix)
+
+
+def level_of(lost: LostModules, folder: str, inside: list[str]) -> tuple[Severity | None, str]:
+    """Return how grave it is that a folder is not installed, and why it is no more; None where a program stops."""
+    tree, name = lost.tree, lost.tree.dotted(folder)
+    is_listed = name in tree.setup.package_names
+    imported = tree.imports_from(folder) and not is_listed
+    is_for_nobody = is_listed or tree.is_set_aside(folder) or are_scripts(inside, tree.package.files)
+    may_matter = imported and tree.started.may_reach(name)
+    if not may_matter and (is_for_nobody or not tree.may_be_for_others(folder)):
+        return Severity.INFO, ""
+    if why := lost.why_found(name):
+        return Severity.INFO, why
+    is_fatal = imported and tree.started.reaches(name) and not tree.link_of(name)
+    left = lost.left(name) if is_fatal else ""
+    return None if is_fatal and not left else Severity.WARNING, left
 
 
 def listed_too(tree: ModuleTree, name: str) -> tuple[tuple[Edit, ...], str]:
