@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from rospkg_cli.checks.depends.split_distributions import with_newest
 from rospkg_cli.example import BACKDROPS, existing_files, manifest
 from rospkg_cli.finding import Edit, Finding, Operation
 from rospkg_cli.testing import lint_files
@@ -67,3 +68,16 @@ def test_a_package_that_all_of_them_have(name: str) -> None:
     assert fix is not None
     assert (finding.severity.value, fix.safety.value) == ("warning", "safe")
     assert "condition" not in finding.message
+
+
+@pytest.mark.parametrize(
+    ("having", "expected"),
+    [
+        (["humble"], {"humble"}),
+        (["humble", "jazzy"], {"humble", "jazzy"}),
+        (["humble", "jazzy", "kilted"], {"humble", "jazzy", "kilted", "lyrical", "rolling"}),
+        (["rolling"], {"rolling"}),
+    ],
+)
+def test_what_the_newest_lack_is_not_released_yet(having: list[str], expected: set[str]) -> None:
+    assert with_newest(having) == expected

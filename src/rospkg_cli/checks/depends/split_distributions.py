@@ -42,7 +42,7 @@ def split_distributions(declared: DeclaredDependencies, name: str) -> SplitDistr
 
     The repository is asked last, for it has many pages.
     """
-    having = frozenset(having_it(declared, name))
+    having = having_it(declared, name)
     supported = [each.name for each in DISTROS]
     if not having or having.issuperset(supported):
         return SplitDistributions()
@@ -53,11 +53,20 @@ def split_distributions(declared: DeclaredDependencies, name: str) -> SplitDistr
     return SplitDistributions(tuple(each for each in supported if each in having), lacking, named)
 
 
-def having_it(declared: DeclaredDependencies, name: str) -> list[str]:
-    """Return the supported distributions that have a released package or a rule for a key; nothing for what is here."""
+def with_newest(having: list[str]) -> frozenset[str]:
+    """Return these with the two newest where the one before them is among them: what is not released yet will be."""
+    *_, before, newest, rolling = (each.name for each in DISTROS)
+    return frozenset((*having, newest, rolling) if before in having else having)
+
+
+def having_it(declared: DeclaredDependencies, name: str) -> frozenset[str]:
+    """Return the supported distributions that have a released package or a rule for a key; nothing for what is here.
+
+    A key of Debian that is gone does not come back.
+    """
     index = declared.workspace.index
     if declared.workspace.is_available(name):
-        return []
+        return frozenset()
     if index.is_key(name) and not index.is_package(name):
-        return [each.name for each in Targets() if index.installer(name, each) != NOT_THERE]
-    return [each.name for each in DISTROS if each.name in index.packages.get(name, ())]
+        return frozenset(each.name for each in Targets() if index.installer(name, each) != NOT_THERE)
+    return with_newest([each.name for each in DISTROS if each.name in index.packages.get(name, ())])
