@@ -40,6 +40,8 @@ PYTHON = {"native/package.xml": manifest("", "ament_python", "native"), "native/
         ("a.launch.py", LAUNCH.format("native", "arm", "other"), NATIVE, "warning"),
         ("a.launch.py", LAUNCH.format("native", "talker", "other"), NATIVE, "info"),
         ("a.launch.py", LAUNCH.format("native", "talker", "arm"), PYTHON, "info"),
+        ("a.launch.py", LAUNCH.format("driver_of_somebody", "arm", "arm"), {}, "info"),
+        ("a.launch.py", LAUNCH.format("turtlesim", "turtlesim_node", "arm"), {}, "warning"),
         ("a.launch.xml", PASSED.format("nav2_bringup", "navigation_launch.py"), {}, "info"),
     ],
 )

@@ -6,6 +6,7 @@ from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import NodeBlock
 from ...ros.known_nodes import known_nodes
+from ...ros.names import NameKind
 from ...source import Span
 from .block_readers import BlockReaders, may_read
 from .launch_parameters import NodeArguments
@@ -32,15 +33,20 @@ class ListReaders:
 
     @property
     def native(self) -> list[NodeArguments]:
-        """The nodes of the package's launch files that somebody starts, but for those that surely are in Python."""
+        """The nodes of the package's launch files that somebody starts, but for those that may well be in Python."""
         met = (each for each in self.readers.launched.node_arguments if self.readers.is_met(each))
-        return [each for each in met if not self.use.is_python(*names_of(each))]
+        return [each for each in met if self.is_native(*names_of(each))]
+
+    def is_native(self, package: str, executable: str) -> bool:
+        """Return whether a node is taken to be in C++: a component is, no program of a strange package may be."""
+        is_known = package == "" or self.use.workspace.kind_of(package) is NameKind.PACKAGE
+        return (is_known or "::" in executable) and not self.use.is_python(package, executable)
 
     def is_given_elsewhere(self) -> bool:
         """Return whether a launch file of another package gives the file to a node in C++, whatever that is called."""
         files = {(self.use.package.name, path) for path in self.use.share_paths}
         rows = (row for facts in self.others for row in facts.yaml_readers if row[:2] in files)
-        return any(not self.use.is_python(*row[2:]) for row in rows)
+        return any(self.is_native(*row[2:]) for row in rows)
 
     @property
     def others(self) -> list[PackageFacts]:
