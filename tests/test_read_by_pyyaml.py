@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.example import CMAKE, manifest
+from rospkg_cli.finding import Finding
 from rospkg_cli.testing import lint_files
 
 LAUNCH = """\
@@ -31,6 +32,14 @@ VALUES = "sim:\n  ros__parameters:\n    {}\n"
 
 
 def levels(started: str, values: str) -> list[str]:
+    return [each.severity.value for each in found(started, values)]
+
+
+def messages(started: str, values: str) -> list[str]:
+    return [each.message for each in found(started, values)]
+
+
+def found(started: str, values: str) -> list[Finding]:
     files = {
         "package.xml": manifest("  <exec_depend>turtlesim</exec_depend>\n", "ament_cmake"),
         "CMakeLists.txt": CMAKE.replace(
@@ -39,7 +48,7 @@ def levels(started: str, values: str) -> list[str]:
         "launch/a.launch.py": LAUNCH.format(started),
         "config/robot.yaml": VALUES.format(values),
     }
-    return [each.severity.value for each in lint_files(files, ["PRM004"]).findings]
+    return list(lint_files(files, ["PRM004"]).findings)
 
 
 @pytest.mark.parametrize(
@@ -71,3 +80,32 @@ def test_an_empty_list_has_no_type_for_a_component() -> None:
 )
 def test_what_is_written_anew_has_no_aliases_of_single_values(values: str, expected: list[str]) -> None:
     assert levels(REWRITTEN, values) == expected
+
+
+TYPED = "- name: a\n        type: b"
+INNER = "- name: a\n        points: [1.0, 2.0]\n        size: 3\n      - name: b"
+
+
+@pytest.mark.parametrize(
+    ("items", "expected"),
+    [
+        (TYPED, ["warning"]),
+        (f"{TYPED}\n        size: '3'\n        inner:\n          a: c", ["warning"]),
+        ("- a: 1\n      - b: 2", ["warning"]),
+        (INNER, ["warning"]),
+        ("- a: 1", []),
+        (f"{TYPED}\n        size: 3", ["error"]),
+        ("- size: 3\n        name: a", ["error"]),
+        ("- a: 1\n      - b: 2.5", ["error"]),
+        (f"{TYPED}\n        size:", ["error"]),
+        (f"{TYPED}\n      - {{}}", ["error"]),
+        (f"{TYPED}\n      - [a]", ["warning"]),
+        ("- [a]\n      - name: b", ["error"]),
+    ],
+)
+def test_mappings_in_a_list_that_rcl_reads_past(items: str, expected: list[str]) -> None:
+    assert levels(NODE.format("config"), f"b:\n      {items}") == expected
+
+
+def test_what_becomes_of_such_a_list_is_told() -> None:
+    assert "the node finds no `b`" in messages(NODE.format("config"), f"b:\n      {TYPED}")[0]

@@ -19,6 +19,7 @@ from ...package.params.parameter_file import (
 )
 from ...package.params.scalar_types import type_of
 from ..fault import Fault
+from .lists_in_rcl import takes_list
 
 REFUSES = "rcl refuses the file, and the node does not start"
 EMPTY_LIST = "rcl can't determine the type of the empty list"
@@ -150,7 +151,8 @@ def list_faults(name: str, value: SequenceNode) -> Iterator[Fault]:
         if isinstance(item, SequenceNode) and item is value.items[-1]:
             return  # rcl takes what it holds for the list's own entries
         if not isinstance(item, ScalarNode) or (not item.text and not item.is_quoted):
-            yield item_fault(name, item)
+            is_lost = isinstance(item, MappingNode) and takes_list(value)
+            yield lost_list(name, item) if is_lost else item_fault(name, item)
             return
         if has_placeholder(item.text):
             return
@@ -166,6 +168,12 @@ def item_fault(name: str, item: YamlNode) -> Fault:
         return Fault(item.span, f"an entry of `{name}` has no value; {REFUSES}")
     kind = "list" if isinstance(item, SequenceNode) else "mapping"
     return Fault(item.span, f"a {kind} inside the list `{name}`; {REFUSES}")
+
+
+def lost_list(name: str, item: YamlNode) -> Fault:
+    """Return the fault of a list that rcl reads to its end, and puts below a name that no node asks for."""
+    message = f"rcl drops the mapping inside the list `{name}`: what it holds gets another name"
+    return Fault(item.span, f"{message}, and the node finds no `{name}`", "warning")
 
 
 def mixed_types(name: str, types: list[tuple[str, ScalarNode]]) -> Fault:

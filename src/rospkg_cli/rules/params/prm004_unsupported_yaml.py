@@ -43,8 +43,8 @@ def example(bad: str, good: str) -> Example:
     over=RefusedValues,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "a list is empty, at which only C++ nodes stop, or launch files, code or a page name the "
-        "file, and none is shown to give it to a node",
+        Severity.WARNING: "a list is empty, at which only C++ nodes stop, rcl reads past the mappings in a list, or "
+        "launch files, code or a page name the file, and none is shown to give it to a node",
         Severity.INFO: "nothing names the file, nobody starts the nodes that get it, components alone do, or a list is "
         "empty in a block that no C++ node is shown to read",
     },
@@ -74,13 +74,16 @@ def unsupported_yaml(scope: RefusedValues) -> Iterator[Hit]:
     Files without `ros__parameters` that no launch file passes to a node may hold any YAML, and so may those that a
     launch file parses itself, to hand on values (and what a `RewrittenYaml`, as nav2_bringup has one for its
     `params_file`, fills in, or an alias of plain values that it writes out), or that only code names and parses. rcl
-    takes a list of mappings with one key each (`- a: 1`), and makes parameters of it. An empty list is a warning: a
-    Python node takes it; nothing is said of it where launch files give the file to such nodes alone (of a Python
-    package, or an executable `*.py`); it is an info where no node in C++ that is started is shown to read the block:
-    one that is given the file, or has the block's name. All of a file is a warning that no launch file of the workspace
-    gives a node by its path; where they give it to components alone, which get it as PyYAML reads it, all but empty
-    lists is an info. Of a file that no launch file, program or README of the workspace names, or that goes to nodes
-    alone which nobody starts (of a launch file that is not installed, or never added), it is an info.
+    takes a list of mappings with one key each (`- a: 1`), and makes parameters of it. Other mappings in a list are a
+    warning where all that stands in them is of one type, as keys and quoted numbers are (`- name: a`, `type: b`): rcl
+    reads past them, the node starts, and the list is not set. An empty list is a warning: a Python node takes it;
+    nothing is said of it where launch files give the file to such nodes alone (of a Python package, or an executable
+    `*.py`); it is an info where no node in C++ that is started is shown to read the block: one that is given the file,
+    or has the block's name, and not of a package that is neither here nor released. All of a file is a warning that no
+    launch file of the workspace gives a node by its path; where they give it to components alone, which get it as
+    PyYAML reads it, all but empty lists is an info. Of a file that no launch file, program or README of the workspace
+    names, or that goes to nodes alone which nobody starts (of a launch file that is not installed, or never added), it
+    is an info.
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp
