@@ -57,6 +57,38 @@ def test_a_name_of_several_maps_needs_its_folder() -> None:
     assert told(**files, **{"launch/a.launch.xml": OPENS.format("maps/big/office.yaml")})[0][0] == "warning"
 
 
+PARSED = """\
+#!/usr/bin/env python3
+import os
+import yaml
+from ament_index_python.packages import get_package_share_directory
+
+SHARE = get_package_share_directory('my_pkg')
+with open(os.path.join(SHARE, 'maps', 'office.yaml')) as file:
+    DATA = yaml.safe_load(file)
+print(DATA['resolution'])
+"""
+HANDED = PARSED.partition("with open")[0] + "PLACE = os.path.join(SHARE, 'maps', 'office.yaml')\nshow(PLACE)\n"
+
+
+@pytest.mark.parametrize(
+    ("code", "level"),
+    [
+        (PARSED, "info"),
+        (PARSED.replace("resolution", "image"), "warning"),
+        (HANDED, "warning"),
+        (f"{HANDED}PICTURE = os.path.join(SHARE, 'worlds', 'hall.pgm')\n", "info"),
+        (f"{PARSED}from nav2_msgs.srv import LoadMap\n", "warning"),
+        (f"{PARSED}COMMAND = 'ros2 run nav2_map_server map_server'\n", "warning"),
+    ],
+)
+def test_a_map_of_which_programs_read_other_keys(code: str, level: str) -> None:
+    build = f"{FILES['CMakeLists.txt']}install(PROGRAMS scripts/a.py DESTINATION lib/${{PROJECT_NAME}})\n"
+    files = {"maps/office.yaml": MAP.format("gone.png"), "CMakeLists.txt": build, "scripts/a.py": code}
+    assert told(**files)[0][0] == level
+    assert told(**files, **{"launch/a.launch.xml": OPENS.format("maps/office.yaml")})[0][0] == "warning"
+
+
 def test_a_parameter_that_nobody_is_shown_to_read() -> None:
     value = "$(find-pkg-share my_pkg)/config/b.xml"
     files = {"config/nav.yaml": TREE.format(value), "launch/a.launch.xml": OPENS.format("config/nav.yaml")}

@@ -30,6 +30,7 @@ from .path_readers import PathReaders
 MAP = regex(r"^resolution[ \t]*:[\s\S]*^origin[ \t]*:|^origin[ \t]*:[\s\S]*^resolution[ \t]*:", re.MULTILINE)
 IMAGE = regex(r"^image[ \t]*:[ \t]*[\"']?([\w][\w ./-]*\.\w+)[\"']?[ \t]*(?:#.*)?\r?$", re.MULTILINE)
 UNOPENED = "as soon as something here opens this file"
+UNTAKEN = "and what names the map here asks for other keys of it alone"
 UNREAD = "and neither code here nor a well-known node is shown to read it by this key"
 PARAMETERS = "ros__parameters"
 SHARED = regex(
@@ -129,6 +130,8 @@ class NamedFiles:
         is_map = MAP.search(text) is not None
         if not self.is_used(path) or (is_map and not self.maps.has(path)):
             return UNOPENED
+        if is_map and not self.maps.takes_picture(path):
+            return UNTAKEN
         is_read = is_map or PathReaders(self.files, self.workspace, self.parameters).has(path, fault.span, text)
         return "" if is_read else UNREAD
 

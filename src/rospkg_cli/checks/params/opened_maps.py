@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections.abc import Iterator
 from functools import cached_property
 
 from ...lazy_regex import regex
@@ -13,6 +14,12 @@ from ..pages_and_scripts import pages_and_scripts
 
 READS_MAPS = regex(r"map_server|yaml_filename|nav2_bringup|bringup_launch|localization_launch|navigation2?[._]launch")
 """What a text has that starts a map server, itself or by nav2, which people give one of the maps beside each other."""
+LOADS_MAPS = regex(r"LoadMap|/load_map\b|map_url|[\"']image[\"']")
+"""What a program has that hands a map on to such a server, or asks for the picture of the map itself."""
+PARSES = regex(r"\bYAML\s*\(|\byaml\.load|\b(?:safe|full|unsafe)_load\s*\(|\bYAML::Load")
+PICTURE = regex(r"[\w-]\.(?:pgm|png|bmp|jpg)[\"']")
+PROGRAM = regex(r"(?m)^(?:import |from [\w.]+ import |[ \t]*#[ \t]*include\b)")
+OF_LAUNCH = "LaunchDescription"
 
 
 @dataclass(frozen=True)
@@ -20,7 +27,15 @@ class OpenedMaps:
     opening: OpeningPlaces
 
     def has(self, path: str) -> bool:
-        """Return whether code, a launch file, YAML, a page or a script opens a map, by its name or as one of a folder.
+        """Return whether code, a launch file, YAML, a page or a script opens a map."""
+        return any(True for _ in self.of(path))
+
+    def takes_picture(self, path: str) -> bool:
+        """Return whether one of those that open a map may load its picture, and not only other keys of it."""
+        return any(may_take_picture(text) for text in self.of(path))
+
+    def of(self, path: str) -> Iterator[str]:
+        """Yield the texts that open a map, by its name or as one of a folder.
 
         Of the folder alone another file may be read, as a picture; a name that several maps have needs the folder.
         """
@@ -30,12 +45,19 @@ class OpenedMaps:
         again = [each for each in self.opening.files.paths if each.endswith(f"/{name}") and each != path]
         for own, text in self.texts:
             is_beside = beside is not None and beside.search(text) is not None
-            if own != path and is_beside and READS_MAPS.search(text):
-                return True
-            if own != path and named.search(text) and (is_beside or not again):
-                return True
-        return False
+            is_named = named.search(text) is not None and (is_beside or not again)
+            if own != path and (is_named or (is_beside and READS_MAPS.search(text))):
+                yield text
 
     @cached_property
     def texts(self) -> tuple[tuple[str, str], ...]:
         return (*self.opening.texts, *(("", text) for text in pages_and_scripts(self.opening.files)))
+
+
+def may_take_picture(text: str) -> bool:
+    """Return whether a text may have the picture of a map loaded: all do, but for a program without a map server that
+    names a picture itself, or parses YAML and never asks for an `image`.
+    """
+    if PROGRAM.search(text) is None or OF_LAUNCH in text or READS_MAPS.search(text) or LOADS_MAPS.search(text):
+        return True
+    return PICTURE.search(text) is None and PARSES.search(text) is None

@@ -35,8 +35,8 @@ INSTALLS = CMAKE.replace(
     over=NamedFiles,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "nothing here installs or names the file, opens the map, or is shown to read the parameter, a "
-        "launch file may give another value, or people bring what is missing"
+        Severity.INFO: "nothing here installs or names the file, opens the map for its picture, or is shown to read "
+        "the parameter, a launch file may give another value, or people bring what is missing"
     },
     examples=(
         Example(
@@ -67,11 +67,12 @@ def missing_named_file(scope: NamedFiles) -> Iterator[Hit]:
     and so are packages of which not all is known that they install. What is there and not installed is told by others.
     In a package of tests, a file that nothing names is left alone, too. It is an info where nothing names the map, nor
     starts nav2 or a map server and names its folder, and where neither code of the workspace nor a well-known node is
-    shown to read the parameter by its key. It is one where people bring what is missing: a page or a script has it
-    fetched, saved or copied there by its name, an archive of its name is beside, or its folder, for what people make
-    (`maps`, `calibration`, `data`), holds nothing but a `.gitkeep` or a README. And it is one for a trained model or a
-    recording of a kind that the package has none of, and where the parameter says that a node writes the file
-    (`output_file`, `log_path`).
+    shown to read the parameter by its key. So it is where programs alone name the map, none of them near a map server,
+    and they name a picture of their own, or parse the map and never ask for its `image`. It is one where people bring
+    what is missing: a page or a script has it fetched, saved or copied there by its name, an archive of its name is
+    beside, or its folder, for what people make (`maps`, `calibration`, `data`), holds nothing but a `.gitkeep` or a
+    README. And it is one for a trained model or a recording of a kind that the package has none of, and where the
+    parameter says that a node writes the file (`output_file`, `log_path`).
     """
     for path, fault in scope.faults():
         yield from hits(path, [fault])
