@@ -149,3 +149,59 @@ def test_yaml_that_a_program_opens(path: str, text: str) -> None:
     assert codes(plain, **{path: text.replace("fix.yaml", "other.yaml")}) >= {"PRM006"}
     assert codes(plain, **{path: text + "\n// automatically_declare_parameters_from_overrides\n"}) >= {"PRM006"}
     assert codes(plain, **{f"test/{path}": text}) >= {"PRM006"}
+
+
+READ = """\
+import os
+
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+from nav2_common.launch import RewrittenYaml
+from somewhere import RobotConfig, read_yaml
+
+
+def setup(context):
+    folder = LaunchConfiguration('folder').perform(context)
+    robot = RobotConfig(read_yaml(os.path.join(folder, 'fix.yaml')))
+    rest = RewrittenYaml(source_file=os.path.join(folder, 'rest.yaml'), param_rewrites={'a': robot.a})
+    return [Node(package='my_pkg', executable='fixer', parameters=[rest])]
+
+
+def generate_launch_description():
+    folder = DeclareLaunchArgument('folder', default_value='', description='The folder with fix.yaml and others.')
+    return LaunchDescription([folder, OpaqueFunction(function=setup)])
+"""
+JOINED = "os.path.join(folder, 'fix.yaml')"
+HELD = READ.replace("    robot =", f"    path = {JOINED}\n    robot =").replace(f"yaml({JOINED})", "yaml(path)")
+
+
+@pytest.mark.parametrize("launch", [READ, HELD])
+def test_yaml_of_an_unknown_folder_that_a_launch_file_reads(launch: str) -> None:
+    assert codes(launch) == set()
+    assert codes(launch.replace("read_yaml(", "shown(")) >= {"PRM006"}
+    assert codes(launch.replace("[rest]", f"[rest, {JOINED}]")) >= {"PRM006"}
+    assert codes(launch.replace("[rest]", "[robot, read_yaml(folder)]")) >= {"PRM006"}
+
+
+def test_a_name_that_is_held_and_given_on() -> None:
+    assert codes(HELD.replace("read_yaml(path)", "show()")) >= {"PRM006"}
+    assert codes(HELD.replace("param_rewrites={'a': robot.a}", "param_rewrites={'a': path}")) >= {"PRM006"}
+
+
+ITEMS = "sensors:\n  lidar:\n  - model: a\n    ros_parameters:\n      driver:\n        port: 1\nversion: 0\n"
+MACHINE = "serial_number: a-1\nplatform:\n  extras:\n    ros_parameters:\n      controller:\n        port: 1\n"
+
+
+@pytest.mark.parametrize("text", [ITEMS, MACHINE])
+def test_yaml_of_another_kind_with_parameters_further_in(text: str) -> None:
+    launch = LAUNCH.replace("'fix.yaml'", "'other.yaml'")
+    assert codes(launch, **{"config/fix.yaml": text}) == set()
+    given = '<launch><node pkg="a" exec="b"><param from="$(find-pkg-share my_pkg)/config/fix.yaml"/></node></launch>'
+    assert codes(launch, **{"config/fix.yaml": text, "launch/b.launch.xml": given}) >= {"PRM004"}
+
+
+@pytest.mark.parametrize("text", [ITEMS.replace("_p", "__p"), MACHINE.replace("serial_number", "number")])
+def test_yaml_with_a_key_that_is_meant_for_rcl(text: str) -> None:
+    assert codes(LAUNCH.replace("'fix.yaml'", "'other.yaml'"), **{"config/fix.yaml": text}) != set()

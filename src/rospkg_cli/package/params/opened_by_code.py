@@ -23,7 +23,7 @@ HANDS_ON = regex(r"launch_ros|LaunchDescription|parameter_overrides|automaticall
 
 def is_for_code(path: str, reading: ReaderInput) -> bool:
     """Return whether all that opens a file is code: a launch file for single values, or a program by its own parser."""
-    from ..launch.opened_yaml import is_given, is_handed_on, references_to  # few files are opened so
+    from ..launch.opened_yaml import is_given, is_handed_on, is_only_read, references_to  # few files are opened so
 
     name, manifest = posixpath.basename(path), reading.parts(Manifest).only
     own = manifest.name if manifest is not None else ""
@@ -31,7 +31,7 @@ def is_for_code(path: str, reading: ReaderInput) -> bool:
     naming = [each for each in launches if name in each.source.text]
     if any(is_given(name, each, own) for each in naming) or is_given_by_text(name, reading):
         return False
-    if any(references_to(name, each, own) for each in naming):
+    if any(references_to(name, each, own) or is_only_read(name, each) for each in naming):
         return not any(is_handed_on(name, each, own) for each in naming)
     return any(opens(code, name, reading) for code in reading.files.paths if role_of(code) != "test")
 
