@@ -211,9 +211,9 @@ CASES = {
         *(
             Example(bad={"my_pkg/talker.py": text, "my_pkg/a.txt": "a\n"}, good={})
             for text in (
-                "P = '/home/ada/ws/src/my_pkg/package.xml'\n",
-                "P = '/home/ada/ws/src/my_pkg/my_pkg/a.txt'\n",
-                "P = '/home/ada/ws/src/my_pkg/my_pkg/out.txt'\n",
+                "P = open('/home/ada/ws/src/my_pkg/package.xml')\n",
+                "P = open('/home/ada/ws/src/my_pkg/my_pkg/a.txt')\n",
+                "P = open('/home/ada/ws/src/my_pkg/my_pkg/out.txt')\n",
                 "raise RuntimeError('/home/ada/ws/src/my_pkg/package.xml')\n",
             )
         ),

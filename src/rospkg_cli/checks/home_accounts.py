@@ -13,6 +13,9 @@ OF_MANY = frozenset(
 )
 """Accounts that robots, containers and examples have: the path may be the same for everyone."""
 SHARED = regex(r"your|docker|container|(?:^|_)(?:ws|workspace)$")
+OF_UNIT = regex(r"\.service(?:\.in)?$")
+RUNS_AS = r"(?m)^User[ \t]*=[ \t]*{0}[ \t]*$"
+"""The account that systemd starts a program of the repository as."""
 SHORTEST = 4
 """The letters of a name that is no part of other words; a shorter one must be written as that of an account."""
 OF_MACHINE = regex(
@@ -41,4 +44,5 @@ def is_of_container(files: PackageFiles, user: str) -> bool:
             is_clear = len(user) >= SHORTEST and OF_CONTAINER.search(path) is not None
             if is_clear or written.search(each.readable_text(path)):
                 return True
-    return False
+    as_unit = re.compile(RUNS_AS.format(re.escape(user)))
+    return any(as_unit.search(each.readable_text(path)) for each, path in files_called(files, OF_UNIT))

@@ -31,7 +31,7 @@ OPENING = (NEWLINE, INDENT, DEDENT)
 """What a statement follows."""
 AFTER_HASH = regex(r"(?m)(?:^|(?<=\s))#[^\n]*")
 BUT_LINES = regex(r"[^\n]")
-ASKS = regex(r"\b(?:exists|isfile|is_file|isdir|is_dir|access)\(")
+ASKS = regex(r"\b(?:l?exists|isfile|is_file|isdir|is_dir|access)\(|\bif\s*\([^()]*\bEXISTS\b")
 
 
 def is_guarded_macro(text: str, place: int) -> bool:

@@ -36,11 +36,13 @@ from .home_path_texts import (
     patterns,
     without_comments,
 )
+from .idle_paths import IdlePaths
 from .launch.missing_references import LaunchContext
 from .launch.undeclared_files import is_written_in_vain
 from .launch.unread_values import UnreadValues
 from .launch.who_meets import level_met
 from .left_files import LeftFiles
+from .params.block_readers import BlockReaders
 from .params.launch_overrides import is_given, is_overridden
 from .params.path_readers import PathReaders
 from .params.replaced_defaults import is_replaced
@@ -90,6 +92,8 @@ class HomePath:
     shown to read it by its key."""
     is_last_resort: bool = False
     """Whether it is tried only where another way to the file failed before."""
+    is_off: bool = False
+    """Whether a switch that is off, or a default that chooses otherwise, keeps everything from coming to it."""
 
 
 @dataclass(frozen=True)
@@ -102,6 +106,8 @@ class HomePaths:
     unread: UnreadPaths | None = None
     left: LeftFiles | None = None
     programs: UnstartedPrograms | None = None
+    idle: IdlePaths | None = None
+    blocks: BlockReaders | None = None
     launches: Annotated[tuple[LaunchFile, ...], READABLE] = ()
     parameters: Annotated[tuple[ParameterFile, ...], READABLE] = ()
 
@@ -145,16 +151,19 @@ class HomePaths:
             is_seldom_read = is_seldom_read or self.is_replaced(path, place, bare, named)
             is_seldom_read = is_seldom_read or self.is_given_otherwise(path, bare, place.start)
             is_seldom_read = is_seldom_read or self.is_setting(path, text, bare, place.start)
+            is_seldom_read = is_seldom_read or self.is_told_for_all(match["user"] or match["mac"])
             is_seldom_read = is_seldom_read or begins_dialog(bare, place.start)
             is_seldom_read = is_seldom_read or (not is_image and self.names_nothing(path, *home))
-            flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
             is_value = path.endswith((".yaml", ".yml")) and role_of(path) != "launch" and not is_image
             ends = self.is_unread(path, place), written.has(place) or (is_value and self.is_of_written(path, place))
             is_unclaimed = (is_value and not self.readers.has(path, place, bare)) or self.is_given_in_vain(path, place)
             from .last_resorts import is_last_resort  # few files have such a path
 
             is_last = is_last_resort(path, bare, place, file)
-            found = HomePath(path, place, named, *home, *flags, *ends, is_unclaimed, is_last)
+            is_off = self.idle is not None and self.idle.has(path, place)
+            is_seldom_read = is_seldom_read or (is_value and self.is_in_unread_block(path, place))
+            flags = (is_image, may_be_there, is_seldom_read, self.is_unreached(path, place))
+            found = HomePath(path, place, named, *home, *flags, *ends, is_unclaimed, is_last, is_off)
             yield replace(found, is_seldom_read=found.is_seldom_read or self.is_for_others(file, bare, place))
 
     def is_for_others(self, file: PythonFile | None, text: str, place: Span) -> bool:
@@ -188,6 +197,11 @@ class HomePaths:
         """Return whether a place is that of a variable of code, or of a value of a launch file, that nothing reads."""
         if self.unread is not None and self.unread.has(path, place):
             return True
+        if path.endswith(CPP) and self.left is not None:
+            from .cpp.unread_texts import is_unread_text  # few files have such a path
+
+            every = ((each.path, each.source.text) for each in self.left.sources)
+            return is_unread_text(path, without_comments(path, self.files.readable_text(path)), place, every)
         return any(each.holds(place) for each in self.unread_values if each.scope.file.path == path)
 
     @cached_property
@@ -213,6 +227,12 @@ class HomePaths:
         if role_of(path) == "launch":
             return is_always_given(path, before, self.files) or has_named_twin(path, self.files)
         return is_replaced(before, value, self.parameters) or is_given(before, value, self.facts.name, launches)
+
+    def is_in_unread_block(self, path: str, place: Span) -> bool:
+        """Return whether a place is in a block for a node that none is which launch files give the file to."""
+        own = ((file, block) for file in self.parameters if file.path == path for block in file.blocks)
+        held = ((file, block) for file, block in own if block.value.span.holds(place))
+        return self.blocks is not None and any(self.blocks.is_unread(*each) for each in held)
 
     def is_of_written(self, path: str, place: Span) -> bool:
         from .written_parameters import is_of_written  # few files have such a path
@@ -248,6 +268,18 @@ class HomePaths:
             self.accounts[user] = is_of_many(user) or is_of_container(self.files, user)
         return self.accounts[user]
 
+    def is_told_for_all(self, user: str) -> bool:
+        if user not in self.told:
+            from .told_homes import is_told_for_all  # few files have such a path
+
+            self.told[user] = is_told_for_all(self.files, user)
+        return self.told[user]
+
+    @cached_property
+    def told(self) -> dict[str, bool]:
+        """Whether people are to write their own home, for the accounts that were asked for."""
+        return {}
+
     @cached_property
     def accounts(self) -> dict[str, bool]:
         """Whether many have an account, for those that were asked for."""
@@ -260,7 +292,7 @@ class HomePaths:
             self.left.has(path) or self.is_no_launch_file(path) or self.left.is_for_tests_alone(path)
         )
         is_left = is_left or (path.endswith(".py") and self.programs is not None and self.programs.has(path))
-        is_aside = is_aside or is_set_aside(path)
+        is_aside = is_aside or is_set_aside(path) or (self.idle is not None and self.idle.is_of_idle_program(path))
         return path.endswith(".rviz") or is_aside or is_left or (path.endswith(YAML) and self.is_left_out(path))
 
     def is_no_launch_file(self, path: str) -> bool:

@@ -47,7 +47,8 @@ class ReachedDefinitions:
 
     def is_turned_off(self, file: PythonFile, span: Span) -> bool:
         """Return whether a place is under a switch that nothing throws: `TESTING = False`."""
-        return any(file.span(each).holds(span) for each in self.switches.statements(file))
+        statements, choices = self.switches.statements(file), self.switches.choices(file)
+        return any(file.span(each).holds(span) for part in (statements, choices) for each in part)
 
     @cached_property
     def switches(self) -> Switches:

@@ -13,6 +13,16 @@ PARAMETER = r"\bdeclare_parameter(?:<[^<>]*(?:<[^<>]*>)?[^<>]*>)?\([^()]*,\s*[\"
 DEFAULTS = {regex(ARGUMENT): "argument", regex(PARAMETER): "parameter"}
 """What stands before the default of an argument or a parameter."""
 
+WHY = {
+    "is_unreached": "; nothing here leads to this function",
+    "is_unread": "; nothing reads it",
+    "is_written": "; something writes it, and misses no file",
+    "is_unclaimed": "; neither code here nor a well-known node is shown to read it by this key",
+    "is_off": "; it is switched off, or not chosen by default",
+    "is_last_resort": "; it is tried only where something else failed before",
+}
+"""By what is known of a path in a home folder, why nobody misses the file today."""
+
 
 def advice(paths: HomePaths, found: HomePath) -> str:
     """Return how everybody can name a file of the workspace, in the language of the file that names it."""

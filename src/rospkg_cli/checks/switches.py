@@ -10,7 +10,7 @@ import ast
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
-from ..languages.python.constant_truth import unreached_statements
+from ..languages.python.constant_truth import constant_truth, unreached_statements
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import FunctionNode, children_of, functions_of, nodes_of, nodes_of_kind
 from ..languages.python.settled_names import Held, Values, constant_of, settled_in, truths
@@ -55,6 +55,13 @@ class Switches:
         """Yield the outermost statements among them."""
         if self.turned_off(file):
             yield from self.unreached(file)
+
+    def choices(self, file: PythonFile) -> Iterator[ast.expr]:
+        """Yield the halves of `a if TESTING else b` that a switch never chooses."""
+        names = self.in_file(file)
+        for each in nodes_of_kind(file.tree, ast.IfExp) if names else []:
+            if (always := constant_truth(each.test, names)) is not None:
+                yield each.orelse if always else each.body
 
     def unreached(self, file: PythonFile) -> Iterator[ast.stmt]:
         names, whole = self.in_file(file), self.of_module(file)

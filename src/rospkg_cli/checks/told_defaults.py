@@ -17,6 +17,7 @@ VARIABLE = regex(
     rf"(?:\s*,\s*(?:default(?:_value)?\s*=\s*)?|\s*\)[^;\n]*){QUOTE}$"
 )
 OPTION = regex(rf"\badd_argument\(\s*(?:[\"']-\w[\"']\s*,\s*)?[\"'](--[\w-]+)[\"'][^()]*\bdefault\s*=\s*{QUOTE}$")
+PARAMETER = regex(rf"\bdeclare_parameter\s*(?:<[^;()]*>)?\(\s*[\"']([\w.]+)[\"']\s*,\s*{QUOTE}$")
 SETS = (
     r"(?m)(?<![\w.-]){0}=\S|^[ \t-]*{0}:[ \t]+\S|\b(?:ENV|set[ \t]+-gx)[ \t]+{0}[ \t]"
     r"|\bSetEnvironmentVariable\s*\(\s*(?:name\s*=\s*)?[\"']{0}[\"']|<(?:set_)?env\b[^<>]*\bname\s*=\s*[\"']{0}[\"']"
@@ -31,12 +32,14 @@ def is_given_otherwise(path: str, text: str, at: int, files: PackageFiles) -> bo
     if variable is not None:
         sets = re.compile(SETS.replace("{0}", variable[1]))
         return any(sets.search(each) for each in (*pages_and_scripts(files), *launch_texts(files)))
-    option = OPTION.search(before)
-    if option is None:
+    option, parameter = OPTION.search(before), PARAMETER.search(before)
+    if option is None and (parameter is None or launch_texts(files)):
         return False
     runs = re.compile(RUNS.replace("{0}", re.escape(posixpath.basename(path).removesuffix(".py"))))
     lines = [each[0] for page in pages_and_scripts(files) for each in runs.finditer(page.replace("\\\n", " "))]
-    return bool(lines) and all(re.search(rf"{option[1]}(?![\w-])", line) for line in lines)
+    ends = rf"{option[1]}(?![\w-])" if option is not None else ""
+    ends = rf"[ \t]-p[ \t]*{re.escape(parameter[1])}:=" if option is None and parameter is not None else ends
+    return bool(lines) and all(re.search(ends, line) for line in lines)
 
 
 def launch_texts(files: PackageFiles) -> list[str]:

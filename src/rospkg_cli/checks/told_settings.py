@@ -16,7 +16,8 @@ OBJECT = (
 )
 TELLS = regex(
     rf"\b{VERB}\b[^\n]{{0,60}}\b{OBJECT}\b"
-    r"|\b(?:set|specify|enter|put|insert)\b[^\n]{0,40}\bhere\b"
+    r"|\b(?:set|specify|enter|put|insert)\b[^\n]{0,40}\bhere\b|\bset (?:(?:this|it) )?to your\b"
+    r"|\bupdate\b[^\n]{0,60}\b(?:your|own|here|accordingly|to match|as (?:needed|required|appropriate))\b"
     r"|\byour(?: \w+){0,2} (?:paths?|files?|models?|maps?|folders?|director(?:y|ies)|locations?|user(?:name)?|home)\b"
     rf"|\b(?:TODO|FIXME)\b\W{{0,3}}{VERB}\b|\bchangeme\b"
     r"|\b(?:must|should|(?:has|have|needs?) to) be (?:changed|set|adapted|edited|adjusted|modified|replaced)\b",

@@ -1,16 +1,20 @@
-"""Rule input: paths that Python code puts into a variable or a member that nothing reads."""
+"""Rule input: paths that Python code puts into a variable, a constant or a member that nothing reads."""
 
 from __future__ import annotations
 
 import ast
+import posixpath
 from collections.abc import Iterator
 from functools import cached_property
 
 from ..languages.python.attributes import is_of_self
+from ..languages.python.bound_again import bound_again, members_bound_again
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import FunctionNode, last_name, nodes_below, nodes_of, nodes_of_kind
 from ..light_dataclasses import dataclass
+from ..package.install_table import InstallTable
 from ..package.python.share_paths import SHARE
+from ..package.workspace import Workspace
 from ..source import Span
 from .named_definitions import is_open
 from .run_imports import RunImports
@@ -26,14 +30,53 @@ DYNAMIC = frozenset({"locals", "vars", "globals", "eval", "exec"})
 @dataclass(frozen=True)
 class UnreadPaths:
     run: RunImports
+    workspace: Workspace | None = None
+    table: InstallTable | None = None
 
     def has(self, path: str, span: Span) -> bool:
         """Return whether all that becomes of a path is a value that nothing reads."""
         file = self.run.modules.at(path) if path.endswith(".py") else None
-        for owner, target, value in assigned(file) if file is not None else ():
-            if file is not None and file.span(value).holds(span) and opens_nothing(value):
+        if file is None or self.is_bound_away(file, span):
+            return file is not None
+        for owner, target, value in assigned(file):
+            if file.span(value).holds(span) and opens_nothing(value):
                 return self.is_unread(file, owner, target)
+        return self.is_left_constant(file, span)
+
+    def is_bound_away(self, file: PythonFile, span: Span) -> bool:
+        """Return whether a name or a member is given something else before anything reads a path."""
+        values = (*(each.value for each in bound_again(file)), *members_bound_again(file))
+        return any(file.span(each).holds(span) and opens_nothing(each) for each in values)
+
+    def is_left_constant(self, file: PythonFile, span: Span) -> bool:
+        """Return whether a path is all that a constant of a module or a class has, and no code of the run reads it.
+
+        What a library has is for others: the package must have programs.
+        """
+        if self.table is None or not any(True for _ in self.table.of("executable")):
+            return False
+        closed = (each for each in nodes_of_kind(file.tree, ast.ClassDef) if not is_open(file, each, ()))
+        for each in (*file.tree.body, *(each for owner in closed for each in owner.body)):
+            match each:
+                case ast.Assign(targets=[ast.Name(id=name)], value=value) if file.span(value).holds(span):
+                    return opens_nothing(value) and not self.may_be_read(file, name)
         return False
+
+    def may_be_read(self, file: PythonFile, name: str) -> bool:
+        """Return whether any code of the run has a name elsewhere than where it is bound, or takes all of a module."""
+        loads = (each for each in nodes_of_kind(file.tree, ast.Name) if isinstance(each.ctx, ast.Load))
+        imports = (each for _, one in self.run.files for each in one.imports)
+        stem = posixpath.basename(file.path).removesuffix(".py")
+        whole = {each for module, each in self.taken_elsewhere if each or module.rpartition(".")[2] == stem}
+        taken = {each for one in imports for each in one.names} | whole
+        is_taken = not taken.isdisjoint((name, "", "*")) or name in self.read
+        return is_taken or any(each.id in (name, *DYNAMIC) for each in loads)
+
+    @cached_property
+    def taken_elsewhere(self) -> frozenset[tuple[str, str]]:
+        """What packages take out of modules, each with the module; "" where they import all of one."""
+        others = self.workspace.packages if self.workspace is not None else ()
+        return frozenset(each for facts in others for each in facts.taken_names)
 
     def is_unread(self, file: PythonFile, owner: FunctionNode, target: ast.expr) -> bool:
         """Return whether nothing reads a name in its function, or a member in the package, and it is bound once."""

@@ -28,6 +28,13 @@ def switches_in_cpp(source: CppFile, span: Span, sources: Iterable[CppFile]) -> 
             yield Switch(variable, given.parameters, is_on)
 
 
+def is_never(source: CppFile, span: Span) -> bool:
+    """Return whether a place stands under `if (false)`."""
+    return any(
+        name in ("false", "0") and is_on for name, is_on in conditions(code_text(source.source.text), span.start)
+    )
+
+
 def conditions(code: str, at: int) -> Iterator[tuple[str, bool]]:
     """Yield the variables on which it depends whether a place runs, each with the truth that it has to have."""
     start = max((each.end() for each in END.finditer(code, max(0, at - 1000), at)), default=0)
