@@ -10,6 +10,7 @@ from typing import Annotated
 
 from ..files import PackageFiles
 from ..languages.cpp.file import CppFile
+from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.cmake.cmake_project import CMake
 from ..package.file_role import role_of
@@ -30,6 +31,9 @@ from .setup.linked_build import build_texts
 from .unrun_tests import is_unregistered
 
 KINDS: tuple[InstallKind, ...] = ("executable", "share", "module", "other")
+ENTRY = regex(r"(?m)^def generate_launch_description\b")
+SETS_BIT = regex(r"(?m)^[^\n]*\bchmod\b[^\n]*$")
+"""A line that starts nothing."""
 BESIDE = ("CMakeLists.txt", ".cmake", "Makefile")
 
 
@@ -55,11 +59,30 @@ class LeftFiles:
             return False
         if is_collected(path) and not self.is_swept(path):
             return False
+        if self.is_bare_description(path):
+            return True
         if path.endswith(".py") and self.reached is not None and self.reached.is_left(path):
             return not self.is_for_others(path)
         is_left = self.is_uninstalled(path) and not (is_launch and self.are_launch_files_forgotten)
         is_left = is_left or self.is_no_program(path) or self.is_swept(path) or self.is_given_up(path)
         return (is_left or self.is_no_more_than_data(path)) and not self.is_named(path)
+
+    def is_bare_description(self, path: str) -> bool:
+        """Return whether a launch description lies among the modules, where `ros2 launch` finds it by its path alone,
+        and nothing imports or names it, but to set its bit.
+        """
+        reached, table = self.reached, self.table
+        if not path.endswith(".py") or role_of(path) != "run" or reached is None or table is None:
+            return False
+        rows, text = [row for row in table.rows if row.source == path], self.files.readable_text(path)
+        is_module = bool(rows) and all(row.what == "module" for row in rows)
+        if not is_module or ENTRY.search(text) is None or "__main__" in text or reached.has(path):
+            return False
+        name, word = reached.installed.names.get(path, ""), naming(path)
+        taken = {each for facts in self.workspace.packages for each in facts.taken_names}
+        if any(name in (module, f"{module}.{inner}") for module, inner in taken):
+            return False
+        return not any(word.search(SETS_BIT.sub("", self.live(each))) for each in self.having(word, path))
 
     def is_for_tests_alone(self, path: str) -> bool:
         """Return whether a script is called like a test and has none: pytest imports it, and nothing else here does."""
