@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.checks.depends.split_distributions import with_newest
-from rospkg_cli.example import BACKDROPS, existing_files, manifest
+from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
 from rospkg_cli.finding import Edit, Finding, Operation
 from rospkg_cli.testing import lint_files
 
@@ -81,3 +81,15 @@ def test_a_package_that_all_of_them_have(name: str) -> None:
 )
 def test_what_the_newest_lack_is_not_released_yet(having: list[str], expected: set[str]) -> None:
     assert with_newest(having) == expected
+
+
+def test_a_build_stops_where_a_package_is_missing_whoever_lacks_it() -> None:
+    cmake = CMAKE.replace("ament_package", "find_package(gazebo_ros REQUIRED)\nament_package")
+    files = {
+        "package.xml": manifest("", "ament_cmake"),
+        "CMakeLists.txt": cmake,
+        "README.md": "For Humble and Jazzy.\n",
+    }
+    (finding,) = lint_files(files, ["DEP104"]).findings
+    assert finding.severity.value == "warning"
+    assert '<depend condition="$ROS_DISTRO == humble">gazebo_ros</depend>' in finding.message.replace("build_", "")

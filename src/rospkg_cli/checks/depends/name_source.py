@@ -87,13 +87,21 @@ def is_unmet(declared: DeclaredDependencies, name: str, serving: Iterable[str] =
 
     It is missing on purpose, or another package of the repository declares it, which nobody shows to be released, or a
     list or a command of the repository installs it, or a comment of package.xml has people do so, or to declare it
-    would make a circle, or would stop rosdep on one of the distributions that the repository names.
+    would make a circle.
     """
     names = (name, *serving)
     is_there = is_lacked_by_nobody(declared, names) or declared.is_installed_otherwise(names)
     is_there = is_there or is_installed_by_comment(declared.manifest, names)
-    is_there = is_there or is_left_out(declared, name) or circle_with(declared, name) is not None
-    return is_there or split_distributions(declared, name).is_for_some
+    return is_there or is_left_out(declared, name) or circle_with(declared, name) is not None
+
+
+def is_unmet_at_run(declared: DeclaredDependencies, name: str, serving: Iterable[str] = ()) -> bool:
+    """Return the same of what is needed at run time alone, which may be left out where rosdep would stop.
+
+    One of the distributions that the repository names lacks it, beside others that have it; what a build needs stops
+    that on all of them.
+    """
+    return is_unmet(declared, name, serving) or split_distributions(declared, name).is_for_some
 
 
 def is_lacked_by_nobody(declared: DeclaredDependencies, names: Collection[str]) -> bool:

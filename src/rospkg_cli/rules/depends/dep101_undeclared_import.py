@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...checks.depends.hand_installs import BY_PAGE
-from ...checks.depends.name_source import is_unmet
+from ...checks.depends.name_source import is_unmet_at_run
 from ...checks.depends.undeclared_imports import ImportDependencies, ImportUse, UndeclaredImport
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
@@ -134,7 +134,7 @@ def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str
         end = imports.why_pip(missing) or imports.why_seldom(missing.places)
         end = end or (BY_PAGE if imports.is_by_hand(missing) else imports.why_unmet(missing))
     message = f"`{missing.name}` is imported{shown} and not declared: {what}; {todo}{end}"
-    mild = bool(end) or is_launch or is_unmet(declared, missing.name, imports.serving(missing))
+    mild = bool(end) or is_launch or is_unmet_at_run(declared, missing.name, imports.serving(missing))
     fix = declaration(declared, kind, missing.name)
     places = related((each.path, each.span) for each in missing.places)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)

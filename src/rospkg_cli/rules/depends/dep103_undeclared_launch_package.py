@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.brought_programs import BroughtPrograms
-from ...checks.depends.name_source import is_unmet
+from ...checks.depends.name_source import is_unmet_at_run
 from ...checks.depends.undeclared_launch_packages import LaunchDependencies
 from ...checks.launch.absent_package import ends_with
 from ...checks.launch.package_references import PackageReference
@@ -132,7 +132,7 @@ def undeclared(launch: LaunchDependencies, tag: str, name: str, uses: list[Packa
             f"`{name}` is not declared, and this launch file {first.does} it: {ends}; {advice(declared, tag, name)}"
         )
         fix_or_none = declaration(declared, tag, name)
-    is_meant = meant is None and (is_unmet(declared, name) or launch.is_told(name))
+    is_meant = meant is None and (is_unmet_at_run(declared, name) or launch.is_told(name))
     is_aside = launch.is_left(uses) or (tag == "exec_depend" and launch.is_for_examples(name, uses))
     left = "" if meant else launch.why_left_out(name, uses)
     mild = is_meant or is_aside or first.only_with or left or all(use.is_usual for use in uses)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.name_source import is_unmet
+from ...checks.depends.name_source import is_unmet_at_run
 from ...checks.depends.robot_uses import RobotUse, RobotUses
 from ...checks.enumeration import enumerated
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
@@ -37,7 +37,7 @@ Visualization Manager:
         Severity.INFO: "for plugins of robots and of RViz configs, in a package that launches nothing, in a file that "
         "nothing opens, and where an argument must turn it on, a declared dependency brings or may bring it, an "
         "unreleased repository declares it in another package or installs it by apt, or package.xml has it in a "
-        "comment or for older distributions alone, or it needs this package itself"
+        "comment or for older distributions alone, a named distribution lacks it, or it needs this package itself"
     },
     examples=(
         Example(
@@ -80,7 +80,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     nothing calls, in the default of an argument that each launch file gives, or in a property that nothing reads, what
     stands as `$(find …)` in SDF without a word of xacro, and what another package of the repository declares, or a list
     or a script of it installs (apt alone), where nothing shows a release, and unknown packages that a script clones, or
-    builds from a folder here that colcon passes by. A package here that needs this one itself is an info, for to
+    builds from a folder here that colcon passes by, and what one of the distributions lacks that the repository names,
+    beside others that have it. A package here that needs this one itself is an info, for to
     declare it would make a circle; where it declares this one, nothing is said.
 
     ## Fix safety
@@ -112,7 +113,7 @@ def undeclared(robots: RobotUses, tag: str, name: str, uses: list[RobotUse]) -> 
     message = f"`{name}` is not declared, {first.usage}: {where_absent(declared, name)} {first.consequence}; {todo}"
     message += first.why if all(use.is_optional for use in uses) else ""
     fix = None if meant else declaration(declared, tag, name)
-    is_elsewhere = is_unmet(declared, name) or (meant is None and robots.launch.is_told(name))
+    is_elsewhere = is_unmet_at_run(declared, name) or (meant is None and robots.launch.is_told(name))
     mild = is_elsewhere or all(use.is_optional for use in uses)
     places = related((use.path, use.span) for use in uses)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)

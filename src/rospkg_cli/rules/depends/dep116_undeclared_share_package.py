@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.name_source import is_unmet
+from ...checks.depends.name_source import is_unmet_at_run
 from ...checks.looked_up_packages import LookedUpPackages
 from ...checks.lookups_for_users import ROUND
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
@@ -31,9 +31,9 @@ NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
     levels={
         Severity.INFO: "a dependency brings or may bring it, an unreleased repository declares it in another package "
         "or installs it by apt, package.xml has it in a comment or for older distributions alone, an `if` chooses it, "
-        "only a parameter leads there that is off by default and that nothing sets, or nothing does, nothing starts "
-        "the program, or only packages that have it, or none, use the library that looks for it, or it needs this "
-        "package itself"
+        "only a parameter leads there that is off by default and that nothing sets, or nothing does, a named "
+        "distribution lacks it, nothing starts the program, or only packages that have it, or none, use the library "
+        "that looks for it, or it needs this package itself"
     },
     examples=(
         Example(
@@ -61,9 +61,9 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     so is what stands in a module that nothing starts or imports, in a program that nothing starts beside others that
     are started, in a function that nothing calls, behind a condition on a parameter or a constant whose default keeps
     it from holding, where no YAML, launch file, page or script sets it, or in a source that no target compiles, beside
-    others, and what
-    another package of the repository declares, or a list or a script of it installs (apt alone), where nothing
-    shows a release. What a library without programs looks for is an info where that package uses the library itself,
+    others, and what another package of the repository declares, or a list or a script of it installs (apt alone), where
+    nothing shows a release, and what one of the distributions lacks that the repository names, beside others that have
+    it. What a library without programs looks for is an info where that package uses the library itself,
     where no package here uses it nor a page builds it by name or imports it, or where each that calls the function or
     links the library declares what is looked for, or something that brings it, or starts something of it. So is a
     package of the workspace that itself needs this one, as its launch files start programs of it: to declare it would
@@ -91,7 +91,7 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
             f"`{name}` is not declared, and this looks for files of it: {where_absent(declared, name)} the node "
             f"ends with PackageNotFoundError{todo}{first.why_seldom}"
         )
-        is_mild = is_unmet(declared, name) or all(each.is_chosen or each.why_seldom for each in places)
+        is_mild = is_unmet_at_run(declared, name) or all(each.is_chosen or each.why_seldom for each in places)
         level = Severity.INFO if is_mild else None
         places_beside = related((each.path, each.span) for each in places)
         fix = None if goes_round else declaration(declared, "exec_depend", name)
