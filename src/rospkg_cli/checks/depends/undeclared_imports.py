@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 
 from ...files import PackageFiles
+from ...languages.python.file import Import
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import Role
@@ -16,14 +17,16 @@ from ..foreign_images import foreign_image
 from ..reached_modules import ReachedModules
 from ..reached_places import AT_TIMES, ReachedPlaces
 from ..ros1_import import ROS1, ros1_import
+from ..run_imports import RunImports
 from ..unrun_tests import is_never_run
 from ..unstarted_programs import UnstartedPrograms
+from .before_imports import PIP_BEFORE, installed_before, ros1_imports
 from .brought_dependencies import COLCON, ROSDEP, Bringer
 from .declared_dependencies import DeclaredDependencies
 from .hand_installs import HandInstalls
 from .import_provider import import_providers, undeclared_provider
 from .other_pythons import HOSTED, OtherPythons
-from .pip_installs import PipInstalls
+from .pip_installs import PipInstalls, key_of, normalized
 from .pip_requirements import distributions_of
 
 RUNNERS = frozenset({"python3-pytest", "launch_ros", "launch_testing", "ament_index_python"})
@@ -148,7 +151,30 @@ class ImportDependencies:
         if self.places is None:
             return ""
         why = self.places.why_seldom(use.path, use.span)
-        return why or (AT_TIMES if self.places.is_conditional(use.path, use.span) else "")
+        why = why or (AT_TIMES if self.places.is_conditional(use.path, use.span) else "")
+        return why or self.why_before(use, self.places.run)
+
+    def why_before(self, use: ImportUse, run: RunImports) -> str:
+        """Return what is said of an import before which the file has pip install it, or ends at a module of ROS 1."""
+        file, workspace = run.modules.at(use.path), self.declared.workspace
+        if file is None:
+            return ""
+        imports = (each for own in self.python.files if own.path == use.path for each in own.imports)
+        first = self.older_import(imports)
+        if first is not None and first.span.start < use.span.start:
+            return f"; it stands behind `import {first.module.partition('.')[0]}`, which ROS 1 alone has"
+        wanted, keys = normalized(use.module.partition(".")[0]), workspace.providers_of(use.module)
+        told = {normalized(each) for each in installed_before(file, use.span.start)}
+        return PIP_BEFORE if wanted in told or any(key_of(each, workspace.index) in keys for each in told) else ""
+
+    def older_import(self, imports: Iterable[Import]) -> Import | None:
+        """Return the first import at which a file ends, as ROS 1 alone has its module, and nothing here brings one."""
+        for each in ros1_imports(imports):
+            top = each.module.partition(".")[0]
+            is_brought = top in self.declared.names or self.declared.workspace.providers_of(top)
+            if not is_brought and normalized(top) not in self.pip.names:
+                return each
+        return None
 
     def are_optional(self, places: Iterable[ImportUse]) -> bool:
         """Return whether all places are in modules that others import only where that may fail."""
@@ -166,7 +192,7 @@ class ImportDependencies:
         """Yield the first import in each installed file that only ROS 1 can serve: nothing behind it runs."""
         is_for_both = not ROS1.isdisjoint(each.name for each in self.declared.manifest.dependencies)
         for file in self.python.files if self.declared.is_checked and not is_for_both else ():
-            first = ros1_import(file.imports) if file.role == "run" else None
+            first = (ros1_import(file.imports) or self.older_import(file.imports)) if file.role == "run" else None
             if first is not None:
                 yield ImportUse(file.path, first.span, first.module)
 
