@@ -48,6 +48,10 @@ def level(params: str) -> str:
         "'src/my_pkg/config/slam.yaml'",
         "str(Path.home() / 'ws' / 'config' / 'slam.yaml')",
         "os.path.join(os.getcwd(), 'config', 'slam.yaml')",
+        "0\n    base = '/home/ada/ws/src/my_pkg'\n    params = os.path.join(base, 'config', 'slam.yaml')",
+        "LaunchConfiguration('config')",
+        "DeclareLaunchArgument(name='config', default_value='')",
+        "{'config': robot}.items()",
     ],
 )
 def test_what_is_opened_elsewhere(params: str) -> None:
@@ -59,6 +63,10 @@ def test_what_is_opened_elsewhere(params: str) -> None:
     [
         "PathJoinSubstitution([pkg, 'config', 'slam.yaml'])",
         "[pkg, '/config/slam.yaml']",
+        "LaunchConfiguration('config', default=[pkg, '/config/slam.yaml'])",
+        "{'config': [pkg, '/config/slam.yaml']}.items()",
+        "0\n    base = '/home/ada/ws/src/my_pkg'\n    params = os.path.join(pkg, 'config', 'slam.yaml')",
+        "0\n    base = '/home/ada/ws/install/my_pkg/share/my_pkg'\n    params = [pkg, base, 'config', 'slam.yaml']",
         "'/home/ada/ws/install/my_pkg/share/my_pkg/config/slam.yaml'",
         "PathJoinSubstitution([pkg, folder]) if (folder := 'config') else 1",
     ],

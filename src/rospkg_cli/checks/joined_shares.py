@@ -33,6 +33,8 @@ BASE = regex(
     r"|(?:\benviron\b|\bgetenv\b|\bEnvironmentVariable\b)[^\n]{0,20}[\"'](?:HOME|PWD)[\"']"
 )
 """Where a path begins that leads into the source folder or somebody's home."""
+HELD_PLACE = regex(rf"(?m)^[ \t]*(?:self\.)?(\w+)[ \t]*=[ \t]*f?[\"']{PLACES}[^\"'\n]*[\"'][ \t]*(?:#.*)?$")
+"""A name that is bound to such a path alone."""
 UNKNOWN = ""
 """A package whose name is not known."""
 ELSEWHERE = "/"
@@ -72,8 +74,12 @@ class JoinedShares:
         found: list[tuple[int, str]] = []
         held: dict[str, str] = {}
         ends = {match.start(): match for match in LOOKUP.finditer(self.text)}
+        places = {found.start(1): found[1] for found in HELD_PLACE.finditer(self.text)}
         for word in WORD.finditer(self.text) if ends else ():
             match = ends.get(word.start()) or ends.get(word.start() - 2)
+            if word.start() in places:
+                held[word[0]] = ELSEWHERE
+                continue
             if match is not None:
                 literal = match[1] or match[4] or match[5]
                 name = literal or defaults.get(match[2] or "") or named.get(match[3] or "", UNKNOWN)

@@ -18,6 +18,11 @@ from .share_references import references_folder
 
 EXAMPLE = regex(r"(?i)(?<![a-z])(?:examples?|samples?|templates?)(?![a-z])")
 """A word in the name of a file that people copy into a package of their own."""
+NAMED = (
+    r"(?:\b(?:\w*LaunchConfiguration|DeclareLaunchArgument)\(\s*(?:name\s*=\s*)?|\bname=)[\"']{0}[\"']"
+    r"|[\"']{0}[\"']\s*:"
+)
+"""An argument or an entry that has a name: of no folder."""
 REACH = 200
 """The most characters of a path before the name of a folder."""
 
@@ -43,6 +48,7 @@ class ShareUses:
 
     def may_refer_to(self, text: str, folder: str) -> bool:
         """Return whether a text joins a folder to a share directory, and not only to that of another package."""
+        text = re.sub(NAMED.format(re.escape(folder)), lambda found: " " * len(found[0]), text)
         if not references_folder(text, self.name, folder):
             return False
         return JoinedShares(text, self.name).may_join(re.compile(rf"[\"'/]{re.escape(folder)}(?=[\"'/])"))
