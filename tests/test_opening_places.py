@@ -90,3 +90,21 @@ def test_what_nothing_installs_or_yaml_that_nothing_names_opens_nothing() -> Non
     assert told(TREE, config__nav_DOT_yaml=YAML.format("default_nav_to_pose_bt_xml")) == "info"
     text = "import sys\n\nprint(sys.argv, 'trees/go.xml')\n"
     assert told(TREE, notes__a_DOT_py=text) == "info"
+
+
+@pytest.mark.parametrize(
+    ("line", "level"),
+    [
+        ("BASE + '/worlds', 'new', 'empty.sdf'", "info"),
+        ("BASE + '/worlds/new/empty.sdf'", "info"),
+        ("BASE + '/worlds/empty.sdf', 'new'", "error"),
+        ("BASE, 'worlds', 'empty.sdf'", "error"),
+    ],
+)
+def test_a_copy_further_in_is_the_one_that_is_meant(line: str, level: str) -> None:
+    launch = LAUNCH.format(f"LogInfo(msg=[FindPackageShare('my_pkg'), {line}])")
+    inner = {"worlds__new__empty_DOT_sdf": "<sdf/>\n"}
+    assert (
+        told(WORLD, launch__a_DOT_launch_DOT_py=launch.replace("BASE, ", "").replace("BASE + ", ""), **inner) == level
+    )
+    assert told(WORLD, launch__a_DOT_launch_DOT_py=launch.replace("BASE, ", "").replace("BASE + ", "")) == "error"

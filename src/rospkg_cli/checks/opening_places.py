@@ -28,6 +28,7 @@ from .params.path_readers import PathReaders
 from .share_uses import ShareUses
 from .urdf.launched_robots import names
 from .urdf.met_robots import OUTPUT
+from .urdf.named_with_folder import means_inner_copy
 from .urdf.opened_robots import COMMAND, has_folders
 from .yaml_elsewhere import is_named_yaml
 
@@ -72,6 +73,8 @@ class OpeningPlaces:
         """Return whether a text has the folder of a file, too, or joins its name to the share of the package."""
         folder, name = posixpath.split(path)
         last = posixpath.basename(folder)
+        if folder and means_inner_copy(path, text, self.files.paths):
+            return False
         return (bool(last) and has_folders(last, text)) or self.is_joined(text, name)
 
     def is_joined(self, text: str, name: str) -> bool:

@@ -13,6 +13,7 @@ from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_words import LAUNCH, is_launch, may_be_made, words_of
 from ...package.workspace import Workspace
 from ..left_files import LeftFiles
+from .named_with_folder import means_inner_copy
 from .opened_robots import OpenedRobots, has_folders
 from .opening_texts import ROBOTS
 
@@ -90,6 +91,8 @@ class LaunchedRobots:
         again = [each for each in self.files.paths if each != path and each.rpartition("/")[2] == name]
         if not folder:  # any text has no folder: it is another one that has the folders of that
             return not any(has_folders(posixpath.dirname(each), text) for each in again)
+        if again and means_inner_copy(path, text, again):
+            return False
         return not again or all(re.search(rf"\b{re.escape(each)}\b", text) for each in folder.split("/"))
 
     def is_included_elsewhere(self, path: str, packages: Sequence[PackageFacts]) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from functools import cached_property
 
 from ...light_dataclasses import dataclass
@@ -62,3 +63,19 @@ class NamedWithFolder:
     @cached_property
     def _holding(self) -> dict[str, list[tuple[str, str]]]:
         return {}
+
+
+def means_inner_copy(path: str, text: str, paths: Iterable[str]) -> bool:
+    """Return whether a text means a file of the same name further in, as `urdf/new/arm.urdf` beside `urdf/arm.urdf`.
+
+    It has the folders between them as well, and the name not right behind the outer one.
+    """
+    folder, _, name = path.rpartition("/")
+    inner = (each for each in paths if each != path and each.startswith(f"{folder}/") and each.endswith(f"/{name}"))
+    if not any(has_all(each[len(folder) + 1 : -len(name) - 1], text) for each in inner):
+        return False
+    return re.search(rf"(?<![\w.]){re.escape(folder.rpartition('/')[2])}[\"'/,\s]+{re.escape(name)}", text) is None
+
+
+def has_all(folders: str, text: str) -> bool:
+    return all(re.search(rf"(?<![\w.]){re.escape(each)}(?![\w.])", text) for each in folders.split("/"))
