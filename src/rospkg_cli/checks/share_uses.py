@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 
 from ..files import PackageFiles
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
+from ..package.launch.launch_file import LaunchFile
 from ..package.launch.live_text import live_text
 from ..package.workspace import Workspace
 from .joined_shares import JoinedShares
-from .opened_elsewhere import CODE, CPP, is_opened_elsewhere
+from .opened_elsewhere import CODE, CPP, is_opened_elsewhere, opening_elsewhere
+from .pages_and_scripts import pages_and_scripts
 from .share_references import references_folder
 
 EXAMPLE = regex(r"(?i)(?<![a-z])(?:examples?|samples?|templates?)(?![a-z])")
@@ -35,13 +37,25 @@ class ShareUses:
     workspace: Workspace
     absent: frozenset[str] = frozenset()
     """Folders of which nothing is installed: what lies in them opens nothing."""
+    launches: tuple[LaunchFile, ...] = ()
 
     def opens(self, folder: str) -> bool:
         """Return whether code, a robot, a world or the README refers to a folder of the share directory."""
+        return self.is_opened_by(self.code, folder)
+
+    def opens_when_on(self, folder: str) -> bool:
+        """Return whether only actions of launch files open a folder that are off by default."""
+        from .launch.plain_launch import plain_texts  # what findings alone need
+
+        others = (*pages_and_scripts(self.files), *opening_elsewhere(self.files, self.name, self.workspace))
+        plain = plain_texts(self.launches, (*self.texts.items(), *(("", text) for text in others)))
+        return bool(plain) and not self.is_opened_by({**self.texts, **plain}.values(), folder)
+
+    def is_opened_by(self, texts: Iterable[str], folder: str) -> bool:
         name = re.escape(self.name)
         started = re.compile(rf"ros2\s+launch\s+{name}\b") if folder == "launch" else None
         written = re.compile(rf"(?:package://{name}|\$\(find(?:-pkg-share)?\s+{name}\))/{re.escape(folder)}/")
-        opening = (text for text in self.code if written.search(text) or self.may_refer_to(text, folder))
+        opening = (text for text in texts if written.search(text) or self.may_refer_to(text, folder))
         if not all(self.opens_nothing(text, folder) for text in opening):
             return True
         return started is not None and any(started.search(text) for text in self.readmes)
@@ -88,12 +102,17 @@ class ShareUses:
 
         return folder == "launch" and is_started_by_place(self.files, self.name, folder)
 
+    @property
+    def code(self) -> Iterable[str]:
+        return self.texts.values()
+
     @cached_property
-    def code(self) -> tuple[str, ...]:
+    def texts(self) -> dict[str, str]:
+        """By path, what the code of the package says."""
         paths = (path for path in self.files.paths if path.endswith(CODE) and role_of(path) not in ("test", "aside"))
         paths = (path for path in paths if path.partition("/")[0] not in self.absent)
         files = self.files
-        return tuple(files.readable_text(path) if path.endswith(CPP) else live_text(files, path) for path in paths)
+        return {path: files.readable_text(path) if path.endswith(CPP) else live_text(files, path) for path in paths}
 
     @cached_property
     def readmes(self) -> tuple[str, ...]:
@@ -106,6 +125,8 @@ class ShareUses:
         RViz starts with its default view where its config is missing.
         """
         if self.opens(folder):
+            if self.opens_when_on(folder) and not self.may_be_opened(folder):
+                return "info"
             return None if folder == "rviz" else "error"
         needed = (folder == "launch" and not self.holds_examples(folder)) or self.may_be_opened(folder)
         return None if needed and not self.opens_in_source(folder) else "info"
@@ -129,4 +150,6 @@ class ShareUses:
             return "what opens it in the share directory does not find it"
         if self.opens_in_source(folder):
             return "only its README or code opens it, in the source folder, which an installed package lacks"
+        if self.opens(folder):
+            return "what opens it in the share directory is off by default, and does not find it"
         return "nothing in this package or another seems to open it"

@@ -160,7 +160,8 @@ class RuntimeFolders:
     @cached_property
     def uses(self) -> ShareUses:
         absent = frozenset(folder for folder in FOLDERS if folder != "launch" and not self.is_installed(folder))
-        return ShareUses(self.package.cmake.package_files, self.package.facts.name, self.workspace, absent)
+        files, name = self.package.cmake.package_files, self.package.facts.name
+        return ShareUses(files, name, self.workspace, absent, self.launch_files)
 
 
 def without_shown_files(call: EvaluatedCommand) -> EvaluatedCommand:

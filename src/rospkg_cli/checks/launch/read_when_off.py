@@ -8,6 +8,7 @@ from functools import cached_property
 
 from ...languages.python.unread_values import only_read_in
 from ...light_dataclasses import dataclass
+from ...package.launch.launch_file import LaunchFile
 from ...source import Span
 from .idle_actions import conditional
 from .missing_references import LaunchContext, MissingReference, defaults_of
@@ -57,13 +58,16 @@ class ReadWhenOff:
         return any(each.contains(place) for each in self.off)
 
     def uses(self, name: str) -> Iterator[Span]:
-        """Yield where an argument is read, and where Python has its name in quotes besides its declaration."""
-        file = self.scope.file
-        yield from (each.span for each in file.configurations() if each.arguments and each.arguments[0].literal == name)
-        yield from (each.span for each in file.events or () if each.kind == "use" and each.name == name)
-        declared = [each.span for each in file.arguments if each.name.literal == name]
-        text = file.source.text if file.frontend == "python" else ""
-        for found in re.finditer(rf"(['\"]){re.escape(name)}\1", text):
-            place = Span(*found.span())
-            if not is_in_comment(text, place.start) and not any(each.holds(place) for each in declared):
-                yield place
+        return uses_of(self.scope.file, name)
+
+
+def uses_of(file: LaunchFile, name: str) -> Iterator[Span]:
+    """Yield where an argument is read, and where Python has its name in quotes besides its declaration."""
+    yield from (each.span for each in file.configurations() if each.arguments and each.arguments[0].literal == name)
+    yield from (each.span for each in file.events or () if each.kind == "use" and each.name == name)
+    declared = [each.span for each in file.arguments if each.name.literal == name]
+    text = file.source.text if file.frontend == "python" else ""
+    for found in re.finditer(rf"(['\"]){re.escape(name)}\1", text):
+        place = Span(*found.span())
+        if not is_in_comment(text, place.start) and not any(each.holds(place) for each in declared):
+            yield place

@@ -6,15 +6,18 @@ import posixpath
 import re
 from collections.abc import Iterator
 from functools import cached_property
+from typing import Annotated
 
 from ...languages.python.evaluate.sandbox_filesystem import MAGIC
 from ...languages.python.evaluate.values import GlobResult
 from ...light_dataclasses import dataclass
 from ...package.file_role import is_set_aside
+from ...package.launch.launch_file import LaunchFile
 from ...package.setup.data_files import DataEntry, DataFile
 from ...package.setup.python_install_table import MARKERS
 from ...ros.share_layout import FOLDERS, LAUNCH
 from ...suggest import nearest
+from ...unreadable import READABLE
 from ..opened_in_share import OpenedInShare
 from ..pages_and_scripts import FetchedFiles
 from ..share_uses import ShareUses
@@ -37,6 +40,7 @@ class UninstalledNeighbour:
 class ShareFiles:
     package: PythonPackage
     fetched: FetchedFiles | None = None
+    launch_files: Annotated[tuple[LaunchFile, ...], READABLE] = ()
 
     def is_fetched(self, file: DataFile) -> bool:
         """Return whether a page or a script tells to fetch or unpack a missing file, which the build then finds."""
@@ -154,7 +158,8 @@ class ShareFiles:
 
     @cached_property
     def uses(self) -> ShareUses:
-        return ShareUses(self.package.files, self.package.name, self.package.workspace)
+        own = self.package
+        return ShareUses(own.files, own.name, own.workspace, launches=self.launch_files)
 
     @cached_property
     def opened(self) -> OpenedInShare:
