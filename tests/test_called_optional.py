@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import manifest
+from rospkg_cli.example import manifest, scripts, setup_py
 from rospkg_cli.testing import lint_files
 
 LAUNCH = """\
@@ -27,6 +27,89 @@ def level(package: str, **pages: str) -> str:
     (only,) = lint_files(files, ["DEP103"]).findings
     assert only.message.endswith("calls it optional") is (only.severity.value == "info")
     return only.severity.value
+
+
+LISTS = """\
+# Robot
+
+## Optional
+
+- foxglove_bridge
+
+## Needed
+
+- mavros
+"""
+LABEL = "# Robot\n\nOptional dependencies:\n\n    sudo apt install ros-humble-foxglove-bridge\n\nThen install mavros.\n"
+BLOCK = """\
+### Optional dependencies
+
+```bash
+sudo apt install \\
+  ros-$ROS_DISTRO-foxglove-bridge
+```
+
+### Install
+
+```bash
+sudo apt install ros-$ROS_DISTRO-mavros
+```
+"""
+
+
+@pytest.mark.parametrize("page", [LISTS, LABEL, BLOCK])
+def test_a_list_below_a_heading(page: str) -> None:
+    assert level("foxglove_bridge", README_DOT_md=page) == "info"
+    assert level("mavros", README_DOT_md=page) == "warning"
+
+
+def test_arguments_and_prose_below_a_heading() -> None:
+    assert level("mavros", README_DOT_md="## Optional arguments\n\n- mavros\n") == "warning"
+    assert level("mavros", README_DOT_md="## Optional\n\nThe drone flies with mavros.\n") == "warning"
+
+
+def levels(code: str, files: dict[str, str]) -> list[str]:
+    return [each.severity.value for each in lint_files(files, [code]).findings]
+
+
+def test_comments_of_the_manifest_and_of_the_file() -> None:
+    launch, xml = LAUNCH.format("mavros"), '<launch>\n  <node pkg="mavros" exec="mavros_node"/>\n</launch>\n'
+    plain = {"package.xml": manifest(NEEDS), "launch/robot.launch.py": launch}
+    said = manifest(f"  <!-- mavros is optional: only the drone has it -->\n{NEEDS}")
+    assert levels("DEP103", plain) == ["warning"]
+    assert levels("DEP103", {**plain, "package.xml": said}) == ["info"]
+    for comment, expected in (("# Optional: mavros", "info"), ("# mavros, and an optional camera=1", "info")):
+        changed = launch.replace("    return", f"    {comment}\n    return")
+        assert levels("DEP103", {**plain, "launch/robot.launch.py": changed}) == [expected]
+    for comment, expected in (("<!-- optional: mavros -->", "info"), ("<!-- the camera is optional -->", "warning")):
+        files = {"package.xml": manifest(""), "launch/robot.launch.xml": xml.replace("<launch>", f"<launch>{comment}")}
+        assert levels("DEP103", files) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("module", "line", "expected"),
+    [
+        ("cv2", "- OpenCV (optional)", "info"),
+        ("serial", "pyserial is only needed for the real robot", "info"),
+        ("serial", "A serial port is optional", "warning"),
+        ("foxglove_msgs.msg", "- `foxglove_msgs` (optional)", "info"),
+        ("foxglove_msgs.msg", "- `foxglove_msgs`", "warning"),
+    ],
+)
+def test_imports(module: str, line: str, expected: str) -> None:
+    files = {"package.xml": manifest("  <exec_depend>rclpy</exec_depend>\n"), "README.md": f"# Robot\n\n{line}\n"}
+    files |= {"setup.py": setup_py(scripts("talker = my_pkg.talker:main")), "my_pkg/__init__.py": ""}
+    module = f"import rclpy\nimport {module}\n\n\ndef main():\n    rclpy.init()\n"
+    assert levels("DEP101", {**files, "my_pkg/talker.py": module}) == [expected]
+
+
+@pytest.mark.parametrize(("line", "expected"), [("nav2_bringup (optional)", "info"), ("nav2_bringup", "warning")])
+def test_look_ups(line: str, expected: str) -> None:
+    files = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend>\n"), "README.md": f"- {line}\n"}
+    files |= {"setup.py": setup_py(scripts("talker = my_pkg.talker:main")), "my_pkg/__init__.py": ""}
+    module = "from ament_index_python.packages import get_package_share_directory\n\n\ndef main():\n"
+    module += "    print(get_package_share_directory('nav2_bringup'))\n"
+    assert levels("DEP116", {**files, "my_pkg/talker.py": module}) == [expected]
 
 
 @pytest.mark.parametrize(

@@ -90,10 +90,18 @@ class ImportDependencies:
         return bringer and f"; this repository has pip install `{bringer}`, which requires it in most versions"
 
     def why_brought(self, missing: UndeclaredImport) -> str:
-        """Return what is said of a library that people have by their own choice, or with another; "" for others."""
+        """Return what is said of a library that people have by their own choice, or with another, or that is called
+        optional; "" for others.
+        """
         from .brought_by_people import why_brought  # few packages lack something
+        from .optional_parts import OptionalParts
 
-        return why_brought(self.declared, self.python.files, missing.places[0].module, missing.name)
+        why = why_brought(self.declared, self.python.files, missing.places[0].module, missing.name)
+        if why or self.declared.workspace.named(missing.name):
+            return why
+        key, bare = missing.name, missing.name.removeprefix("python3-")
+        names = (key, bare, f"py{bare}", *distributions_of(key))
+        return OptionalParts(self.files).why(names, dict.fromkeys(each.path for each in missing.places))
 
     @cached_property
     def pip(self) -> PipInstalls:

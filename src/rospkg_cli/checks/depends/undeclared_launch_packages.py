@@ -122,22 +122,20 @@ class LaunchDependencies:
 
         return FetchedRepositories(self.files, self.declared.workspace, self.declared.hidden).may_have(name)
 
-    def why_left_out(self, name: str, uses: Iterable[PackageReference]) -> str:
-        """Return that a page builds this package without a neighbour on purpose, by what the launch files are called
-        that need it, or calls another package optional; "" for others.
+    def why_left_out(self, name: str, paths: Iterable[str]) -> str:
+        """Return that a page builds this package without a neighbour on purpose, by what the files are called that need
+        it, or that a page or a comment calls another package optional; "" for others.
         """
         if self.declared.workspace.named(name) is None:
-            from .optional_parts import OPTIONAL  # most packages are declared
-
-            return OPTIONAL if self.optional.has(name) else ""
+            return self.optional.why([name], dict.fromkeys(paths))
         from .partial_builds import LEFT_OUT, is_built_without  # most declare their neighbours
 
-        own, paths = self.declared.facts.name, {use.path for use in uses}
-        return LEFT_OUT if is_built_without(self.files, own, name, paths) else ""
+        own = self.declared.facts.name
+        return LEFT_OUT if is_built_without(self.files, own, name, {*paths}) else ""
 
     @cached_property
     def optional(self) -> OptionalParts:
-        from .optional_parts import OptionalParts
+        from .optional_parts import OptionalParts  # most packages are declared
 
         return OptionalParts(self.files)
 

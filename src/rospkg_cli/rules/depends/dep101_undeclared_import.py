@@ -32,7 +32,7 @@ OPTIONAL = "; this module is imported only where that may fail"
     levels={
         Severity.INFO: "where a declared dependency brings or may bring it, where package.xml has it in a comment or "
         "for older distributions alone, where an unreleased repository declares it in another package or installs it "
-        "by apt, where only PyPI has it or the repository has it installed by pip or by hand, where nothing but "
+        "by apt, where only PyPI has it or it is installed by pip or by hand, or called optional, where nothing but "
         "launch files, only `try`, or nothing at all imports the module or starts the script, where nothing leads to "
         "the function, where another Python or image has it, where one that is named lacks it, or it needs this one"
     },
@@ -77,7 +77,7 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     file, …), a Dockerfile, a script, a job or a page of the repository has pip install, alone, with one that requires
     it (torch with `ultralytics`) or by `install_requires` of a package that it has pip install, be it of ROS as well
     (`pin`), that comes with another import which only PyPI has, or that a page, or a comment of package.xml, tells to
-    install by hand, by pip or by a script, a framework for graphics cards (torch), a package that nobody knows and
+    install by hand or by pip, or calls optional, a framework for graphics cards (torch), a package that nobody knows and
     whose repository a page links to or fetches, or what Blender, Isaac Sim, Webots or a microcontroller runs. So is a
     library in programs that all import what these bring, or where a page that builds or starts the package enters an
     environment (`conda activate`, `uv run`, `python3 -m venv` without `--system-site-packages`): that Python sees no

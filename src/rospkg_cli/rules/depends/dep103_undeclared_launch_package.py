@@ -134,7 +134,7 @@ def undeclared(launch: LaunchDependencies, tag: str, name: str, uses: list[Packa
         fix_or_none = declaration(declared, tag, name)
     is_meant = meant is None and (is_unmet_at_run(declared, name) or launch.is_told(name))
     is_aside = launch.is_left(uses) or (tag == "exec_depend" and launch.is_for_examples(name, uses))
-    left = "" if meant else launch.why_left_out(name, uses)
+    left = "" if meant else launch.why_left_out(name, (use.path for use in uses))
     mild = is_meant or is_aside or first.only_with or left or all(use.is_usual for use in uses)
     places = related((use.path, use.span) for use in uses)
     return Hit(first.path, first.span, f"{message}{left}", Severity.INFO if mild else None, places, fix_or_none)

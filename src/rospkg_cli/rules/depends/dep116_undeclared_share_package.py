@@ -33,7 +33,7 @@ NEEDS = "  <exec_depend>ament_index_python</exec_depend>\n"
         "or installs it by apt, package.xml has it in a comment or for older distributions alone, an `if` chooses it, "
         "only a parameter leads there that is off by default and that nothing sets, or nothing does, a named "
         "distribution lacks it, nothing starts the program, or only packages that have it, or none, use the library "
-        "that looks for it, or it needs this package itself"
+        "that looks for it, it needs this package, or a page calls it optional"
     },
     examples=(
         Example(
@@ -67,7 +67,7 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     where no package here uses it nor a page builds it by name or imports it, or where each that calls the function or
     links the library declares what is looked for, or something that brings it, or starts something of it. So is a
     package of the workspace that itself needs this one, as its launch files start programs of it: to declare it would
-    make a circle.
+    make a circle; and what a page, a script or a comment calls optional.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. There is none
@@ -87,12 +87,13 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
             continue
         goes_round = first.why_seldom == ROUND
         todo = "" if goes_round else f"; {advice(declared, 'exec_depend', name)}"
+        left = "" if first.why_seldom else packages.launch.why_left_out(name, (each.path for each in places))
         message = (
             f"`{name}` is not declared, and this looks for files of it: {where_absent(declared, name)} the node "
-            f"ends with PackageNotFoundError{todo}{first.why_seldom}"
+            f"ends with PackageNotFoundError{todo}{first.why_seldom}{left}"
         )
         is_mild = is_unmet_at_run(declared, name) or all(each.is_chosen or each.why_seldom for each in places)
-        level = Severity.INFO if is_mild else None
+        level = Severity.INFO if is_mild or left else None
         places_beside = related((each.path, each.span) for each in places)
         fix = None if goes_round else declaration(declared, "exec_depend", name)
         yield Hit(first.path, first.span, message, level, places_beside, fix)
