@@ -23,6 +23,10 @@ NEEDS = "  <exec_depend>opencv-python</exec_depend>\n  <exec_depend>rospy</exec_
         ({".github/workflows/ci.yml": "env:\n  ROSDEP_SKIP_KEYS: 'opencv-python'\n"}, "opencv-python"),
         ({".github/workflows/ci.yml": "with:\n  rosdep-skip-keys: rospy\n"}, "rospy"),
         ({"README.md": "rosdep install -i --from-paths src --skip-keys $KEYS\n"}, ""),
+        ({"setup.sh": 'KEYS="rospy foo"\nrosdep install --from-paths src --skip-keys "$KEYS"\n'}, "rospy"),
+        ({"setup.sh": 'KEYS=(\n  rospy\n)\nrosdep install --skip-keys "${KEYS[*]}"\n'}, "rospy"),
+        ({"setup.sh": 'OTHERS="rospy"\nrosdep install --skip-keys "$KEYS"\n'}, ""),
+        ({"docker/Dockerfile": "RUN python3 -c \"run(['rosdep', 'install', '--skip-keys', 'rospy'])\"\n"}, "rospy"),
     ],
 )
 def test_what_rosdep_is_told_to_skip_is_an_info(page: dict[str, str], skipped: str) -> None:

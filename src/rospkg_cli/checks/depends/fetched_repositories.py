@@ -18,8 +18,12 @@ LINK = regex(r"\bgit(?:hub|lab)\.com[/:][\w.-]+/([\w.-]{3,})")
 CLONE = regex(
     r"(?i:\bclone\b)[^\n;&|]*?[:/][\w.-]+/([\w.-]{3,})(?=[\s\"'`;&|)]|$)"
     r"|(?m:^)[ \t]*repository:[ \t]*[\"']?[\w.-]+/([\w.-]{3,})"
+    r"|_WORKSPACE[\"']?[ \t]*[:=][^\n]{0,400}?\b(?:github|gitlab|bitbucket):[\w.-]+/([\w.-]{3,})(?=[#\s\"']|$)"
+    r"|_WORKSPACE[\"']?[ \t]*[:=][^\n]{0,400}?git\+\w+://[^\s\"']*/([\w.-]{3,})(?=[#\s\"']|$)"
+    r"|\b(?:wget|curl)\b[^\n;&|]*github\.com/[\w.-]+/([\w.-]{3,})/(?:archive|tarball|zipball)/"
 )
-"""A command or a sentence that clones one, and a job that checks one out beside its own."""
+"""A command or a sentence that clones one, a job that checks one out beside its own, what industrial_ci builds as well
+(`UPSTREAM_WORKSPACE: github:acme/arm_msgs#main`), and an archive that is downloaded."""
 CLONE_OF_VARIABLE = regex(r"\bgit[ \t][^\n;&|]*?\bclone\b[^\n;&|]*\$")
 LIST_ELSEWHERE = regex(r"https?://[^\s\"'`)>]+\.(?:repos|rosinstall)\b")
 """The address of a list of repositories, which lies in another one."""
@@ -40,7 +44,7 @@ class FetchedRepositories:
         such a word of a package here may be this one, or one that lies here.
         """
         spelt, words, telling = normalized(name), words_of(name), telling_words(name)
-        if any(spelt.startswith(each) for each in self.linked if not self.is_around(each)):
+        if self.has_cloned(name) or any(spelt.startswith(each) for each in self.linked if not self.is_around(each)):
             return True
         others = [each for each in self.linked if words <= words_of(each) and words]
         others += [each for each in self.cloned if share_word(telling, telling_words(each))]
@@ -77,7 +81,11 @@ class FetchedRepositories:
     @cached_property
     def cloned(self) -> frozenset[str]:
         found = (match for text in self.hidden.texts for match in CLONE.finditer(text))
-        return frozenset(repository_of(match[1] or match[2]) for match in found)
+        return frozenset(repository_of(next(filter(None, match.groups()))) for match in found)
+
+    def has_cloned(self, name: str) -> bool:
+        """Return whether one that is called like a package is fetched, and is no folder of the run: no slip, then."""
+        return normalized(name) in self.cloned - self.here
 
 
 def repository_of(name: str) -> str:

@@ -8,18 +8,23 @@ from ...files import PackageFiles
 from ...lazy_regex import regex
 from ..pages_and_scripts import pages_and_scripts
 from .pip_installs import installing_texts
+from .shell_variables import with_values
 
 SKIPS = regex(
     r"(?:--skip-keys?[ \t=]+|\brosdep-skip-keys[ \t]*:[ \t]*|\bROSDEP_SKIP_KEYS[\"']?[ \t]*[=:][ \t]*)"
     r"(?:\"([^\"\n]{0,2000})\"|'([^'\n]{0,2000})'|([^\s\"'\\;&|`]+))"
+    r"|--skip-keys?[\"'][ \t]*,[ \t]*[\"']([^\"'\n]{0,2000})[\"']"
 )
-"""A word of rosdep's command line, and what action-ros-ci and industrial_ci call it."""
+"""A word of rosdep's command line, also in a list of Python, and what action-ros-ci and industrial_ci call it."""
 
 
 def skipped_keys(files: PackageFiles) -> frozenset[str]:
-    """Return the names, as far as they are written out."""
-    found = (match for text in told_texts(files) if "skip" in text.lower() for match in SKIPS.finditer(text))
-    return frozenset(name for match in found for name in (match[1] or match[2] or match[3] or "").split())
+    """Return the names, as far as they are written out, be it in a variable of the script."""
+    texts = (text for text in told_texts(files) if "skip" in text.lower())
+    found = (
+        with_values(next(filter(None, match.groups()), ""), text) for text in texts for match in SKIPS.finditer(text)
+    )
+    return frozenset(name for each in found for name in each.split())
 
 
 def told_texts(files: PackageFiles) -> Iterator[str]:

@@ -36,6 +36,7 @@ from .import_provider import import_providers
 from .undeclared_imports import ImportDependencies
 
 if TYPE_CHECKING:
+    from .fetched_repositories import FetchedRepositories
     from .optional_parts import OptionalParts
 
 FOR_DEMOS = regex(r"turtlesim|demo_nodes_\w+")
@@ -116,11 +117,13 @@ class LaunchDependencies:
 
     def is_told(self, name: str) -> bool:
         """Return whether a README links to the repository of an unknown package, or a page or a script fetches it."""
-        if not self.is_unknown_package(name):
-            return False
+        return self.is_unknown_package(name) and self.fetched.may_have(name)
+
+    @cached_property
+    def fetched(self) -> FetchedRepositories:
         from .fetched_repositories import FetchedRepositories  # most packages are known
 
-        return FetchedRepositories(self.files, self.declared.workspace, self.declared.hidden).may_have(name)
+        return FetchedRepositories(self.files, self.declared.workspace, self.declared.hidden)
 
     def why_left_out(self, name: str, paths: Iterable[str]) -> str:
         """Return that a page builds this package without a neighbour on purpose, by what the files are called that need
@@ -146,7 +149,7 @@ class LaunchDependencies:
         """
         if not self.is_unknown_package(name) or self.declared.workspace.is_listed(name):
             return None
-        if self.declared.hidden.folder_of(name):
+        if self.declared.hidden.folder_of(name) or self.fetched.has_cloned(name):
             return None
         near = nearest(name, self.known_names)
         is_same = near is not None and (is_misspelt(name, near) or OF_VARIABLES.sub("", name) == near)

@@ -18,6 +18,7 @@ from .wrong_names import WrongDependencyName, is_installable, is_of_python_2, wr
 
 BUILD_TYPES_ALONE = frozenset({"ament_python"})
 SKIPPED = "; a page or a script here has rosdep skip it"
+CLONED = "; a repository of that name is cloned here, and may have it"
 FOUND = frozenset({"depend", "build_depend", "buildtool_depend"})
 """The tags that ament_auto_find_build_dependencies() reads."""
 NO_NEEDS = frozenset({"doc_depend", "conflict", "replace"})
@@ -92,11 +93,16 @@ class DependencyNames:
 
     def kept_aside(self, found: UnknownDependency) -> str:
         """Return why nobody here misses a name, as the end of a sentence; "" where nothing says so."""
-        if self.is_skipped(found.dependency.name):
+        name = found.dependency.name
+        if self.is_skipped(name):
             return SKIPPED
-        from .own_rosdep_lists import OwnRosdepLists  # a clean package needs none
+        from .fetched_repositories import FetchedRepositories  # a clean package needs none
+        from .own_rosdep_lists import OwnRosdepLists
 
-        return OwnRosdepLists(self.declared).may_have(found.dependency.name) if found.may_be_key else ""
+        declared = self.declared
+        if FetchedRepositories(declared.release.files, declared.workspace, declared.hidden).has_cloned(name):
+            return CLONED
+        return OwnRosdepLists(declared).may_have(name) if found.may_be_key else ""
 
     def is_key(self, name: str | None) -> bool:
         """Return whether a name that is meant is one of rosdep's, and of no package."""

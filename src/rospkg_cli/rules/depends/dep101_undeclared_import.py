@@ -77,7 +77,7 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     file, …), a Dockerfile, a script, a job or a page of the repository has pip install, alone, with one that requires
     it (torch with `ultralytics`) or by `install_requires` of a package that it has pip install, be it of ROS as well
     (`pin`), that comes with another import which only PyPI has, or that a page, or a comment of package.xml, tells to
-    install by hand or by pip, or calls optional, a framework for graphics cards (torch), a package that nobody knows and
+    install by hand or by pip, or calls optional, a framework for graphic cards (torch), a package that nobody knows and
     whose repository a page links to or fetches, or what Blender, Isaac Sim, Webots or a microcontroller runs. So is a
     library in programs that all import what these bring, or where a page that builds or starts the package enters an
     environment (`conda activate`, `uv run`, `python3 -m venv` without `--system-site-packages`): that Python sees no
