@@ -1,4 +1,4 @@
-"""Missing files that are the value of a parameter which no node is shown to read: nothing opens them."""
+"""Missing files that a node gets as a parameter or a word which it is not shown to read: nothing opens them."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from ...package.package_facts import PackageFacts
 from ...ros.known_nodes import known_nodes, known_parameters, newer_parameters
 from ...source import Span
 from .missing_references import LaunchContext, MissingReference
+from .unread_arguments import why_unread
 
 OPENED = regex(r"file|path|ya?ml|(?:^|[_./])(?:map|ur[li])(?:$|[_./])", re.IGNORECASE)
 """Names of parameters by which a node that is not known opens what it is given."""
@@ -25,8 +26,11 @@ def undeclared_for(scope: LaunchContext, missing: MissingReference) -> str:
 
 
 def given_in_vain(scope: LaunchContext, place: Span) -> str:
-    """Return the reason for one place, where all nodes that get the value there lack the parameter."""
-    reasons = [lack_of(scope, node, name) for node in scope.file.nodes for name in names_at(node, place)]
+    """Return the reason for one place, where all nodes that get the value there lack the parameter, or the word."""
+    nodes = scope.file.nodes
+    reasons = [lack_of(scope, node, name) for node in nodes for name in names_at(node, place)]
+    given = [node for node in nodes if any(each.span.contains(place) for each in node.arguments)]
+    reasons += [why_unread(scope, node, place) for node in given]
     return reasons[0] if reasons and all(reasons) else ""
 
 

@@ -88,22 +88,22 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     (`camera_info_url`).
 
     ## When it is quiet
-    Files are left alone that the code looks for first (`os.path.exists`, `try`; an info after `except OSError: return
-    None`), that the build, Python code or a command here (`xacro … -o`) writes, that git ignores or a submodule brings;
-    so are packages of which another package's CMake macro may install more, launch files of tests that CMake does not
-    run, and files that a package inside of one of its name has itself (WSP005). Where the action has a condition that
-    can't be evaluated, it is a warning, where the defaults make it false, nothing adds the action, uses the value (but
-    to `print` it) or calls the function, an info, and so is the default of an argument that neither the file nor an
-    included one uses, that only actions use which are off by default, or that the file itself, each file that includes
-    it or each command that pages tell gives another value. So is a parameter file of a node that gets others as well,
-    the value of a parameter that no code of the node's package, which is here, reads, that a well-known node does not
-    have, or of another node where its name says nothing of a file (`…_file`, `…_path`, `yaml`, `map`, `url`), and what
-    stands behind the place where every launch ends, as it seeks a package that nothing brings. It is an info, too,
-    where people bring the file and launch does not include it: a page or a script fetches, saves or copies it there by
-    its name, or its folder has only a `.gitkeep` and is for what people make (`maps`, `data`), has a README alone, or
+    Files are left alone that code looks for first (`os.path.exists`, `try`; an info after `except OSError`), that the
+    build, Python code or a command (`xacro … -o`) writes, that git ignores or a submodule brings; so are packages of
+    which another package's CMake macro may install more, launch files of tests that CMake does not run, and files that
+    a package inside of one of its name has itself (WSP005). Where the action has a condition that can't be evaluated,
+    it is a warning, where the defaults make it false, nothing adds the action, uses the value (but to `print` it) or
+    calls the function, an info, and so is the default of an argument that neither the file nor an included one uses,
+    that only actions use which are off by default, or that the file itself, each file that includes it or each command
+    that pages tell gives another value. So is a parameter file of a node that gets others as well, the value of a
+    parameter that no code of the node's package, which is here, reads (or a word, where it reads none), that a
+    well-known node does not have, or of another node where its name says nothing of a file (`…_file`, `…_path`, `yaml`,
+    `map`, `url`), and what stands behind the place where every launch ends, as it seeks a package that nothing brings.
+    It is an info, too, where people bring the file and launch does not include it: a page or a script fetches, saves or
+    copies it there by its name, or its folder has only a `.gitkeep` and people fill it (`maps`), has a README alone, or
     launch says the name, or git ignores a folder that the build installs as a whole (`resource/`). So it is where a
     program writes it: code puts the name together (`'modified_' + a`), or it is called like `octomap_saver_node`; or
-    where the name is to be replaced (`YOUR_ROBOT.urdf`, `# change this`), or a `glob` found none, as launch says.
+    where the name is to be replaced (`YOUR_ROBOT.urdf`, `# change this`), or a `glob` found none.
     """
     for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):
