@@ -20,6 +20,11 @@ CASES = {
         package(AGAIN.format("b")),
         package(AGAIN.format("c")),
         package("install(TARGETS a OPTIONAL TARGETS b c DESTINATION lib/my_pkg)\n"),
+        package("set_property(TARGET a c APPEND PROPERTY COMPILE_OPTIONS -O2)\n"),
+        package("set_property(TARGET a b PROPERTY FOLDER c)\nset_property(SOURCE c PROPERTY LANGUAGE C)\n"),
+        package("add_custom_command(TARGET c POST_BUILD COMMAND true)\n"),
+        package("add_custom_command(TARGET a POST_BUILD COMMAND c)\nadd_custom_command(OUTPUT c COMMAND b)\n"),
+        package("add_custom_command(TARGET c POST_BUILD COMMAND true)\nadd_executable(c src/a.cpp)\n"),
     ),
     "CMK104": (
         package("install(TARGETS a b DESTINATION bin DESTINATION lib/my_pkg)\n"),
@@ -31,6 +36,11 @@ CASES = {
         package("install(FILES config/a.yaml DESTINATION share/my_pkg FILES config/c.yaml)\n"),
     ),
     "CMK123": (
+        package("add_library(more src/a.cpp SHARED)\n"),
+        package("add_executable(more src/a.cpp EXCLUDE_FROM_ALL)\n"),
+        package("add_library(more EXCLUDE_FROM_ALL SHARED src/a.cpp)\nadd_library(other ${MORE} SHARED src/a.cpp)\n"),
+        package("add_library(more src/a.cpp SHARED)\n", {"SHARED": "a file\n"}),
+        package("ament_auto_add_library(more src/a.cpp SHARED)\n"),
         package("install(FILES config/a.yaml FILES config/b.yaml DESTINATION share/my_pkg)\n"),
         package("install(FILES config/a.yaml PROGRAMS config/b.yaml DESTINATION share/my_pkg)\n"),
         package("install(FILES config/a.yaml DESTINATION share/my_pkg config/b.yaml)\n"),

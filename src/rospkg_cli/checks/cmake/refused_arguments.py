@@ -11,7 +11,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.install_rules import ARTIFACTS
 from .linker_runs import runs_linker
-from .stray_arguments import OF_ALL, stray_argument
+from .stray_arguments import OF_ALL, late_options, stray_argument
 
 SCOPED = frozenset({
     "target_include_directories", "target_compile_definitions", "target_compile_options", "target_compile_features",
@@ -68,6 +68,7 @@ def refused_calls(cmake: CMake) -> Iterator[RefusedArgument]:
         yield from unscoped(call)
         yield from without_destination(call)
         yield from misplaced_words(cmake, call)
+        yield from late_keywords(cmake, call)
         yield from linked_keywords(cmake, call)
         yield from too_few(call)
         yield from without_sign(call)
@@ -127,6 +128,14 @@ def misplaced_words(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedArg
         why = f'CMake stops with "install {call.texts[0]} given unknown argument"'
         place = f"`{keyword}`" if word.text in OF_ALL else "the first keyword"
         yield RefusedArgument(call, word, f"{start}: {why}; write it before {place}")
+
+
+def late_keywords(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedArgument]:
+    for word in late_options(call):
+        if not cmake.package_files.is_there(word.text):
+            start = f"`{word.text}` stands behind a source in `{call.name}`"
+            why = 'CMake takes it for one more, and stops with "Cannot find source file"'
+            yield RefusedArgument(call, word, f"{start}: {why}; write it before the sources")
 
 
 def linked_keywords(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedArgument]:

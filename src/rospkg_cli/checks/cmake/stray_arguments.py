@@ -1,10 +1,11 @@
-"""Arguments of `install()` that stand where none belongs: CMake stops at each of them (3.10 to 4.2)."""
+"""Arguments that stand where they do not belong, and at which CMake stops (3.10 to 4.2): of install(), of targets."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
+from ...languages.cmake.targets import LIBRARY_TYPES
 from ...languages.cmake.values import UNKNOWN, Word
 from ...package.cmake.install_rules import ARTIFACTS, OPTIONS, TAKE_A_VALUE, meant_keywords
 
@@ -19,6 +20,20 @@ OF_ALL = frozenset({"EXPORT", "TARGETS"})
 """What `install(TARGETS)` takes before the parts of ARCHIVE, LIBRARY and the like alone."""
 UNCLEAR = frozenset({"FILE_SET", "CXX_MODULES_BMI", "RUNTIME_DEPENDENCIES", "RUNTIME_DEPENDENCY_SET"})
 """Newer keywords with rules of their own."""
+OF_TARGETS = {
+    "add_library": frozenset({*LIBRARY_TYPES, "IMPORTED", "GLOBAL", "EXCLUDE_FROM_ALL"}),
+    "add_executable": frozenset({"WIN32", "MACOSX_BUNDLE", "IMPORTED", "GLOBAL", "ALIAS", "EXCLUDE_FROM_ALL"}),
+}
+"""The options of a target, which stand before its sources."""
+
+
+def late_options(call: EvaluatedCommand) -> Iterator[Word]:
+    """Yield the options of a target behind its sources, where one is certain: CMake takes them for sources."""
+    options, has_source = OF_TARGETS.get(call.name, frozenset()), False
+    for word in call.words[1:] if options else ():
+        if has_source and word.text in options:
+            yield word
+        has_source |= word.is_known and word.text not in options
 
 
 def stray_argument(call: EvaluatedCommand) -> tuple[Word, str] | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 from functools import cached_property
+from itertools import takewhile
 from typing import Literal
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
@@ -88,6 +89,12 @@ class TargetReferences:
         for call in self.cmake.named("set_target_properties"):
             end = call.texts.index("PROPERTIES") if "PROPERTIES" in call.texts else 0
             yield from (TargetReference(word, call) for word in call.words[:end])
+        for call in self.cmake.named("set_property"):
+            named = call.words[1:] if call.texts[:1] == ("TARGET",) else ()
+            yield from (TargetReference(word, call) for word in takewhile(is_no_keyword, named))
+        for call in self.cmake.named("add_custom_command"):
+            named = call.words[1:2] if call.texts[:1] == ("TARGET",) else ()
+            yield from (TargetReference(word, call) for word in named)
         for call in self.cmake.named(*OF_INTERFACES):
             yield from (TargetReference(word, call) for word in call.words[1:2])
         for rule in self.cmake.installs:
@@ -129,6 +136,10 @@ class TargetReferences:
 
         known = {*COMMANDS, *MAKERS, *OF_INTERFACES, *self.cmake.functions}
         return [call for call in self.cmake.calls if call.name not in known]
+
+
+def is_no_keyword(word: Word) -> bool:
+    return word.text not in ("APPEND", "APPEND_STRING", "PROPERTY")
 
 
 def by_name(references: Iterable[TargetReference]) -> Iterable[list[TargetReference]]:

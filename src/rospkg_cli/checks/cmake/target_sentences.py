@@ -11,6 +11,8 @@ from .target_references import TargetReference
 STOPS = {
     "install": "given target … which does not exist",
     "set_target_properties": "can not find target to add properties to",
+    "set_property": "could not find TARGET",
+    "add_custom_command": "No TARGET … has been created in this directory",
     "add_dependencies": "Cannot add target-level dependencies to non-existent target",
     "ament_target_dependencies": "the first argument must be a valid target name",
     "rosidl_target_interfaces": "the … argument … must be a valid target name",

@@ -70,7 +70,8 @@ def flags_and_values(
 ) -> tuple[set[str], dict[str, list[Word]], list[Word]]:
     """Parse arguments as cmake_parse_arguments does: the flags, the words of each keyword, and the rest.
 
-    Quotes make no difference: `"ENV"` is `ENV`.
+    Quotes make no difference: `"ENV"` is `ENV`. A keyword that stands twice has the last of single values, and all of
+    many.
     """
     found: set[str] = set()
     values: dict[str, list[Word]] = {}
@@ -85,6 +86,8 @@ def flags_and_values(
             current = values.setdefault(text, [])
             room = 1 if text in single else -1
         else:
+            if room == 1:
+                current.clear()
             current.append(word)
             room -= 1
             if room == 0:

@@ -210,10 +210,12 @@ class CMake:
         return dict(self.properties("EXPORT_NAME"))
 
     def properties(self, name: str) -> Iterator[tuple[str, str]]:
-        """Yield target and value for each place where a property of that name is set."""
+        """Yield target and value for each place where a property of that name is set; the last one counts."""
         for call in self.named("set_target_properties", "set_property"):
             texts = call.texts
             start = "PROPERTIES" if call.name == "set_target_properties" else "PROPERTY"
-            if start in texts and name in texts[texts.index(start) : -1]:
-                value = texts[texts.index(name) + 1]
-                yield from ((target, value) for target in texts[: texts.index(start)] if target != "TARGET")
+            at = texts.index(start) if start in texts else len(texts)
+            pairs = texts[at + 1 :] if start == "PROPERTIES" else texts[at + 1 : at + 3]
+            targets = [text for text in texts[:at] if text not in ("TARGET", "APPEND", "APPEND_STRING")]
+            for key, value in zip(pairs[::2], pairs[1::2], strict=False):
+                yield from ((target, value) for target in targets if key == name)

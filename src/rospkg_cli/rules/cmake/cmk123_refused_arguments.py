@@ -78,6 +78,7 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
     It knows `target_include_directories()` and its like without `PUBLIC`, `PRIVATE` or `INTERFACE`,
     `install(FILES …)` without a destination or with a keyword of another form, what stands behind the value of a
     keyword (`install(TARGETS a DESTINATION bin b)`), `EXPORT` in the part of `RUNTIME` and its like,
+    options behind the sources of a target (`add_library(core core.cpp SHARED)`),
     `target_link_libraries(x SHARED …)`, commands that are given too few arguments, such as
     `pluginlib_export_plugin_description_file()`, folders of the source tree that an exported target names to its users
     (`target_include_directories(x PUBLIC include)`), and definitions among the compiler's options
