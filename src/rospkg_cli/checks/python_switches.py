@@ -1,4 +1,4 @@
-"""Conditions of Python code on a parameter whose default keeps them from holding."""
+"""Conditions of Python code on a parameter, an option or a variable whose default keeps them from holding."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterable, Iterator
 
 from ..languages.python.file import PythonFile
-from ..languages.python.nodes import nodes_of, nodes_of_kind
+from ..languages.python.nodes import last_name, nodes_of, nodes_of_kind
 from ..package.params.python_parameters import declared_in
 from ..source import Span
 from .switch import Switch
@@ -20,10 +20,50 @@ def python_switches(file: PythonFile, span: Span, files: Iterable[PythonFile]) -
     """Yield the conditions around a place that do not hold by default."""
     files = tuple(files)
     for test, is_on in conditions(file, span):
+        yield from outer_switches(test, file, is_on)
         names = parameters_in(test, file, files)
         defaults = {state for name in names for state in defaults_of(name, files)}
         if names and defaults == {not is_on}:
             yield Switch(ast.unparse(test), tuple(sorted(names)), is_on)
+
+
+def outer_switches(test: ast.expr, file: PythonFile, is_on: bool) -> Iterator[Switch]:
+    """Yield a condition that does not hold as long as no command gives an option, or nothing sets a variable."""
+    match test:
+        case ast.Attribute(attr=name) if is_on and (option := flag_of(name, file)):
+            yield Switch(ast.unparse(test), (option,), is_on, "option")
+        case ast.Compare(left=asked, ops=[ast.Eq()], comparators=[ast.Constant(value=value)]) if value and is_on:
+            if name := unset_variable(asked):
+                yield Switch(ast.unparse(test), (name,), is_on, "variable")
+        case ast.Call() if is_on and (name := unset_variable(test)):
+            yield Switch(ast.unparse(test), (name,), is_on, "variable")
+
+
+def flag_of(name: str, file: PythonFile) -> str:
+    """Return the option of a command that makes a name true, and is off without it: `--debug`; "" for none."""
+    for call in nodes_of_kind(file.tree, ast.Call):
+        words = [each.value for each in call.args if isinstance(each, ast.Constant) and isinstance(each.value, str)]
+        given = {each.arg: each.value for each in call.keywords}
+        is_flag = last_name(call.func) == "add_argument" and text_of(given.get("action")) == "store_true"
+        long = next((each for each in words if each.startswith("--")), "")
+        if is_flag and "default" not in given and (text_of(given.get("dest")) or long[2:].replace("-", "_")) == name:
+            return long if "set_defaults" not in file.source.text else ""
+    return ""
+
+
+def text_of(node: ast.expr | None) -> str:
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
+
+
+def unset_variable(node: ast.expr) -> str:
+    """Return the variable of the environment that an expression asks for, without a default that is true."""
+    match node:
+        case ast.Call(func=ast.Attribute(value=of, attr=method), args=[ast.Constant(value=str(name)), *rest]) if (
+            method == "get" and last_name(of) == "environ"
+        ) or method == "getenv":
+            is_off = not rest or (isinstance(rest[0], ast.Constant) and rest[0].value in (None, "", "0", "false", 0))
+            return name if is_off else ""
+    return ""
 
 
 def conditions(file: PythonFile, span: Span) -> Iterator[tuple[ast.expr, bool]]:

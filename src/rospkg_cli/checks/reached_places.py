@@ -20,6 +20,7 @@ from .behind_spin import called_behind_spin, is_behind_spin, is_called_late
 from .installed_modules import InstalledModules
 from .interfaces.seldom_run import is_in_handler
 from .interfaces.uncalled_methods import UncalledMethods
+from .off_places import OffPlaces
 from .path_starts import is_started_by_path
 from .reached_definitions import ReachedDefinitions
 from .reached_modules import ReachedModules
@@ -60,6 +61,7 @@ class ReachedPlaces:
     definitions: ReachedDefinitions
     shown: ShownWays
     unimported: UnimportedModules
+    off: OffPlaces | None = None
 
     def met(self, file: PythonFile, span: Span) -> Met:
         """Return when a place is come to that is not met at every start, as far as the package itself shows."""
@@ -96,7 +98,11 @@ class ReachedPlaces:
         if self.is_ended(file, span):
             return "ended"
         is_seldom = is_in_handler(file, span) or self.definitions.is_turned_off(file, span)
-        return "branch" if is_seldom or self.is_by_path(file, span) else "maybe"
+        return "branch" if is_seldom or self.is_by_path(file, span) or self.is_off(file, span) else "maybe"
+
+    def is_off(self, file: PythonFile, span: Span) -> bool:
+        """Return whether a parameter or an option which is off by default, and which nothing sets, leads to a place."""
+        return self.off is not None and self.off.has(file, span)
 
     def is_late(self, file: PythonFile, span: Span) -> bool:
         """Return whether a place is led to behind a `spin` alone that Ctrl-C leaves by an exception."""

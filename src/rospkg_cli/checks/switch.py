@@ -1,4 +1,4 @@
-"""A condition of code on a parameter or a variable."""
+"""A condition of code on a parameter, an option or a variable."""
 
 from __future__ import annotations
 
@@ -14,3 +14,5 @@ class Switch:
     """Those that the variable is given; none for a constant."""
     is_on: bool
     """The state that the condition asks for."""
+    kind: str = "parameter"
+    """What the names are of: a parameter, an option of a command, or a variable of the environment."""

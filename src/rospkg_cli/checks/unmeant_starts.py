@@ -23,6 +23,14 @@ FORBIDS = regex(
     r"(?i:(?! (?:before|after|until|unless|while|when|if|in|on|as|at|with|without|from|more|twice|in)\b))"
 )
 """How a text says that nobody is to start what it is about, whatever the circumstances."""
+UNFINISHED = regex(
+    r"(?im)^\W*(?:(?:note|warning|status|todo)\W+)?(?:(?:this|the) (?:\w+ ){1,3}(?:is|does) (?:still |currently )?)?"
+    r"(?:wip|work in progress|unfinished|deprecated|obsolete|broken|no longer used|unused"
+    r"|not (?:yet )?(?:finished|complete|working|work(?: yet)?|used|in use|maintained))(?=\W*$|[.:,;!])"
+)
+"""How a text begins a line with that nobody is to start what it is about yet, or any more."""
+STALE = "a page says that this program is no longer used, or not finished yet"
+UNDONE = "its own text says that it is not finished, or no longer used"
 TOLD = "its own text says that it is not to be started"
 SPARE = "nothing here starts this program, whose module is there for others"
 
@@ -37,11 +45,24 @@ class UnmeantStarts:
         if file is None:
             return ""
         around = [each for each in functions_of(file.tree) if file.span(each).holds(span)]
-        if any(map(self.programs.is_started, self.entries(file, around))):
+        entries = self.entries(file, around)
+        if any(map(self.programs.is_started, entries)):
             return ""
-        if any(map(FORBIDS.search, self.texts(file, around, span))):
+        texts = [*self.texts(file, around, span)]
+        if any(map(FORBIDS.search, texts)):
             return TOLD
+        if stale := self.why_stale(file):
+            return stale
         return SPARE if self.is_spare(file, around) else ""
+
+    def why_stale(self, file: PythonFile) -> str:
+        """Return how a text says of all programs which a file is of, and which nothing starts, that they are unused."""
+        own = [name for name, paths in self.programs.of_programs.items() if file.path in paths]
+        if not own or any(map(self.programs.is_started, own)):
+            return ""
+        if UNFINISHED.search(f"{ast.get_docstring(file.tree) or ''}\n{comments_at_top(file.source.text)}"):
+            return UNDONE
+        return STALE if all(map(self.programs.is_told_to_be_stale, own)) else ""
 
     def texts(self, file: PythonFile, around: list[FunctionNode], span: Span) -> Iterator[str]:
         """Yield what is said of the functions around a place, and of a file where it is started."""

@@ -36,7 +36,7 @@ class UnsetSwitches:
         for each in self.switches(path, span):
             if not any(self.is_set(name, each) for name in each.parameters):
                 named = " and ".join(f"`{name}`" for name in each.parameters)
-                what = f"the parameter {named}" if named else f"`{each.variable}`"
+                what = f"the {each.kind} {named}" if named else f"`{each.variable}`"
                 state = "on" if each.is_on else "off"
                 return f"; it runs only where {what} is {state}, which it is not by default, and nothing here sets it"
         return ""

@@ -21,6 +21,13 @@ from .reached_modules import ReachedModules
 UNSTARTED = "; nothing here starts this program, as it does others of the package"
 STARTING = (".xml", ".launch", ".yaml", ".yml", ".json", ".service", ".desktop", ".conf")
 """Files that start programs, beside launch files in Python, pages and scripts."""
+STALE = regex(
+    r"(?i)\b(?:deprecated|obsolete|legacy|unfinished|wip|work in progress|unused|no longer (?:used|maintained|needed)"
+    r"|(?:is |are |currently |still )(?:not|isn't) (?:yet )?(?:finished|complete|working|used|in use|maintained)"
+    r"|does(?: not|n't) work|not (?:yet )?(?:finished|implemented|working))\b"
+)
+"""How a line of a page says that nobody is to start what it names."""
+SENTENCES = regex(r"\n|(?<=[.;!?])\s")
 OF_TOOLS = regex(r"(?i)bench(?:mark(?:s|ing)?)?|tools?|experiments?|notebooks?|training|debug(?:ging)?")
 BUILDS = ("package.xml", "setup.py", "setup.cfg")
 
@@ -87,7 +94,8 @@ class UnstartedPrograms:
         if name not in self.known:
             in_launch = bool(self.workspace.having("started_nodes", self.facts.name, name))
             word = re.compile(rf"(?<![\w-]){re.escape(name.removesuffix('.py'))}(?![\w-])")
-            self.known[name] = in_launch or any(map(word.search, self.texts)) or self.is_run_by_code(name)
+            in_text = any(not STALE.search(line) for line in self.lines(word))
+            self.known[name] = in_launch or in_text or self.is_run_by_code(name)
         return self.known[name]
 
     def is_meant(self, name: str) -> bool:
@@ -112,6 +120,16 @@ class UnstartedPrograms:
         """Return whether code of another package has a program behind the name of this one."""
         words = self.behind_package(name)
         return any(map(words.search, opening_elsewhere(self.files, self.facts.name, self.workspace)))
+
+    def lines(self, word: re.Pattern[str]) -> Iterator[str]:
+        """Yield the lines of texts, or the sentences in them, that have a word."""
+        having = (text for text in self.texts if word.search(text))
+        return (each for text in having for each in SENTENCES.split(text) if word.search(each))
+
+    def is_told_to_be_stale(self, name: str) -> bool:
+        """Return whether a page says of a program that it is no longer used, or not finished yet."""
+        word = re.compile(rf"(?<![\w-]){re.escape(name.removesuffix('.py'))}(?![\w-])")
+        return any(STALE.search(line) for line in self.lines(word))
 
     def is_run(self, name: str) -> bool:
         """Return whether a launch file starts a program, or a text or code has it behind the name of its package."""

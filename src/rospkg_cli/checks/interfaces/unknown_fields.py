@@ -116,6 +116,8 @@ class FieldUses:
     def is_turned_off(self, use: UnknownField) -> bool:
         """Return whether a use is under a switch that nothing throws."""
         file = self.run.modules.at(use.path)
+        if file is not None and self.places is not None and self.places.is_off(file, use.span):
+            return True
         return file is not None and self.definitions is not None and self.definitions.is_turned_off(file, use.span)
 
     def is_conditional(self, use: UnknownField) -> bool:

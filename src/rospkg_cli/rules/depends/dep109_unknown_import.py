@@ -29,8 +29,9 @@ GOOD = {"my_pkg/talker.py": "from my_pkg.speech import GREETING" + MAIN.format("
         "only tests come to it, it is in a library's module that nothing here imports, or in a program that nothing "
         "starts, beside others that are started",
         Severity.INFO: "nothing starts or imports the module, or leads to the function, or a page alone names it, "
-        "other packages here import other parts of a library alone, it stands behind `rclpy.spin` or a loop, or in a "
-        "callback that nothing spins, or another package may have the module, and this one has one of its name",
+        "other packages here import other parts of a library alone, it stands behind `rclpy.spin`, a loop or a switch "
+        "that is off, or in a callback that nothing spins, or another package may have the module, and this one has "
+        "one of its name",
     },
     examples=(
         Example(

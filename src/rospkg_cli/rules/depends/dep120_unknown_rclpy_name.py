@@ -43,10 +43,10 @@ def main():
         Severity.WARNING: "it is in a function that a program is shown to come to, under one condition at most, in a "
         "test, or in a program that nothing starts, beside others that are started",
         Severity.INFO: "no program is shown to come to it, or under several conditions alone, it is under a condition "
-        "(`__main__` of an entry point's module), behind `rclpy.spin`, nothing in the package calls the function, or "
-        "imports the module, nothing spins the node, the run ends before, at another fault or in a loop, its "
-        "own text says that the program is not to be started, nothing starts it while others use its module, or the "
-        "repository is for Dashing or older alone, which need no depth",
+        "(`__main__` of an entry point's module, a switch that is off), behind `rclpy.spin`, nothing in the package "
+        "calls the function, or imports the module, nothing spins the node, the run ends before, at another fault or "
+        "in a loop, its own text, or a page, says that the program is not to be started, nothing starts it while "
+        "others use its module, or the repository is for Dashing or older alone, which need no depth",
     },
     examples=(
         Example(

@@ -24,8 +24,8 @@ GOOD = "from std_msgs.msg import String\n\nprint(String)\n"
         Severity.WARNING: "it is in a function or a branch, which may not be run, a condition stands on the way to it, "
         "only tests come to it, or it is in a program that nothing starts, beside others that are started",
         Severity.INFO: "nothing installs the file, starts or imports the module, or leads to the function, or a page "
-        "alone names it, or it stands behind `rclpy.spin` or a loop, in a callback that nothing spins, or under "
-        "`__main__` of an entry point's module, or an older distribution that is meant may have it",
+        "alone names it, or it stands behind `rclpy.spin`, a loop or a switch that is off, in a callback that nothing "
+        "spins, or under `__main__` of an entry point's module, or an older distribution that is meant may have it",
     },
     examples=(
         Example(
