@@ -1,4 +1,4 @@
-"""A library that CMake looks for in a folder that the package names is an info (DEP104)."""
+"""DEP105, DEP115: what CMake fetches, or takes from a folder that people tell, need not come from rosdep."""
 
 from __future__ import annotations
 
@@ -7,38 +7,85 @@ import pytest
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.testing import lint_files
 
-MODULE = "find_path(YAML yaml.h PATHS {}/third_party)\n"
+NODE = "add_executable(node src/node.cpp)\ninstall(TARGETS node DESTINATION lib/${PROJECT_NAME})\n"
+LINKS = "target_link_libraries(node modbus)\n"
+CPM = {"cmake/CPM.cmake": "function(CPMAddPackage)\nendfunction()\n"}
+
+
+def levels(code: str, lines: str, source: str = "", depends: str = "", **files: str) -> list[str]:
+    written = {
+        "CMakeLists.txt": CMAKE.replace("ament_package()", f"{lines}\nament_package()"),
+        "package.xml": manifest(depends, "ament_cmake"),
+        "src/node.cpp": f"{source}\nint main() {{return 0;}}\n",
+    }
+    found = lint_files({**written, **CPM, **files}, [code]).findings
+    return [each.severity.value for each in found]
 
 
 @pytest.mark.parametrize(
-    ("lines", "files", "level"),
+    ("lines", "expected"),
     [
-        ("find_package(yaml-cpp REQUIRED)\n", {}, "warning"),
-        ("find_package(yaml-cpp REQUIRED HINTS ${CMAKE_CURRENT_SOURCE_DIR}/third_party)\n", {}, "info"),
-        ("find_package(yaml-cpp REQUIRED PATHS /opt/yaml NO_DEFAULT_PATH)\n", {}, "info"),
-        ("find_package(yaml-cpp REQUIRED PATHS /usr/lib/cmake)\n", {}, "warning"),
-        ("set(yaml-cpp_DIR /usr/local/lib/cmake/yaml-cpp)\nfind_package(yaml-cpp REQUIRED)\n", {}, "info"),
-        ("set(yaml-cpp_DIR /usr/share/yaml-cpp)\nfind_package(yaml-cpp REQUIRED)\n", {}, "warning"),
-        ("set(OpenCV_DIR /usr/local/opencv)\nfind_package(yaml-cpp REQUIRED)\n", {}, "warning"),
-        ("list(APPEND CMAKE_PREFIX_PATH $ENV{HOME}/local)\nfind_package(yaml-cpp REQUIRED)\n", {}, "info"),
-        ("list(APPEND CMAKE_PREFIX_PATH /opt/ros/humble)\nfind_package(yaml-cpp REQUIRED)\n", {}, "warning"),
-        (
-            "find_package(yaml-cpp REQUIRED)\n",
-            {"cmake/Findyaml-cpp.cmake": MODULE.format("${CMAKE_CURRENT_LIST_DIR}")},
-            "info",
-        ),
-        ("find_package(yaml-cpp REQUIRED)\n", {"cmake/Findyaml-cpp.cmake": MODULE.format("/usr")}, "warning"),
+        ("", ["warning"]),
+        ('include(cmake/CPM.cmake)\nCPMAddPackage("gh:stephane/libmodbus#v3")\n', []),
+        ("execute_process(COMMAND git clone https://x.org/libmodbus ${CMAKE_BINARY_DIR}/libmodbus)\n", []),
+        ("execute_process(COMMAND pkg-config --cflags libmodbus)\n", ["warning"]),
+        ("file(DOWNLOAD https://x.org/libmodbus.tgz ${CMAKE_BINARY_DIR}/libmodbus.tgz)\n", []),
+        ("file(READ libmodbus.txt TEXT)\n", ["warning"]),
     ],
 )
-def test_levels(lines: str, files: dict[str, str], level: str) -> None:
-    cmake = CMAKE.replace("ament_package()", f"{lines}ament_package()")
-    package = {"CMakeLists.txt": cmake, "package.xml": manifest("", "ament_cmake"), **files}
-    (only,) = lint_files(package, ["DEP104"]).findings
-    assert (only.severity.value, "in a folder that is named here" in only.message) == (level, level == "info")
+def test_what_cmake_fetches(lines: str, expected: list[str]) -> None:
+    assert levels("DEP105", f"{lines}{NODE}", "#include <modbus/modbus.h>") == expected
+    assert levels("DEP115", f"{lines}{NODE}{LINKS}") == expected
 
 
-def test_packages_of_ros_lie_in_their_workspaces() -> None:
-    lines = "set(rclcpp_DIR /somewhere)\nfind_package(rclcpp REQUIRED)\n"
-    cmake = CMAKE.replace("ament_package()", f"{lines}ament_package()")
-    (only,) = lint_files({"CMakeLists.txt": cmake, "package.xml": manifest("", "ament_cmake")}, ["DEP104"]).findings
-    assert only.severity.value == "warning"
+@pytest.mark.parametrize(
+    ("folder", "expected"),
+    [
+        ("$ENV{MODBUS_ROOT}/include", "info"),
+        ("${MODBUS_SDK_ROOT}/include", "info"),
+        ("${MODBUS_INCLUDE_DIRS}", "warning"),
+        ("/home/me/libmodbus/include", "info"),
+        ("/usr/include/modbus", "warning"),
+        ("third_party/libmodbus/src", "info"),
+        ("third_party/serial/src", "warning"),
+        ("include", "warning"),
+    ],
+)
+def test_folders_of_headers(folder: str, expected: str) -> None:
+    lines = f"{NODE}target_include_directories(node PRIVATE {folder})\n"
+    assert levels("DEP105", lines, "#include <modbus/modbus.h>") == [expected]
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        (f"{NODE}target_link_options(node PRIVATE -L/home/me/lib)\n{LINKS}", []),
+        (f"{NODE}target_link_libraries(node -L/home/me/lib modbus)\n", []),
+        (f'set(CMAKE_EXE_LINKER_FLAGS "-L/home/me/lib")\n{NODE}{LINKS}', []),
+        (f'set(CMAKE_CXX_FLAGS "-O2")\n{NODE}{LINKS}', ["warning"]),
+        (f"add_executable(node EXCLUDE_FROM_ALL src/node.cpp)\n{LINKS}", []),
+    ],
+)
+def test_where_the_linker_looks(lines: str, expected: list[str]) -> None:
+    assert levels("DEP115", lines) == expected
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("list(APPEND CMAKE_PREFIX_PATH /home/me/modbus)\n", []),
+        ("set(CMAKE_LIBRARY_PATH /home/me/modbus)\n", []),
+        ("set(CMAKE_PREFIX_PATH /usr/lib/modbus)\n", ["warning"]),
+        ("", ["warning"]),
+    ],
+)
+def test_where_cmake_looks(line: str, expected: list[str]) -> None:
+    assert levels("DEP115", f"{line}find_library(MODBUS modbus REQUIRED)\n{NODE}") == expected
+
+
+def test_a_key_without_headers_beside_a_build_from_source() -> None:
+    lines = f"{NODE}target_link_libraries(node usb-1.0)\n"
+    needs = "  <depend>libusb-1.0</depend>\n"
+    assert levels("DEP115", lines, depends=needs) == ["warning"]
+    page = {"README.md": "Build libusb-1.0 from source.\n"}
+    assert levels("DEP115", lines, "", needs, **page) == ["info"]

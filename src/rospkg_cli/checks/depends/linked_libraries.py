@@ -12,6 +12,7 @@ from ...package.cmake.target_links import TargetLinks
 from ...ros.libraries import keys_of_linked, keys_of_module
 from ...source import Span
 from .brought_dependencies import Bringer
+from .own_places import searched_places, tells_linker
 from .required_by_cmake import ASKS, without_version
 from .undeclared_includes import IncludeDependencies
 
@@ -59,8 +60,8 @@ class LinkedLibraries:
         return found | {name for each in self.includes.undeclared() for name in each.names}
 
     def used(self) -> Iterator[LinkedLibrary]:
-        yield from self.linked() if not self.cmake.named("link_directories", "target_link_directories") else ()
-        for call in self.cmake.calls:
+        yield from self.linked() if not tells_linker(self.cmake) else ()
+        for call in self.cmake.calls if not searched_places(self.cmake) else ():
             if call.name in FINDS and not call.maybe and not any(word in call.texts for word in ELSEWHERE):
                 yield from self.asked_for(call, keys_of_linked)
             elif call.name in ASKS and not call.maybe:
@@ -71,6 +72,7 @@ class LinkedLibraries:
         for link in TargetLinks(self.cmake).all:
             name = link.word.text.removeprefix("-l")
             is_certain = link.word.is_known and not (link.package or link.word.maybe or link.call.maybe)
+            is_certain = is_certain and not self.is_on_demand(link.target)
             if is_certain and (keys := keys_of_linked(name)) and not self.is_own(name):
                 yield LinkedLibrary(name, keys, link.call.testing, link.word.path, link.word.span)
 
@@ -95,6 +97,11 @@ class LinkedLibraries:
             for call in self.cmake.named("target_link_libraries")
             for argument in (() if call.maybe else call.command.arguments)
         )
+
+    def is_on_demand(self, name: str) -> bool:
+        """Return whether `colcon build` passes over a target."""
+        target = self.cmake.target(name)
+        return target is not None and "EXCLUDE_FROM_ALL" in target.options
 
     def is_own(self, name: str) -> bool:
         """Return whether a library is a target of the package, or one of its files."""

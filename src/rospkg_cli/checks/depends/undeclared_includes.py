@@ -34,6 +34,7 @@ from .compiled_sources import (
 )
 from .declared_dependencies import DeclaredDependencies
 from .hand_installs import BY_PAGE, HandInstalls
+from .own_places import ELSEWHERE, fetching_words, has_include_folder
 from .places_beside_apt import BESIDE_APT, place_beside_apt
 from .required_by_cmake import required_modules, required_packages
 from .ros1_headers import Ros1Headers
@@ -211,13 +212,15 @@ class IncludeDependencies:
 
     def why_by_hand(self, cmake: str, names: Iterable[str], headers: Iterable[str] = ()) -> str:
         """Return what is said of a library that a page tells people to install by hand, or that CMake takes from where
-        they put it; "" for others.
+        they put it or has the compiler look for there; "" for others.
         """
         keys = [each for each in names if self.declared.workspace.index.is_key(each)]
         every = (cmake, *keys, *headers) if keys else ()
         if place := place_beside_apt(self.cmake, every) if keys else "":
             return BESIDE_APT.format(place)
-        return BY_PAGE if keys and HandInstalls(self.files).has(every) else ""
+        if keys and HandInstalls(self.files).has(every):
+            return BY_PAGE
+        return ELSEWHERE if keys and has_include_folder([*headers], self.cmake) else ""
 
     def may_be_submodule(self, each: IncludedPackage) -> bool:
         """Return whether it is a library that a submodule may hold, which CMake looks into and which is not here."""
@@ -272,7 +275,8 @@ class IncludeDependencies:
         """The words of commands that download or add what the system need not have, and what submodules are called."""
         calls = [each for each in self.cmake.unreachable if each.name == "externalproject_add"]
         calls += self.cmake.named("add_subdirectory", "externalproject_add", "fetchcontent_declare", "ament_vendor")
-        return (*(word.text for call in calls for word in call.words), *self.files.absent.submodule_names)
+        words = (word.text for call in calls for word in call.words)
+        return (*words, *fetching_words(self.cmake), *self.files.absent.submodule_names)
 
     def is_own(self, header: str) -> bool:
         """Return whether a header is the package's own: it exists, or may be generated in a folder that does."""

@@ -99,5 +99,6 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
             f"`{bare.key}` has neither headers nor what the linker reads, and the build needs `{bare.what}`: where "
             f"nothing else brings it, it stops here; {advice(declared, kind, bare.wanted)}"
         )
-        level = Severity.INFO if bare.may_be_brought or is_unmet(declared, bare.wanted) else None
-        yield Hit(bare.path, bare.span, message, level, fix=declaration(declared, kind, bare.wanted))
+        by_hand = libraries.includes.why_by_hand(bare.what, (bare.key, bare.wanted))
+        level = Severity.INFO if bare.may_be_brought or by_hand or is_unmet(declared, bare.wanted) else None
+        yield Hit(bare.path, bare.span, message + by_hand, level, fix=declaration(declared, kind, bare.wanted))
