@@ -87,3 +87,42 @@ def test_code_with_a_path_is_told_as_before() -> None:
     files["my_pkg/talker.py"] = f"def main():\n    return open('{PLACE}')\n"
     (only,) = lint_files({**files, "data/a.xml": ""}, ["DEP118"]).findings
     assert only.severity.value == "warning"
+
+
+NODE = """\
+#!/usr/bin/env python3
+from rclpy.node import Node
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('rate', 1.0)
+        {}
+        # self.get_parameter('place')
+        rate = self.get_parameter('rate').value
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("self.declare_parameter('place', '')", "info"),
+        ("self.declare_parameters('', [('place', ''), ('other', (1, 2))])", "info"),
+        ("self.declare_parameter('place', '').value", "warning"),
+        ("place = self.declare_parameter('place', '')", "warning"),
+        ("self.declare_parameter('place', '')\n        self.get_parameter('place')", "warning"),
+        ("self.declare_parameter('place', '')\n        self.get_parameter(name)", "warning"),
+        ("self.declare_parameter('place', '')\n        self.get_parameters_by_prefix('')", "warning"),
+        ("[self.declare_parameter(name, '') for name in ('place',)]", "warning"),
+    ],
+)
+def test_a_parameter_that_python_declares_and_never_reads(line: str, expected: str) -> None:
+    build = (
+        f"{INSTALLS[: -len('ament_package')]}install(PROGRAMS scripts/talker.py DESTINATION lib/${{PROJECT_NAME}})\n"
+    )
+    files = {
+        "scripts/talker.py": NODE.format(line),
+        "CMakeLists.txt": CMAKE.replace("ament_package", f"{build}ament_package"),
+    }
+    assert level({**parameter("talker", "place"), **files}) == expected

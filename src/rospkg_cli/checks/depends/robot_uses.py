@@ -35,7 +35,7 @@ LOADS_PLUGINS = regex(
     r"controller_manager$|gz_ros2_control|ign_ros2_control|gazebo_ros2_control|nav2_|moveit|navigation2$|.*_bringup$"
 )
 """Packages that load plugins by the names in parameter files, or whose launch files start such."""
-LOADED_BY_OWN = frozenset({"slam_toolbox"})
+LOADED_BY_OWN = frozenset({"laser_filters", "slam_toolbox"})
 """Packages whose plugins their own node alone loads: where that is not installed, nothing looks for them."""
 LOADS_TYPES = frozenset({"joy_teleop"})
 """Packages whose nodes load interfaces by the names in their parameters."""

@@ -8,11 +8,13 @@ from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
+from ...package.launch.text import uncommented
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
 from ...ros.known_nodes import known_nodes, known_parameters, removed_parameters
 from ...source import Span
 from ..older_distribution import OLDER, OlderDistribution
+from .idle_declarations import is_idle
 from .mistyped_blocks import last
 
 CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h")
@@ -40,11 +42,24 @@ class PathReaders:
     def is_declared(self, name: str) -> bool:
         """Return whether code of the workspace declares a parameter, or that of the package has its name.
 
-        A launch file that gives a parameter to a node is no reader of it.
+        A launch file that gives a parameter to a node is no reader of it, nor is code that never asks for its value.
         """
+        if self.is_idle(name):
+            return False
         declared = (each for facts in self.workspace.packages for each in facts.parameters)
         own = "\n".join(text for path, text in self.code.items() if role_of(path) != "launch")
         return any(each.fits(name) for each in declared) or is_written(name.rpartition(".")[2], own)
+
+    def is_idle(self, name: str) -> bool:
+        """Return whether Python code of the package alone declares a parameter, and nothing asks for its value."""
+        own = {path: text for path, text in self.code.items() if role_of(path) != "launch"}
+        naming = [path for path, text in own.items() if name in text]
+        if not naming or not all(path.endswith(".py") for path in naming):
+            return False
+        declaring = [facts for facts in self.workspace.packages if any(each.fits(name) for each in facts.parameters)]
+        if len(declaring) > 1:
+            return False
+        return is_idle(name, (uncommented(path, text) for path, text in own.items()))
 
     @cached_property
     def code(self) -> dict[str, str]:
