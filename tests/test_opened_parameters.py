@@ -155,3 +155,17 @@ def test_what_only_launch_files_for_ros1_name(name: str, start: str, level: str,
         "launch/old.launch.xml": old,
     }
     assert levels(files) == [level if is_loaded else "info"]
+
+
+@pytest.mark.parametrize(
+    ("code", "level"),
+    [
+        ("NAME = place.replace('.png', '.yaml')\n", "info"),
+        ("START = ['ros2', 'run', 'a', 'b', '--params-file', name + '.yaml']\n", "warning"),
+    ],
+)
+def test_names_that_code_puts_together_for_itself(code: str, level: str) -> None:
+    files = {"launch/a.launch.py": LAUNCH, "config/walk.yaml": PLUGIN.format("ur_controllers/SpeedController")}
+    assert levels({**files, "scripts/maps.py": code}) == [level]
+    shown = {"launch/b.launch.py": f"{LAUNCH}print(f'{{NAME}}.yaml')\n"}
+    assert levels({**files, "scripts/maps.py": code, **shown}) == ["warning"]

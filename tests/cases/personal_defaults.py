@@ -22,7 +22,7 @@ from rclpy.node import Node
 class Talker(Node):
     def __init__(self):
         super().__init__('talker')
-        self.declare_parameter('out', '{}')
+        print(self.declare_parameter('out', '{}').value)
 
 
 def main():

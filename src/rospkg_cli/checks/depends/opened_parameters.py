@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 from functools import cached_property
 
+from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_file import LaunchFile
-from ...package.launch.live_text import without_unread
+from ...package.launch.live_text import live_text, without_unread
 from ...package.launch.text import uncommented
 from ...package.package_facts import PackageFacts
-from ...package.params.named_yaml import ANY
+from ...package.params.named_yaml import ANY, puts_together
 from ...package.urdf.robot_file import RobotFile
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
@@ -23,6 +24,9 @@ USUAL = regex(
     r"kinematics|joint_limits|moveit_cpp|pilz_cartesian_limits|sensors_3d|\w*_planning(?:_pipelines)?|\w*controllers"
 )
 """MoveIt looks for the files of its configs by their names alone: these, and none that is called otherwise."""
+STARTING = (".py", ".sh", ".bash", ".cpp", ".cc", ".xml", ".launch", ".md", ".service", ".hpp")
+STARTS = regex(r"\bros2\b|params[-_]file|LaunchService|LaunchDescription|<launch\b|launch_ros|NodeOptions")
+"""What a text has that starts nodes."""
 SPAWNS = regex(r"spawner|_controllers?\b|(?:controllers|demo)_launch|IncludeLaunchDescription|<include\b|\binclude:")
 """What loads controllers in a launch file, or may: a spawner, `ros2 control`, MoveIt's own launches, other files."""
 
@@ -34,6 +38,7 @@ class OpenedParameters:
     launch_files: tuple[LaunchFile, ...]
     robots: tuple[RobotFile, ...]
     """Those that something opens."""
+    files: PackageFiles
 
     def may_have(self, path: str) -> bool:
         """Return whether something may give a file to a node; others are there to be copied, or left over."""
@@ -44,7 +49,18 @@ class OpenedParameters:
         opens = any((is_usual and LOOKS in text) or word.search(text) for text in self.launches)
         if opens or any(self.may_be_own(each[1] or each[2]) for text in self.texts for each in found.finditer(text)):
             return True
-        return not EXAMPLE.search(path) and (ANY in self.package.named_yaml or self.is_named_elsewhere(stem))
+        return not EXAMPLE.search(path) and (self.may_put_together or self.is_named_elsewhere(stem))
+
+    @cached_property
+    def may_put_together(self) -> bool:
+        """Whether the name of a parameter file may be put together: by a launch file, or by code that starts nodes.
+
+        Other code puts the names of its own files together, as those of maps and results.
+        """
+        if ANY not in self.package.named_yaml:
+            return False
+        texts = (live_text(self.files, path) for path in self.files.paths if path.endswith(STARTING))
+        return any(puts_together(text) for text in (*self.launches, *filter(STARTS.search, texts)))
 
     def may_be_own(self, name: str) -> bool:
         """Return whether a robot may mean this package by a name: a former one of it is known nowhere."""

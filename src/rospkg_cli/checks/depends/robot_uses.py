@@ -252,7 +252,7 @@ class RobotUses:
     def parameters(self) -> OpenedParameters:
         opened = tuple(each for each in self.robots if self.is_used(each.path) and self.opened.has(each.path))
         launches = tuple(self.launch.launch_files)
-        return OpenedParameters(self.declared.facts, self.declared.workspace, launches, opened)
+        return OpenedParameters(self.declared.facts, self.declared.workspace, launches, opened, self.launch.files)
 
     @cached_property
     def loads_plugins(self) -> bool:

@@ -20,4 +20,13 @@ def named_yaml(reading: ReaderInput) -> frozenset[str]:
     paths = (path for path in files.paths if path.endswith(NAMING) and role_of(path) not in ("test", "aside"))
     for path in (path for path in paths if any(files.holds(path, mark) for mark in MARKS)):
         found.update(FILE.findall(live_text(files, path)))
-    return frozenset(ANY if name[:1] in ("", ".", "_", "-") else name for name in found)
+    return frozenset(ANY if is_part(name) else name for name in found)
+
+
+def puts_together(text: str) -> bool:
+    """Return whether a text puts the name of a YAML file together when it is run."""
+    return any(map(is_part, FILE.findall(text)))
+
+
+def is_part(name: str) -> bool:
+    return name[:1] in ("", ".", "_", "-")
