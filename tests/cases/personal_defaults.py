@@ -22,7 +22,8 @@ from rclpy.node import Node
 class Talker(Node):
     def __init__(self):
         super().__init__('talker')
-        print(self.declare_parameter('out', '{}').value)
+        self.declare_parameter('out', '{}')
+        print(self.get_parameter('out').value)
 
 
 def main():
