@@ -91,7 +91,7 @@ def test_calibrations_that_parameters_name_are_for_people() -> None:
     launch = '<launch>\n  <node pkg="p" exec="e">\n    <param from="$(find-pkg-share my_pkg)/config/c.yaml"/>\n'
     files = {"config__c_DOT_yaml": PARAMETERS, "launch__a_DOT_launch_DOT_xml": f"{launch}  </node>\n</launch>\n"}
     assert told("PRM010", **files) == [f"info: {KEPT.format('calibration')}"]
-    reads = {"my_pkg__node_DOT_py": "def start(node):\n    node.declare_parameter('camera_info_url', '')\n"}
+    reads = {"my_pkg__node_DOT_py": "def start(node):\n    return node.declare_parameter('camera_info_url', '')\n"}
     assert told("PRM010", calibration__other_DOT_txt="", **files, **reads) == LOUD
 
 

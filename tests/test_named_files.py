@@ -95,7 +95,7 @@ def test_a_parameter_that_nobody_is_shown_to_read() -> None:
     own = {**files, "config/nav.yaml": files["config/nav.yaml"].replace("default_nav_to_pose_bt_xml", "my_tree")}
     ((level, message),) = told(**own)
     assert (level, "read it by this key; add it" in message) == ("info", True)
-    assert told(**own, **{"src/a.py": "node.declare_parameter('my_tree', '')\n"})[0][0] == "warning"
+    assert told(**own, **{"src/a.py": "print(node.declare_parameter('my_tree', '').value)\n"})[0][0] == "warning"
 
 
 @pytest.mark.parametrize(
@@ -166,7 +166,7 @@ def test_what_a_macro_may_install_is_not_told() -> None:
 def test_what_a_node_writes_or_people_bring(key: str, named: str, more: str, level: str) -> None:
     values = f"talker:\n  ros__parameters:\n    {key}: $(find-pkg-share my_pkg)/{named}\n"
     files = {"config/talker.yaml": values, "launch/a.launch.xml": OPENS.format("config/talker.yaml")}
-    code = f"from rclpy.node import Node\n\n\nnode = Node('talker')\nnode.declare_parameter('{key}', '')\n"
+    code = f"from rclpy.node import Node\n\n\nnode = Node('talker')\nprint(node.declare_parameter('{key}', '').value)\n"
     ((found, _),) = told(**files, **{"src/a.py": code}, **({more: ""} if more else {}))
     assert found == level
 
