@@ -90,6 +90,6 @@ def own_include_folders(cmake: CMake) -> Iterator[str]:
                 yield argument.text
         for word in call.words:
             path = path_in_package(word.text, call.folder)
-            is_outside = word.text.startswith("/") and not word.text.startswith(OF_SYSTEM)
+            is_outside = word.text.startswith("/") and not word.text.startswith(("/usr/", "/opt/"))
             if is_outside or (path and "/" in path and path not in folders):
                 yield word.text
