@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
-from ...package.file_role import is_set_aside, role_of
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ..reached_modules import ReachedModules
@@ -18,11 +15,6 @@ class FactsAndFiles:
     files: PackageFiles
     workspace: Workspace
     reached: ReachedModules | None = None
-
-    def is_met(self, importing: Iterable[str]) -> bool:
-        """Return whether one of some Python files may be run: no test, not laid aside, nor left beside programs."""
-        run = (path for path in importing if role_of(path) == "run" and not is_set_aside(path))
-        return any(not self.is_left(path) for path in run)
 
     def is_left(self, path: str) -> bool:
         """Return whether nothing starts or imports a module; not of a file that Python can't read."""

@@ -10,10 +10,14 @@ from ...checks.pages_and_scripts import own_pages, pages_above
 from ...files import PackageFiles
 from ...finding import Finding
 from ...lazy_regex import regex
+from ...ros.interfaces import KINDS
 from .milder import Results, as_infos
 
 OF_MISSING = frozenset(
-    "CMK102 CMK108 CMK110 IDL006 LCH002 LCH003 LCH008 LCH011 PLG002 PRM007 PRM008 SET101 SET205 URD001 URD002".split()
+    (
+        "CMK102 CMK108 CMK110 IDL006 IDL011 LCH002 LCH003 LCH008 LCH011 PLG002 PRM007 PRM008 SET101 SET205 "
+        "URD001 URD002"
+    ).split()
 )
 """Rules about what a file names and nothing has."""
 OF_PROGRAMS = (r"install (?:your |the |all )*(?:targets?|executables?|nodes?|programs?|scripts?)\b", "CMakeLists.txt")
@@ -29,12 +33,19 @@ OF_FIELDS = frozenset({"IDL010", "IDL013"})
 FIELDS = (
     r"(?:add|define|declare|write|complete|fill in|specify) (?:[\w-]+ ){0,3}(?:fields?|request|response|goal|result)\b"
 )
+ONE = r"(?:add|append|define|declare|include) (?:[\w-]+ ){{0,2}}[`'\"]?{0}\b"
+ADDS = (
+    r"(?i)\b(?:add|append|define|declare|write|include)\b[^\n]*"
+    r"(?:\bfields?\b[ :]*(?:(?:named|called|and|`[^`\n]+`)[ ,]*)*`{0}`|`{0}`(?: \w+)? fields?\b)"
+)
+"""How a page has people add a field of a name to a message."""
+OF_TYPES = "IDL011"
 IN_MESSAGE = "; a comment in the message says that its fields are still to be written"
 ALL = frozenset(OF_FIELDS | OF_MISSING | TASKS.keys())
 NAMED = regex("`([^`]+)`")
 MAX_NAMES = 2
 WHY = "; a comment says that it is still to be written"
-OF_FILES = frozenset({"CMK102", "IDL006", "SET101"})
+OF_FILES = frozenset({"CMK102", "IDL006", "IDL011", "SET101"})
 WRITES = regex(r"(?i)\b(?:write|create|implement|complete|touch|nano|gedit|vim?)[ \t`*:]")
 """What tells people to make a file whose name follows in the line."""
 BY_PAGE = "; a page has people write it"
@@ -52,7 +63,7 @@ def why_left(found: Finding, files: PackageFiles, package: str) -> str:
         if asks_to(files.readable_text(path), task):
             return OF_WHOLE.format(f"`{path}`")
     if found.code in OF_FIELDS:
-        return IN_MESSAGE if asks_for_fields(files, (NAMED.findall(found.message) or [""])[0]) else ""
+        return why_without_field(found, files)
     path = str(PurePosixPath(found.location.path).relative_to(files.folder or "."))
     text = files.readable_text(path) if found.code in OF_MISSING else ""
     names = [name for name in NAMED.findall(found.message)[:MAX_NAMES] if name != package]
@@ -60,17 +71,43 @@ def why_left(found: Finding, files: PackageFiles, package: str) -> str:
     asked = (is_asked_for(text, part) or is_asked_at(text, found.location.span.start, part) for part in parts if part)
     if text and any(asked):
         return WHY
-    return BY_PAGE if found.code in OF_FILES and names and is_written_by_people(files, names[0], found.code) else ""
+    if found.code == OF_TYPES:
+        names = [f"{last(NAMED.findall(found.message)[1])}.{kind}" for kind in KINDS]
+    else:
+        names = names[:1]
+    is_told = found.code in OF_FILES and any(is_written_by_people(files, each, found.code) for each in names)
+    return BY_PAGE if is_told else ""
+
+
+def why_without_field(found: Finding, files: PackageFiles) -> str:
+    """Return what is said of a message without a field, where a comment or a page has people add it; else ""."""
+    message, *names = NAMED.findall(found.message) or [""]
+    if asks_for_fields(files, message):
+        return IN_MESSAGE
+    code = files.readable_text(str(PurePosixPath(found.location.path).relative_to(files.folder or ".")))
+    for name in names[:1]:
+        task = ONE.format(re.escape(name))
+        if any(is_asked_for(text, name) or asks_to(text, task) for text in (code, *texts_of(files, message))):
+            return WHY
+        adds = re.compile(ADDS.format(re.escape(name)))
+        if any(adds.search(text) for text in (*own_pages(files), *pages_above(files))):
+            return BY_PAGE
+    return ""
 
 
 def asks_for_fields(files: PackageFiles, message: str) -> bool:
     """Return whether a comment in the file of a message, service or action asks for its fields."""
+    return any(asks_to(text, FIELDS) for text in texts_of(files, message))
+
+
+def texts_of(files: PackageFiles, message: str) -> list[str]:
+    """Return what the files say that a message, service or action may be of."""
     package, _, rest = message.partition("/")
     kind, _, name = rest.partition("/")
     path = f"{kind}/{name.partition('_')[0]}.{kind}"
     whole = PackageFiles(files.whole) if files.whole is not None else files
     places = [each for each in whole.every if each == path or each.endswith(f"{package}/{path}")] if kind else []
-    return any(asks_to(whole.readable_text(each), FIELDS) for each in places)
+    return [whole.readable_text(each) for each in places]
 
 
 def is_written_by_people(files: PackageFiles, name: str, code: str) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import PurePosixPath
 
 from ...checks.interfaces.facts_and_files import FactsAndFiles
+from ...checks.interfaces.interface_importers import InterfaceImporters
 from ...example import Example
 from ...finding import Hit, Related, Severity
 from ...rule import rule
@@ -20,11 +21,14 @@ SHOWN = 3
 @rule(
     "IDL008",
     "interfaces-in-python-package",
-    over=FactsAndFiles,
+    over=InterfaceImporters,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "only another package imports them",
-        Severity.INFO: "no Python file imports them, but for tests, what is laid aside and what nothing starts",
+        Severity.WARNING: "only another package imports them, or a program that nothing starts, beside others that are "
+        "started, or the import is in a function or a branch",
+        Severity.INFO: "no Python file imports them, but for tests, what is laid aside and what nothing starts, the "
+        "import is optional or for type checkers, nothing or only a switch that is off leads to it, the package has a "
+        "Python module of its name, or a page, script or setup.py generates code of them",
     },
     examples=(
         Example(
@@ -33,7 +37,7 @@ SHOWN = 3
         ),
     ),
 )
-def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
+def interfaces_in_python_package(importing: InterfaceImporters) -> Iterator[Hit]:
     """
     ## What it does
     Finds interface files in a package whose build type is ament_python.
@@ -47,15 +51,18 @@ def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
     Where another package of the workspace has interfaces of these names, and no code takes them from this one: the
     files are what was left when they moved. Files in other folders than `msg/`, `srv/` and `action/` are data; in such
     folders of the Python package they count where code imports them. What no Python file of the package imports, or
-    none that something starts or imports, is an info, a warning where another package imports it. Without a
-    setup.py the build type is wrong, which XML303 and XML304 tell.
+    none that something starts or imports, is an info, a warning where another package imports it. So is an import that
+    is optional or for type checkers, in a function that no program leads to, or under a switch that is off; and all,
+    where the package has a module `my_pkg/msg.py` of its own, or runs `rosidl generate`. Without a setup.py the build
+    type is wrong, which XML303 and XML304 tell.
     """
+    package = importing.package
     if package.facts.build_type != "ament_python" or not package.files.exists("setup.py"):
         return
     name = package.facts.name
     found = [path for path in package.files.paths if is_interface(path)]
-    found += [path for path in package.files.paths if is_interface_of_module(path, package)]
-    paths = [path for path in found if not is_left_over(path, package)]
+    found += [path for path in package.files.paths if is_interface_of_module(path, importing)]
+    paths = [path for path in found if not is_left_over(path, importing)]
     if not paths:
         return
     first = PurePosixPath(paths[0])
@@ -67,8 +74,9 @@ def interfaces_in_python_package(package: FactsAndFiles) -> Iterator[Hit]:
         f"ModuleNotFoundError; move {'them' if paths[1:] else 'it'}: `rospkg new {name}_interfaces --type interfaces`"
     )
     related = tuple(Related(path, Span(0, 0), "and this file") for path in paths[1:])
-    level = None if package.is_met(importers(package)) else Severity.INFO
-    level = Severity.WARNING if level and any(is_taken(path, package) for path in paths) else level
+    level = Severity(importing.level())
+    is_taken_elsewhere = level is Severity.INFO and any(is_taken(path, package) for path in paths)
+    level = Severity.WARNING if is_taken_elsewhere else level
     yield Hit(paths[0], Span(0, 0), message, level, related)
 
 
@@ -79,24 +87,12 @@ def is_taken(path: str, package: FactsAndFiles) -> bool:
     return any(wanted in facts.taken_names for facts in package.workspace.packages if facts is not package.facts)
 
 
-def is_imported(package: FactsAndFiles, kind: str = "(?:msg|srv|action)", what: str = "") -> bool:
-    return any(True for _ in importers(package, kind, what))
-
-
-def importers(package: FactsAndFiles, kind: str = "(?:msg|srv|action)", what: str = "") -> Iterator[str]:
-    """Yield the Python files of the package that import interfaces of it."""
-    name = re.escape(package.facts.name)
-    wanted = re.compile(rf"^[ \t]*(?:from|import)[ \t]+{name}(?:\.|[ \t]+import[ \t(]+){kind}\b{what}", re.MULTILINE)
-    paths = (path for path in package.files.paths if path.endswith(".py"))
-    yield from (path for path in paths if wanted.search(package.files.readable_text(path)))
-
-
-def is_left_over(path: str, package: FactsAndFiles) -> bool:
+def is_left_over(path: str, importing: InterfaceImporters) -> bool:
     """Return whether another package has the interface of a file, and no code takes it from this one."""
     *_, kind, file = path.split("/")
     name = file.rpartition(".")[0]
-    is_moved = f"{kind}/{name}" in package.moved
-    return is_moved and not is_imported(package, kind, rf"[ \t]+import\b[^\n]*\b{re.escape(name)}\b")
+    is_moved = f"{kind}/{name}" in importing.package.moved
+    return is_moved and not any(importing.paths(kind, rf"[ \t]+import\b[^\n]*\b{re.escape(name)}\b"))
 
 
 def is_interface(path: str) -> bool:
@@ -104,12 +100,13 @@ def is_interface(path: str) -> bool:
     return where.suffix[1:] in KINDS and path == f"{where.suffix[1:]}/{where.name}"
 
 
-def is_interface_of_module(path: str, package: FactsAndFiles) -> bool:
+def is_interface_of_module(path: str, importing: InterfaceImporters) -> bool:
     """Return whether a file lies in a folder of the package's Python modules that is none, and that code imports."""
+    package = importing.package
     start = f"{package.facts.name}/"
     below = path.removeprefix(start)
     if below == path or not is_interface(below):
         return False
     is_module = any(each.endswith(".py") for each in package.files.below(path.rpartition("/")[0]))
     is_module = is_module or package.files.exists(f"{path.rpartition('/')[0]}.py")
-    return not is_module and is_imported(package)
+    return not is_module and any(importing.paths())

@@ -87,16 +87,16 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     `add_done_callback`, the bytes of `raw=True`); for packages outside of the workspace that a list of repositories
     fetches, and of others, unless the name is near a field or was one in ROS 1; for messages to whose class a module of
     the package adds attributes (`Point.norm = norm`); under a condition that is for ROS 1 (`ROS_VERSION == 1`); in
-    files that nothing installs. A method of an object that is bound to a name which nothing reads is an info, unless
-    its construction comes to it, as is one of a class that is defined again below. A use in a function whose callers
-    catch what it raises, and in a test is a warning; one in an `except` branch, in what a `raise` or an assertion says,
-    or of what an annotation alone calls a message, in a function that a thread or another file calls, is an info. A
-    module that no entry point and no other file of the package names or imports, beside others that start, is an info,
-    and so is a function that no program leads to, what stands behind `rclpy.spin`, under the `__main__` of an entry
-    point's module, under a switch that nothing throws, in a branch, under several conditions on the way from a program,
-    and where no such way is shown. What a message is made with (`Twist(liner=…)`) raises up to Iron: where the pages,
-    scripts and workflows of the repository name none after it, it is an error, where they name Jazzy or newer alone, an
-    info, and else a warning.
+    files that nothing installs. A field that a comment or a page has people add is an info. A method of an object that
+    is bound to a name which nothing reads is an info, unless its construction comes to it, as is one of a class that is
+    defined again below. A use in a function whose callers catch what it raises, and in a test is a warning; one in an
+    `except` branch, in what a `raise` or an assertion says, or of what an annotation alone calls a message, in a
+    function that a thread or another file calls, is an info. A module that no entry point and no other file of the
+    package names or imports, beside others that start, is an info, and so is a function that no program leads to, what
+    stands behind `rclpy.spin`, under the `__main__` of an entry point's module, under a switch that nothing throws, in
+    a branch, under several conditions on the way from a program, and where no such way is shown. What a message is made
+    with (`Twist(liner=…)`) raises up to Iron: where the pages, scripts and workflows of the repository name none after
+    it, it is an error, where they name Jazzy or newer alone, an info, and else a warning.
 
     ## Fix safety
     The intended field is a guess.

@@ -63,9 +63,9 @@ def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
     it makes its interfaces while it is built, or has a Python module of that name; for optional imports, and in files
     that nothing installs, but for an info on a name that a package of the workspace lacks. A module that no entry point
     and no other file of the package names or imports, beside others that start, is an info, and so is what is in a
-    function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's module. Where
-    distributions that are no longer supported are meant alone, what a package elsewhere has as another kind now is one
-    too.
+    function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's module, and a
+    message that a comment or a page has people write. Where distributions that are no longer supported are meant alone,
+    what a package elsewhere has as another kind now is one too.
 
     ## Fix safety
     The intended name is a guess.
