@@ -24,6 +24,16 @@ REPLACED = regex(
     r"(?:change|edit|adapt|adjust|modify|replace|customi[sz]e|update|insert)\b[^\n]{0,60}"
     r"\b(?:your|this|these|here|me|own)\b"
 )
+THEIRS = regex(
+    r"(?i)\W*(?:(?:to[ -]?do|fix-?me|please|you (?:must|should|can|may|need to|have to))\W+)?"
+    r"(?:change|edit|adapt|adjust|modify|replace|customi[sz]e|update|insert|put|set|use|enter|specify|provide|point|give"
+    r"|choose|select|write|add)\b[^\n]{0,60}\byour\b"
+)
+"""What tells to write a name of one's own, in a comment of several lines: it says whose."""
+OPENING = regex(r"\s*<[\w:]+(?:\s[^<>]*)?(?<!/)>\s*|.*[(\[{]\s*|\s*[\"'][\w/]+[\"'],\s*")
+"""A line that only opens what the next one is a part of."""
+STEPS = 3
+"""How many such lines may stand between a comment and what it is about."""
 BETWEEN = regex(r"[^\W\d_]+")
 SHORT = 3
 """How many letters of two words must be the same: `pub` means the publisher."""
@@ -35,8 +45,30 @@ def is_blank(name: str) -> bool:
 
 
 def is_to_be_replaced(text: str, place: int) -> bool:
-    """Return whether a comment on the line of a place tells to write another name: `# replace with your robot`."""
-    return REPLACED.match(comment_in(text[text.rfind("\n", 0, place) + 1 :].partition("\n")[0])) is not None
+    """Return whether a comment on the line of a place, or directly above, tells to write another name.
+
+    `# replace with your robot`; one above what a line is a part of counts as well, and says whose name is meant.
+    """
+    above = text[: text.rfind("\n", 0, place) + 1].split("\n")[:-1]
+    if REPLACED.match(comment_in(text[text.rfind("\n", 0, place) + 1 :].partition("\n")[0])) is not None:
+        return True
+    above = without_opening(above)
+    while above and COMMENT.match(above[-1].strip()):
+        if THEIRS.match(comment_in(above.pop())):
+            return True
+    return False
+
+
+def without_opening(lines: list[str]) -> list[str]:
+    """Return lines without the last few that only open what the next line is a part of."""
+    end = len(lines)
+    while end and len(lines) - end < STEPS and opens(lines[end - 1]):
+        end -= 1
+    return lines[:end]
+
+
+def opens(line: str) -> bool:
+    return OPENING.fullmatch(line) is not None and COMMENT.match(line.strip()) is None
 
 
 def announces(text: str, place: int, name: str, *, behind: bool = False) -> bool:
@@ -67,7 +99,7 @@ def is_asked_at(text: str, place: int, name: str) -> bool:
     lines = text.split("\n")
     at = text.count("\n", 0, place)
     said = [comment_in(lines[at])]
-    for line in reversed(lines[:at]):
+    for line in reversed(without_opening(lines[:at])):
         if COMMENT.match(line.strip()) is None:
             break
         said.append(comment_in(line))

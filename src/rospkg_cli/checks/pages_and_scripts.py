@@ -22,6 +22,10 @@ MAKES = (
     r"|\b(?:cp|mv|ln)(?:[ \t]+-\S+)*[ \t]+[^\s-]\S*[ \t]+\S*{0}|(?:>|\btouch\b|[ \t]-o)[ \t]*[^\s>]*{0}"
 )
 """What tells to make a file, or to put it there: the name of the file stands behind it."""
+COPIES = r"(?m)^(?!\s*#).*\b(?:cp[ \t]+(?:-\w+[ \t]+)*-\w*[rRa]\w*|mv|ln[ \t]+-\w+)[ \t][^\n]*[/ \t]{0}/?(?=[\s`\"']|$)"
+"""What copies or links a whole folder."""
+PLAIN = regex(r"(?i)mesh(?:es)?|models?|textures?|maps?|media|worlds?|weights|checkpoints|datasets?|(?:ros)?bags?")
+"""Folders that are called like what lies in them."""
 MAPS = r"(?im)^.*\b(?:map_saver\w*|save_?map|serialize_?map)\b.*?(?:-f[ \t=]*|[/\"']){0}(?:\.\w+)?(?=[\s\"'`]|$)"
 """What saves a map, which is named without what comes behind the dot."""
 MAP_FILES = (".yaml", ".pgm", ".png", ".posegraph", ".data")
@@ -60,9 +64,27 @@ class FetchedFiles:
         """Return whether a line that brings files names a missing one: it, its folder, or an archive called so."""
         folder, name = posixpath.split(path)
         stem = name.partition(".")[0]
+        if folder and self.has_folder(folder, path):
+            return True
         packed = [f"{each}{suffix}" for each in {stem, posixpath.basename(folder)} if each for suffix in ARCHIVES]
         wanted = (name, *([f"{folder}/"] if folder else []), *packed)
         return any(each in line for line in self.lines for each in wanted)
+
+    def has_folder(self, folder: str, path: str) -> bool:
+        """Return whether a line copies the folder of a missing file there, or brings what lies in it.
+
+        It names the folder by its path, or by a word that tells what lies in it (`Download the meshes`), and git holds
+        no file of that kind there.
+        """
+        last, end = posixpath.basename(folder), posixpath.splitext(path)[1]
+        ends = r"(?=[/`\"'\s.,;:)]|$)"
+        brought = re.compile(rf"[/`\"']{re.escape(folder)}{ends}")
+        plain = re.compile(rf"(?i)(?<![\w-]){re.escape(last)}(?![\w-])") if PLAIN.fullmatch(last) else None
+        is_lacking = not any(each.endswith(end) for each in self.files.below(folder))
+        if is_lacking and any(brought.search(line) or (plain and plain.search(line)) for line in self.lines):
+            return True
+        copied = re.compile(COPIES.format(re.escape(last)))
+        return any(copied.search(text) for text in self.texts)
 
     def has_itself(self, path: str) -> bool:
         """Return whether a line that brings or makes files names a missing one by its own name, or a script writes it

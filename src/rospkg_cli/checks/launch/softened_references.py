@@ -9,7 +9,7 @@ from ...package.launch.collect_texts import READERS
 from ...package.launch.file_references import OPEN
 from ...package.launch.launch_file import LaunchFile
 from ..fault import Level
-from ..left_to_people import files_of, why_left
+from ..left_to_people import UNTIL_NAMED, files_of, why_left
 from .given_arguments import why_given
 from .idle_actions import NEVER_CALLED, NO_ENTRY, OFF, level_at, level_read
 from .include_arguments import IncludeContext
@@ -42,7 +42,7 @@ def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None
     if softer != "info" and (none := lacked_by_search(scope, each)):
         softer, why = "info", none
     if softer != "info" and is_template(scope, each):
-        softer, why = "info", "until people name theirs there"
+        softer, why = "info", UNTIL_NAMED
     if softer != "info" and each.state in ("absent", "no slash") and has_others(scope, each):
         softer = "info"
     if not softer and each.state != "elsewhere" and not scope.is_installed:

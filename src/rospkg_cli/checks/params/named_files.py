@@ -20,7 +20,7 @@ from ...source import Span
 from ...unreadable import READABLE
 from ..closest_path import closest_path
 from ..fault import Fault, softer_advice
-from ..left_to_people import files_of, why_left
+from ..left_to_people import UNTIL_NAMED, files_of, why_left
 from ..opening_places import OpeningPlaces
 from ..yaml_elsewhere import is_named_yaml
 from .launch_overrides import is_overridden
@@ -82,6 +82,7 @@ class NamedFiles:
         hint = posixpath.relpath(near, posixpath.dirname(path) or ".") if near else ""
         hint = f"did you mean `{hint}`?" if hint else "add it, or correct it"
         left = "" if near else self.left(self.package, image) or why_made(image, self.files.paths)
+        left = left or why_replaced(text, found.start(1))
         fault = Fault(Span(*found.span(1)), f"{message}; {hint}")
         yield softer_advice(fault, "info", left) if left else fault
 
@@ -101,7 +102,7 @@ class NamedFiles:
             place = Span(*found.span(2 if found[2] else 3))
             is_set = is_set or is_overridden(path, place, self.parameters, self.launches)
             why = "where the launch file gives no other" if is_set else ""
-            why = why or why_written(found[1])
+            why = why or why_written(found[1]) or why_replaced(text, place.start)
             why = why or (self.left(facts, named) or why_made(named, facts.share_files) if not near else "")
             fault = Fault(Span(found.start(4) + 1, found.end(4)), f"{message}; {hint}")
             yield softer_advice(fault, "info", why) if why else fault
@@ -143,6 +144,13 @@ class NamedFiles:
         """Return whether a YAML file is not left out of what is installed, and something may name it."""
         is_left = self.package.knows("share_files") and path in self.package.uninstalled
         return not is_left and is_named_yaml(path, self.package, self.workspace)
+
+
+def why_replaced(text: str, place: int) -> str:
+    """Return that a comment beside a name has people write another one; "" where none does."""
+    from ..left_blank import is_to_be_replaced  # few packages miss a file
+
+    return UNTIL_NAMED if is_to_be_replaced(text, place) else ""
 
 
 IMAGES = frozenset({".pgm", ".png", ".bmp", ".jpg"})

@@ -21,7 +21,7 @@ from .given_prefixes import gives_text
 from .launched_robots import LaunchedRobots
 from .lost_prefix import EMPTY, UNLESS, UNLESS_EMPTY
 from .macro_prefix import prefix_faults
-from .met_robots import MetRobots
+from .met_robots import OPENED_WHEN_ON, MetRobots
 from .one_slip import is_slip, of_one_slip
 from .opened_robots import OpenedRobots
 from .validation import VAIN, robot_faults
@@ -103,7 +103,7 @@ class JudgedRobot:
         if unread := self.readers.unless_read(self.robot.document.root, fault):
             return replace(fault, level="info", message=fault.message + unread)
         if fault.level is None and is_launched:
-            return fault
+            return softer(fault, "info", OPENED_WHEN_ON) if self.met.is_off(robot) else fault
         if VAIN in fault.message and self.distribution.is_before_jazzy and not self.is_simulated:
             return softer(fault, "info", "and stops from Jazzy on alone, which no page names")
         if MUST_BE_GIVEN in fault.message and self.may_be_given(fault):

@@ -6,13 +6,17 @@ import posixpath
 import re
 from collections.abc import Callable, Sequence
 from functools import cached_property
+from typing import Annotated
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
+from ...package.launch.launch_file import LaunchFile
 from ...package.package_facts import PackageFacts
 from ...package.urdf.robot_words import LAUNCH, is_launch, may_be_made, words_of
 from ...package.workspace import Workspace
+from ...unreadable import READABLE
 from ..left_files import LeftFiles
+from ..pages_and_scripts import pages_and_scripts
 from .named_with_folder import means_inner_copy
 from .opened_robots import OpenedRobots, has_folders
 from .opening_texts import ROBOTS
@@ -25,10 +29,28 @@ class LaunchedRobots:
     workspace: Workspace
     opened: OpenedRobots
     left: LeftFiles | None = None
+    launch_files: Annotated[tuple[LaunchFile, ...], READABLE] = ()
 
     def has(self, path: str) -> bool:
         """Return whether a launch file names a file as the one it opens, or such a one includes it."""
         return path in self.paths
+
+    def is_off(self, path: str) -> bool:
+        """Return whether only actions of launch files that are off by default open a file, and no text turns one on."""
+        return self.has(path) and path not in self.by_default
+
+    @cached_property
+    def by_default(self) -> frozenset[str]:
+        """The robots that a plain launch comes to."""
+        from ..launch.plain_launch import plain_texts  # what findings alone need
+        from ..opened_elsewhere import opening_elsewhere
+
+        others = (*pages_and_scripts(self.files), *opening_elsewhere(self.files, self.package.name, self.workspace))
+        plain = plain_texts(self.launch_files, (*self.opened.texts, *(("", text) for text in others)))
+        if not plain:
+            return self.paths
+        launches = tuple((path, plain.get(path, text)) for path, text in self.launches)
+        return self.opened_by(launches, self.workspace.packages)
 
     @cached_property
     def paths(self) -> frozenset[str]:

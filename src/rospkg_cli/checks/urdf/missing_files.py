@@ -118,11 +118,12 @@ class RobotInWorkspace:
         return found
 
     def why_unread(self, place: Span) -> str:
-        """Return why xacro needs no default that a place is in; imported where a file is missing."""
+        """Return why xacro needs no default that a place is in, or never comes there; imported for a missing file."""
         from .unread_defaults import why_unread
         from .ways_into_robots import WaysIntoRobots
 
-        return why_unread(WaysIntoRobots(self.reached, self.opened), self.robot.path, self.robot.document.root, place)
+        ways, path, root = WaysIntoRobots(self.reached, self.opened), self.robot.path, self.robot.document.root
+        return why_unread(ways, path, root, place) or ways.why_left_out(path, root, place)
 
     def is_off(self, condition: Element) -> bool:
         """Return whether a condition holds for nobody: by its argument's default, or by what all launch files give."""

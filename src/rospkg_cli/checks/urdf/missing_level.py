@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from ...light_dataclasses import replace
 from ..fault import Fault, softer
-from ..left_to_people import why_left
+from ..left_blank import is_to_be_replaced
+from ..left_to_people import UNTIL_NAMED, why_left
+from .met_robots import OPENED_WHEN_ON
 from .missing_files import RobotInWorkspace
 from .missing_resource import MissingResource, wrong
 
@@ -19,6 +21,8 @@ def missing_fault(scope: RobotInWorkspace, missing: MissingResource) -> Fault:
     best = min(each, key=lambda one: LEVELS.index(one.level))
     if best.level != "info" and not scope.is_met:
         return softer(best, "info", "as soon as something opens this robot")
+    if best.level != "info" and scope.met.is_off(scope.robot.path):
+        return softer(best, "info", OPENED_WHEN_ON)
     if best.level != "info" and missing.state == "absent" and scope.is_fetched(missing):
         return softer(best, "info", "until it is fetched, as a page or a script here tells to")
     if best.level != "info" and (left := left_to_people(scope, missing)):
@@ -35,4 +39,7 @@ def left_to_people(scope: RobotInWorkspace, missing: MissingResource) -> str:
     is_own = missing.package == scope.package.name and not missing.is_model
     if missing.is_include or missing.state != "absent" or missing.suggestion or not is_own:
         return ""
+    text = scope.robot.source.text
+    if all(is_to_be_replaced(text, each.start) for each in missing.spans):
+        return UNTIL_NAMED
     return why_left(scope.files, missing.path)

@@ -50,6 +50,13 @@ class WaysIntoRobots:
                 return FIRST.format(name)
             if each.tag == "xacro:property" and self.is_unread(each):
                 return UNREAD.format(name)
+        return self.why_left_out(path, root, place)
+
+    def why_left_out(self, path: str, root: Element, place: Span) -> str:
+        """Return that a condition around a place holds for no robot; "" where it may."""
+        if any(each in self.reached.calls.included_elsewhere for each in (path, *self.opened.including(path))):
+            return ""
+        around = list(ancestors(root, place))
         is_known = all(self.is_called_in_sight(each) for each in around if each.tag == "xacro:macro")
         is_off = any(self.is_passed_by(path, each) for each in around if each.tag in CONDITIONS)
         return SWITCHED_OFF if is_known and is_off else ""

@@ -103,7 +103,7 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     copies it there by its name, or its folder has only a `.gitkeep` and people fill it (`maps`), has a README alone, or
     launch says the name, or git ignores a folder that the build installs as a whole (`resource/`). So it is where a
     program writes it: code puts the name together (`'modified_' + a`), or it is called like `octomap_saver_node`; or
-    where the name is to be replaced (`YOUR_ROBOT.urdf`, `# change this`), or a `glob` found none.
+    where the name is to be replaced (`YOUR_ROBOT.urdf`, `# use your map`), or a `glob` found none.
     """
     for each in (*scope.missing(), *scope.missing_in_silence()):
         if each.state in ("absent", "no slash") and not scope.is_made_here(each):

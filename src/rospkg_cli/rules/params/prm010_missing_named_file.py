@@ -71,8 +71,9 @@ def missing_named_file(scope: NamedFiles) -> Iterator[Hit]:
     and they name a picture of their own, or parse the map and never ask for its `image`. It is one where people bring
     what is missing: a page or a script has it fetched, saved or copied there by its name, an archive of its name is
     beside, or its folder, for what people make (`maps`, `calibration`, `data`), holds nothing but a `.gitkeep` or a
-    README. And it is one for a trained model or a recording of a kind that the package has none of, and where the
-    parameter says that a node writes the file (`output_file`, `log_path`).
+    README, or where a comment has them write their own name (`# change this to your map`). And it is one for a trained
+    model or a recording of a kind that the package has none of, and where the parameter says that a node writes the
+    file (`output_file`, `log_path`).
     """
     for path, fault in scope.faults():
         yield from hits(path, [fault])

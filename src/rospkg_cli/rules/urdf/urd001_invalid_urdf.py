@@ -105,13 +105,14 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     xacro's elements that no launch file gives to xacro. What a macro takes is not known behind an include of a computed
     name (`${type}.urdf.xacro`), where a file of the package that it may be defines it again. A fault is an error only
     where a launch file of the workspace, one that is installed or named, names a robot in which xacro meets it: its
-    folder and those of includes count, and calls of macros. Where code, a command of a page or nothing opens the robot
-    (a launch file that puts its name together only may), it is an info; so it is in a folder such as `old/`, in a macro
-    that nothing calls, where urdfdom or xacro pass over it, or meet it for some, and in a `<ros2_control>` where no
-    package here names, needs or starts a controller manager or a simulator. Joints of a `<ros2_control>` that the robot
-    lacks are one where pages and scripts name Humble or older ones alone and no plugin for Gazebo moves them, and an
-    argument that is its own default where no launch file is known to leave it out. In a robot with blanks for names or
-    values (`TODO`, `___`, `FILL_ME`), which an exercise or a template leaves, all are.
+    folder and those of includes count, and calls of macros. Where code, a command of a page, an action that is off by
+    default or nothing opens the robot (a launch file that puts its name together only may), it is an info; so it is in
+    a folder such as `old/`, in a macro that nothing calls, where urdfdom or xacro pass over it, or meet it for some,
+    and in a `<ros2_control>` where no package here names, needs or starts a controller manager or a simulator. Joints
+    of a `<ros2_control>` that the robot lacks are one where pages and scripts name Humble or older ones alone and no
+    plugin for Gazebo moves them, and an argument that is its own default where no launch file is known to leave it out.
+    In a robot with blanks for names or values (`TODO`, `___`, `FILL_ME`), which an exercise or a template leaves, all
+    are.
 
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py

@@ -84,8 +84,8 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     package and others of the workspace, and checks whether they install the file, there or at another path, which is
     told; `model://name/…` it follows into models that lie here. Files in a home folder (`file:///home/ada/…`) are told,
     and meshes that are named by a path alone, where the package has the file: only URLs are looked for. Files of one
-    missing folder are one finding, and so are three or more of a folder of which none is there,
-    and one that several robots of a folder name at the same place, as those that one xacro file was made into.
+    missing folder are one finding, and so are three or more of a folder of which none is there, and one that several
+    robots of a folder name at the same place.
 
     ## Why is this bad?
     xacro stops at an include that isn't there. A missing mesh is not shown, and the launch goes on: that is a warning.
@@ -98,13 +98,13 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     arguments switch off, and in a `<gazebo>` or `<plugin>`, which Gazebo alone reads, it is a warning (an info where
     nothing here starts it), and so in a robot that only code names, or a command of a page, and of an include of a
     `.urdf` that only another package may open. It is an info in a robot that no launch file, code or command of a page
-    is shown to open, by its folder, or that lies in a folder such as `old/` or is not installed, and in a macro that
-    nothing here calls, or a condition that is constant, or a default that only robots name or each launch file turns
-    off. The default of an argument is one where nothing reads it, or only what is off by default, or each launch file
-    that opens the robot gives another, or spawns it, where Gazebo alone reads it. A path without a scheme is one where
-    no launch file opens the robot, or none that does starts RViz or move_group by default, or what publishes the robot,
+    is shown to open by default, by its folder, or that lies in a folder such as `old/` or is not installed, and in a
+    macro that nothing calls, or a condition that is constant, or off in each robot by default or as launch files say.
+    The default of an argument is one where nothing reads it, or only what is off by default, or each launch file that
+    opens the robot gives another, or spawns it, where Gazebo alone reads it. A path without a scheme is one where no
+    launch file opens the robot, or none that does starts RViz or move_group by default, or what publishes the robot,
     where Gazebo finds it: `$(find …)`, or a relative one where `create -file` alone opens the robot. So is a path that
-    each such launch file replaces, what a page or a script fetches or makes, and a mesh that people bring.
+    each such launch file replaces, what a page or a script fetches or makes, and a mesh that people bring or name.
     """
     for each in scope.missing():
         same = list(scope.beside.lacking(scope.robot, each))
