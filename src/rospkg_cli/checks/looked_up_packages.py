@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ..languages.python.guarded_nodes import guarded_nodes
 from ..languages.python.nodes import last_name, nodes_of, nodes_of_kind
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass, replace
 from ..package.file_role import role_of
+from ..package.launch.exception_guards import asked_in
 from ..package.workspace import Workspace
 from ..ros.names import NameKind
 from ..source import Span
@@ -78,11 +79,11 @@ class LookedUpPackages:
     def all(self) -> Iterator[tuple[str, LookUp]]:
         """Yield the literal names that modules and C++ look for, unless they catch that a package is not there."""
         for file in self.lookups.modules:
-            chosen = set(alternatives(file.tree))
+            chosen, asked = set(alternatives(file.tree)), tuple(asked_in(file))
             caught = set(guarded_nodes(file.tree.body, CATCHES)) if role_of(file.path) == "run" else None
             for call in nodes_of_kind(file.tree, ast.Call) if caught is not None else ():
                 name = literal_of(call) if last_name(call.func) in LOOKUPS and id(call) not in (caught or ()) else None
-                if name is not None:
+                if name is not None and not is_asked_for(str(name.value), file.span(name), asked):
                     span = file.span(name)
                     why = LEFT if self.lookups.is_left(file.path) else self.lookups.why_seldom(file.path, span)
                     why = why or (UNSTARTED if self.is_unstarted(file.path) else "")
@@ -100,6 +101,11 @@ class LookedUpPackages:
     @property
     def included(self) -> set[str]:
         return {each.path.partition("/")[0] for source in self.lookups.sources for each in source.includes}
+
+
+def is_asked_for(name: str, span: Span, asked: Iterable[tuple[Span, frozenset[str]]]) -> bool:
+    """Return whether code asks first whether a package is there that it looks for at a span."""
+    return any(part.holds(span) and name in names for part, names in asked)
 
 
 def alternatives(tree: ast.AST) -> Iterator[int]:

@@ -6,6 +6,7 @@ import ast
 from collections.abc import Collection, Iterator, Mapping
 
 from ...languages.python.file import PythonFile, asked
+from ...languages.python.guarded_nodes import suppresses
 from ...languages.python.nodes import functions_of, last_name, nodes_of, nodes_of_kind
 from ...source import Span
 
@@ -25,14 +26,21 @@ ABSENT = frozenset({"FileNotFoundError", "OSError", "IOError", "EnvironmentError
 
 
 def guarded_in(file: PythonFile, errors: frozenset[str] = MISSING) -> Iterator[Span]:
-    """Yield the bodies of `try` whose handlers take one of some errors, and calls of functions that look for packages
-    in one.
+    """Yield the bodies of `try` whose handlers take one of some errors, and of `with suppress(…)`, and calls of
+    functions that look for packages in one.
     """
-    tries = (each for each in nodes_of_kind(file.tree, ast.Try) if any(catches(one, errors) for one in each.handlers))
-    bodies = [each.body for each in tries]
+    bodies = [each.body for each in catching(file, errors)]
+    managed = (each for each in nodes_of_kind(file.tree, ast.With))
+    bodies += [each.body for each in managed if any(suppresses(one.context_expr, errors) for one in each.items)]
     for body in bodies:
         yield Span(file.span(body[0]).start, file.span(body[-1]).end)
     yield from guarded_calls(file, bodies) if errors is MISSING else ()
+
+
+def catching(file: PythonFile, errors: frozenset[str]) -> Iterator[ast.Try]:
+    for each in nodes_of_kind(file.tree, ast.Try):
+        if any(catches(one, errors) for one in each.handlers):
+            yield each
 
 
 def guarded_calls(file: PythonFile, bodies: list[list[ast.stmt]]) -> Iterator[Span]:
@@ -100,9 +108,32 @@ def asked_by(test: ast.expr, named: Mapping[str, frozenset[str]]) -> frozenset[s
 
 
 def named_conditions(file: PythonFile) -> Iterator[tuple[str, frozenset[str]]]:
+    """Yield the names that tell whether packages are there, and which: of a comparison, or bound where a look-up is
+    caught (`try: get_package_share_directory('pkg'); has_pkg = True`).
+    """
     for node in nodes_of_kind(file.tree, ast.Assign):
         if isinstance(node.value, ast.Compare) and (names := asked(node.value)):
             yield from ((target.id, names) for target in node.targets if isinstance(target, ast.Name))
+    for each in catching(file, MISSING):
+        if names := frozenset(name for statement in each.body for name in looked_up(statement)):
+            others = (statement for handler in each.handlers for statement in handler.body)
+            lost = {name for statement in others for name in bound_in(statement)}
+            bound = {name for statement in (*each.body, *each.orelse) for name in bound_in(statement)}
+            yield from ((name, names) for name in sorted(bound & lost or bound))
+
+
+def looked_up(statement: ast.stmt) -> Iterator[str]:
+    """Yield the packages that a statement looks for by their names."""
+    for node in nodes_of(statement):
+        if isinstance(node, ast.Call) and last_name(node.func) in LOOKUPS and node.args:
+            given = node.args[0]
+            if isinstance(given, ast.Constant) and isinstance(given.value, str):
+                yield given.value
+
+
+def bound_in(statement: ast.stmt) -> Iterator[str]:
+    if isinstance(statement, ast.Assign):
+        yield from (target.id for target in statement.targets if isinstance(target, ast.Name))
 
 
 def leaves(body: list[ast.stmt]) -> bool:

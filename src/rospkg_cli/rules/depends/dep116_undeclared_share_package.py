@@ -56,7 +56,7 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
     ## When it is quiet
     What a declared dependency certainly installs is one info, and what may come with one is another, as are names that
     nobody knows where a repository is listed and not here; else those are DEP112's. What is imported, included or
-    launched as well is told by DEP101, DEP105 and DEP103. Code that catches the exception, tests, and files that
+    launched as well is told by DEP101, DEP105 and DEP103. Code that catches that or asks first, tests, and files that
     nothing installs are left alone. What an `if` chooses, whose other branch looks for another package, is an info, and
     so is what stands in a module that nothing starts or imports, in a program that nothing starts beside others that
     are started, in a function that nothing calls, behind a condition on a parameter or a constant whose default keeps
