@@ -24,6 +24,9 @@ TEXTS = {
     "python3 talker.py\nros2 launch my_pkg talk.launch.py\n": "error",
     "python3 talker.py\nros2 run my_pkg_more talker\n": "info",
     "ros2 run my_pkg talker\n": "error",
+    'CMD ["python3", "-u", "/ws/src/my_pkg/my_pkg/talker.py"]\n': "info",
+    'CMD ["python3", "/ws/src/my_pkg/my_pkg/other_talker.py"]\n': "error",
+    'CMD ["ros2", "run", "my_pkg", "talker"]\nENTRYPOINT ["python3", "talker.py"]\n': "error",
 }
 
 

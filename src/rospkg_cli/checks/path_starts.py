@@ -19,14 +19,15 @@ def is_started_by_path(files: PackageFiles, path: str, place: str = "") -> bool:
     """Return whether a page or a script has Python run a file, in a place as a pattern."""
     name = re.escape(posixpath.basename(path))
     started = re.compile(
-        rf"(?m)^[^#\n]*\bpython[\d.]*[ \t]+(?:-[a-zA-Z]+[ \t]+)*[\"']?{place}(?:[^\s\"';&|]*/)?{name}(?![\w.])"
+        rf"(?m)^[^#\n]*\bpython[\d.]*(?:[\"'],)?[ \t]+(?:[\"']?-[a-zA-Z]+(?:[\"'],)?[ \t]+)*[\"']?{place}(?:[^\s\"';&|]*/)?{name}(?![\w.])"
     )
     return any(map(started.search, texts_of(files)))
 
 
 def is_started_by_path_alone(files: PackageFiles, package: str, path: str, place: str = "") -> bool:
     """Return whether a text has Python run a file, and none has `ros2` run or launch something of its package."""
-    by_name = re.compile(rf"\bros2[ \t]+(?:run|launch)[ \t]+{re.escape(package)}(?![\w-])")
+    between = r"(?:[\"'],)?[ \t]+[\"']?"
+    by_name = re.compile(rf"\bros2{between}(?:run|launch){between}{re.escape(package)}(?![\w-])")
     return is_started_by_path(files, path, place) and not any(map(by_name.search, texts_of(files)))
 
 
