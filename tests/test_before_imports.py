@@ -23,6 +23,8 @@ def told(text: str, **more: str) -> list[tuple[str, str]]:
 
 PIP = ("info", "this file has pip install it before")
 JOBLIB, CV2 = "import joblib\n" + MAIN.format("joblib"), "import cv2\n" + MAIN.format("cv2")
+TOLD = "this file tells to install it by pip"
+STAND_IN = "this file puts something in its place before"
 ADD = ("warning", "add <exec_depend>python3-joblib</exec_depend>")
 
 
@@ -86,3 +88,25 @@ def test_a_module_of_ros_1_that_comes_later_or_may_fail_changes_nothing(text: st
 
 def test_a_module_of_ones_own_is_none_of_ros_1() -> None:
     assert told(f"import tf\n{JOBLIB}", **{"my_pkg/tf.py": ""}) == [ADD]
+
+
+@pytest.mark.parametrize(
+    ("text", "level", "why"),
+    [
+        ("import joblib  # pip install joblib\n", "info", "this file tells to install it by pip"),
+        (
+            '"""Needs joblib.\n\npip3 install joblib==1.0\n"""\nimport joblib\n',
+            "info",
+            "this file tells to install it by pip",
+        ),
+        ("import joblib  # do not pip install joblib\n", *ADD),
+        ("import joblib  # pip install scipy\n", *ADD),
+        ("import sys\nsys.modules['joblib'] = object()\nimport joblib\n", "info", STAND_IN),
+        ("import sys\nsys.modules.setdefault('joblib', object())\nimport joblib\n", "info", STAND_IN),
+        ("import sys\nsys.modules['other'] = object()\nimport joblib\n", *ADD),
+        ("import sys\nprint(sys.modules['joblib'])\nimport joblib\n", *ADD),
+        ("import joblib\nimport sys\nsys.modules['joblib'] = object()\n", *ADD),
+    ],
+)
+def test_what_the_file_says_and_puts_there(text: str, level: str, why: str) -> None:
+    assert told(text + MAIN.format("joblib")) == [(level, why)]

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterable, Iterator
 
 from ...languages.python.file import Import, PythonFile
 from ...languages.python.nodes import last_name, nodes_of_kind
 from ...lazy_regex import regex
+from ..own_environments import REFUSES
+from .pip_installs import names_in
 
 CHECKS = regex(
     r"(?i)(?:pip_?)?install\w*|\w*(?:check|ensure|install|require)\w*(?:requirement|package|module|dep|pip)\w*"
@@ -22,6 +25,9 @@ OF_ROS1 = frozenset(
 )
 """Modules of packages that no distribution of ROS 2 has, though some of them can be had for it by other ways."""
 PIP_BEFORE = "; this file has pip install it before"
+COMMENT = regex(r"(?m)(?:^|[ \t])#(.*)$")
+STOOD_IN = "; this file puts something in its place before"
+BY_PIP_HERE = "; this file tells to install it by pip"
 
 
 def installed_before(file: PythonFile, start: int) -> Iterator[str]:
@@ -42,3 +48,16 @@ def ros1_imports(imports: Iterable[Import]) -> Iterator[Import]:
         is_certain = not (each.is_optional or each.is_for_typing or each.is_local or each.level)
         if is_certain and each.module.partition(".")[0] in OF_ROS1:
             yield each
+
+
+def told_by_text(file: PythonFile) -> Iterator[str]:
+    """Yield the names that comments of a file, or what stands at its top, tell to install by pip."""
+    for line in (*COMMENT.findall(file.source.text), *(ast.get_docstring(file.tree) or "").split("\n")):
+        if "pip" in line and "install" in line and not REFUSES.search(line):
+            yield from names_in(file.path, line)
+
+
+def is_stood_in(file: PythonFile, top: str, start: int) -> bool:
+    """Return whether a file itself puts something in the place of a module before it imports that."""
+    stand_in = rf"\bsys\.modules(?:\[|\.setdefault\()\s*[\"']{re.escape(top)}[\"']\s*(?:\]\s*=(?!=)|,)"
+    return re.search(stand_in, file.source.text[:start]) is not None

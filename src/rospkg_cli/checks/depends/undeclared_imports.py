@@ -20,7 +20,15 @@ from ..ros1_import import ROS1, ros1_import
 from ..run_imports import RunImports
 from ..unrun_tests import is_never_run
 from ..unstarted_programs import UnstartedPrograms
-from .before_imports import PIP_BEFORE, installed_before, ros1_imports
+from .before_imports import (
+    BY_PIP_HERE,
+    PIP_BEFORE,
+    STOOD_IN,
+    installed_before,
+    is_stood_in,
+    ros1_imports,
+    told_by_text,
+)
 from .brought_dependencies import COLCON, ROSDEP, Bringer
 from .declared_dependencies import DeclaredDependencies
 from .hand_installs import HandInstalls
@@ -173,7 +181,13 @@ class ImportDependencies:
             return f"; it stands behind `import {first.module.partition('.')[0]}`, which ROS 1 alone has"
         wanted, keys = normalized(use.module.partition(".")[0]), workspace.providers_of(use.module)
         told = {normalized(each) for each in installed_before(file, use.span.start)}
-        return PIP_BEFORE if wanted in told or any(key_of(each, workspace.index) in keys for each in told) else ""
+        if is_stood_in(file, use.module.partition(".")[0], use.span.start):
+            return STOOD_IN
+        said = {normalized(each) for each in told_by_text(file)}
+        for names, why in ((told, PIP_BEFORE), (said, BY_PIP_HERE)):
+            if wanted in names or any(key_of(each, workspace.index) in keys for each in names):
+                return why
+        return ""
 
     def older_import(self, imports: Iterable[Import]) -> Import | None:
         """Return the first import at which a file ends, as ROS 1 alone has its module, and nothing here brings one."""

@@ -64,7 +64,7 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
 
     ## When it is quiet
     Of a file that imports `rospy` only that is said, for nothing behind it runs, and of several such files once; what
-    stands behind `tf` or the like is an info, and what the file has pip install before. What a declared dependency
+    stands behind `tf` or the like is an info, and what the file says to pip install. What a declared dependency
     certainly installs, be it for tests or the build, can't be missing where `rosdep install` ran, nor can what rosdep
     itself needs (PyYAML, rospkg): that is one info, which names who brings it. What may come with a declared one is
     another: anything may, with a package that is neither here nor in the tables. A module that no entry point or other
