@@ -11,7 +11,8 @@ TO_DO = regex(
     r"|\b(?:aufgaben?|übung(?:en)?|homework|pendiente|упражнение|задание|complet(?:ar|are)|compl[ée]ter)\b|課題|演習|宿題|练习|待办|待辦|과제|실습"
 )
 MAKING = regex(
-    r"(?i)\b(?:creat|add|defin|implement|writ|complet|initiali[sz]|instantiat|fill|declar|insert|import|finish|export|upload"
+    r"(?i)\b(?:creat|add|defin|implement|writ|complet|initiali[sz]|instantiat|fill|declar|insert|import|finish"
+    r"|export|upload|migrat|port(?=(?:ed|ing)?\b)"
     r"|erstell|schreib|erg[äa]nz|hinzuf[üu]g|einf[üu]g|vervollst[äa]nd|füg|füll"
     r"|implément|cré|crea|complét|ajout|écri|ecri|défini|déclar|añad|agreg|escrib|rellen|cria|escrev|preench|adicion"
     r"|aggiung|scriv|riemp|добав|напиш|реализ|созда)\w*"

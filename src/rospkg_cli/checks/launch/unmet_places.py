@@ -28,7 +28,16 @@ class UnmetPlaces:
     def why_unstarted(self, path: str) -> str:
         """Return why nobody starts a launch file, whatever is wrong with it; "" where somebody may."""
         is_left = self.unstarted is not None and self.unstarted.has(path) and not self.is_imported(path)
-        return UNSTARTED if is_left else ""
+        return UNSTARTED if is_left else self.why_stale(path)
+
+    def why_stale(self, path: str) -> str:
+        """Return who says that nobody is to start a launch file any more, or yet; "" where nobody does."""
+        from .stale_launch_files import why_stale  # what findings alone need
+
+        scope = next((each for each in self.scopes if each.file.path == path), None)
+        if scope is None or self.is_imported(path):
+            return ""
+        return why_stale(self.files, scope.package, scope.workspace, path)
 
     def why(self, path: str, span: Span, *, is_late: bool) -> str:
         """Return why a plain launch does not come to a place; "" where it may, and in other files.

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from ...light_dataclasses import dataclass
 from ...source import Span
+from .constant_truth import unreached_statements
 from .file import PythonFile, bindings
 from .guarded_nodes import guarded_nodes
 from .nodes import children_of, nodes_of, nodes_of_kind
@@ -81,6 +82,12 @@ def is_in_branch(file: PythonFile, span: Span) -> bool:
         if any(file.span(each).start <= span.start and span.end <= file.span(each).end for each in bodies):
             return True
     return False
+
+
+def is_passed_over(file: PythonFile, span: Span) -> bool:
+    """Return whether a place is in a branch of a condition on a constant, or behind what leaves its block."""
+    statements = unreached_statements(nodes_of(file.tree), file.constants)
+    return any(file.span(each).contains(span) for each in statements)
 
 
 def is_run(file: PythonFile, span: Span) -> bool:

@@ -78,10 +78,10 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     names of files are asked; where several are named, the package's own description is. It is an info, too, where the
     name is still to be filled in (`TODO`) or, by a comment, to be replaced, where package.xml declares a sister of the
     package that no distribution has: a fork may have it, and where every launch ends before, as it looks for a package
-    that is neither here, nor released, nor in a listed repository. What is known of a package that is not here is an
-    info where another one of its name may be meant: repositories are listed that are not here, or a page clones one
-    that is called so; not so of what `ros_base` brings, and of what a page or a container installs (`apt install
-    ros-jazzy-topic-monitor`).
+    that is neither here, nor released, nor in a listed repository, or where the first lines of the file or a page say
+    that nobody is to start it (`# deprecated`). What is known of a package that is not here is an info where another
+    one of its name may be meant: repositories are listed that are not here, or a page clones one that is called so; not
+    so of what `ros_base` brings, and of what a page or a container installs (`apt install ros-jazzy-topic-monitor`).
 
     ## Fix safety
     The name is replaced by the only similar one; another program may be right.

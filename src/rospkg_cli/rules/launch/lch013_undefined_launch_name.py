@@ -12,7 +12,7 @@ from ...checks.module_attributes import absent_attributes
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...languages.python.file import PythonFile
-from ...languages.python.undefined_names import UndefinedName, is_in_branch, undefined_names
+from ...languages.python.undefined_names import UndefinedName, is_in_branch, is_passed_over, undefined_names
 from ...languages.python.unreached_functions import unreached_functions
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_evaluator import ENTRIES, stops_with
@@ -89,8 +89,8 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     Files that import `*`, that run strings as code or use `locals()`, and imports that are optional (`try … except
     ImportError`), are left alone. A function that neither the function that launch calls (in a test,
     `generate_test_description`) nor the module level leads to, by calls or by its name
-    (`OpaqueFunction(function=setup)`), or that only an uncalled method calls, is one info, and so is a name of which a
-    comment says that it is still to be defined, as in exercises.
+    (`OpaqueFunction(function=setup)`), or that only an uncalled method calls, is one info, and so is a name in a branch
+    that is never taken (`DEBUG = False` … `if DEBUG:`), and one of which a comment says that it is still to be defined.
     """
     if file.python is None or not file.has_entry_point:
         return
@@ -128,6 +128,8 @@ def weighed(file: PythonFile, found: UndefinedName) -> UseOfName:
         if file.span(each.body[0]).start <= found.span.start < file.span(each.body[-1]).end:
             ends = f"`{each.name}` raises NameError once something calls it, which nothing here does"
             return UseOfName(found, Severity.INFO, ends)
+    if is_passed_over(file, found.span):
+        return UseOfName(found, Severity.INFO, "Python raises NameError in a branch that it never takes")
     ends = f"{stops_with(file)} NameError"
     if found.is_annotation:
         return UseOfName(found, Severity.WARNING, f"before Python 3.14, which Lyrical has, {ends}")
