@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...light_dataclasses import dataclass
+from ...package.file_role import is_set_aside
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...ros.known_nodes import known_nodes
 from ...source import Span
@@ -38,7 +39,13 @@ class BlockReaders:
         block = next((each for each in blocks if each.key.span == place or each.value.span.holds(place)), None)
         if file is None or self.is_unopened(file) or self.is_refused(file):
             return file is not None
-        return block is not None and self.is_unread(file, block)
+        return block is not None and (self.is_unread(file, block) or self.is_given_otherwise(path, place))
+
+    def is_given_otherwise(self, path: str, place: Span) -> bool:
+        """Return whether all launch files that hand a file on give the value at a place, or at its name, otherwise."""
+        from .launch_overrides import is_overridden  # few packages have something to ask it of
+
+        return is_overridden(path, place, self.launched.files, self.launched.launches)
 
     def is_refused(self, file: ParameterFile) -> bool:
         """Return whether rcl refuses a file, and no component gets it, for which PyYAML reads it."""
@@ -72,9 +79,8 @@ class BlockReaders:
 
     def is_met(self, each: NodeArguments) -> bool:
         """Return whether somebody may start a node: its action is added, and its launch file is not left out."""
-        return may_start(start_of(each.launch, each.node, self.launched.workspace)) and not self.launched.is_left_out(
-            each.launch
-        )
+        is_out = is_set_aside(each.launch.path) or self.launched.is_left_out(each.launch)
+        return may_start(start_of(each.launch, each.node, self.launched.workspace)) and not is_out
 
     def is_asleep(self, each: NodeArguments, block: NodeBlock) -> bool:
         """Return whether a node would read a block, and nothing configures it."""

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterable, Iterator
 
 from ...package.launch.launch_file import LaunchedNode, LaunchFile, NodeParameters
-from ...package.params.parameter_file import ParameterFile
+from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...source import Span
 from .include_overrides import replaced_by_includes, replaced_by_rewriting
 from .replaced_defaults import DECLARES, LONGEST
@@ -23,6 +23,7 @@ def is_given(before: str, value: str, package: str, launches: Iterable[LaunchFil
 
 def is_overridden(path: str, place: Span, files: Iterable[ParameterFile], launches: Iterable[LaunchFile]) -> bool:
     """Return whether all that launch files hand a parameter file to get the value at a place otherwise, later."""
+    files = tuple(files)
     blocks = (block for file in files if file.path == path for block in file.blocks)
     names = [(block, each.name) for block in blocks for each in block.parameters if each.value.span.holds(place)]
     launches = tuple(launches)
@@ -30,10 +31,25 @@ def is_overridden(path: str, place: Span, files: Iterable[ParameterFile], launch
         return False
     block, name = names[0]
     later = [behind for node in nodes_of(launches) if (behind := behind_file(node, path)) is not None]
-    replaced = [any(True for _ in given(each, name)) for each in later]
+    files = tuple(each for each in files if each.path != path)
+    replaced = [any(True for _ in given(each, name)) or is_in_later(each, block, name, files) for each in later]
     replaced += replaced_by_includes(path, block.name.rpartition("/")[2], name, launches)
     replaced += replaced_by_rewriting(path, name, launches)
     return bool(replaced) and all(replaced)
+
+
+def is_in_later(behind: Iterable[NodeParameters], block: NodeBlock, name: str, files: Iterable[ParameterFile]) -> bool:
+    """Return whether a file that a node is handed later gives a parameter in a block of the same name."""
+    later = [each.file.shown for each in behind if each.file is not None]
+    having = (file for file in files if any(posixpath.basename(file.path) in shown for shown in later))
+    same = (each for file in having for each in file.blocks if each.name == block.name)
+    return any(each.name == name for one in same for each in one.parameters)
+
+
+def is_meant_given(path: str, name: str, launches: Iterable[LaunchFile]) -> bool:
+    """Return whether all that launch files hand a parameter file to get a parameter of a name from them, later."""
+    later = [behind for node in nodes_of(launches) if (behind := behind_file(node, path)) is not None]
+    return bool(later) and all(any(True for _ in given(each, name)) for each in later)
 
 
 def nodes_of(launches: Iterable[LaunchFile]) -> Iterator[LaunchedNode]:

@@ -12,6 +12,7 @@ from ...package.file_role import role_of
 from ...package.params.node_texts import of_cpp, of_python
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...ros.known_nodes import known_nodes
+from ..pages_and_scripts import pages_and_scripts
 from .inner_nodes import SINGLE
 from .launch_parameters import LaunchParameters, NodeArguments, is_near
 from .mistyped_blocks import WILD, last
@@ -29,7 +30,7 @@ class SureBlocks:
     def why_not(self, file: ParameterFile, block: NodeBlock, nodes: list[NodeArguments]) -> str:
         """Return how a block may be read all the same, other than by some nodes that lack one; "" where it can't be."""
         key = last(block)
-        if self.is_coded(key, nodes) or self.is_in_launch(key):
+        if self.is_coded(key, nodes) or self.is_in_launch(key) or self.is_on_page(key):
             return ", unless the node of that name is started, which is here"
         given = [each for each in self.launched.node_arguments if file in each.files]
         if any(each.known_name is None for each in given):
@@ -54,6 +55,11 @@ class SureBlocks:
         native = (of_cpp(self.files.readable_text(path)) for path in paths if path.endswith(CODE))
         python = (of_python(self.files.readable_text(path)) for path in paths if path.endswith(".py"))
         return frozenset().union(*(each.names for each in (*native, *python)))
+
+    def is_on_page(self, key: str) -> bool:
+        """Return whether a page or a script starts a node under a name: `-r __node:=key`."""
+        named = re.compile(rf"\b__(?:node|name):=['\"]?/?{re.escape(key)}(?![\w-])")
+        return any(map(named.search, pages_and_scripts(self.files)))
 
     def is_in_launch(self, key: str) -> bool:
         """Return whether a launch file holds a name, be it in a comment: somebody may turn that on."""

@@ -17,6 +17,7 @@ from .forgotten_declarations import ForgottenDeclarations
 from .idle_nodes import hardest, level_of
 from .joint_limits import JointLimits, MistypedLimit
 from .known_given import KnownNodes
+from .launch_overrides import is_meant_given
 from .launched_names import LaunchedNames, strange_names, why_dropped
 from .other_variants import unlike_variants
 from .repeated_reads import RepeatedRead, RepeatedReads
@@ -81,6 +82,8 @@ class UnknownParameters:
 
     def why_harmless(self, group: ParameterGroup, parameter: Parameter, meant: str) -> str:
         """Return why nobody misses a value that a file gives under a strange name, or how it is read; "" for none."""
+        if meant and is_meant_given(group.file.path, meant, self.known.launched.launches):
+            return f", and nothing differs, as launch files give `{meant}`"
         may = next(filter(None, (self.may_read(each, parameter.name, meant) for each in group.owners)), "")
         return group.same_as_default(parameter, meant) or self.why_unread(group.owners, meant) or may
 

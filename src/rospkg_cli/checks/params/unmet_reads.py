@@ -12,6 +12,7 @@ from ..cpp.uncalled_members import is_in_uncalled
 from ..depends.compiled_sources import sources_by_use
 from ..interfaces.uncalled_methods import UncalledMethods
 from ..left_files import LeftFiles
+from ..off_places import OffPlaces
 from ..reached_definitions import ReachedDefinitions
 
 
@@ -21,6 +22,7 @@ class UnmetReads:
     uncalled: UncalledMethods | None
     definitions: ReachedDefinitions | None
     cmake: CMake | None
+    off: OffPlaces | None = None
 
     def in_python(self, path: str, place: Span) -> bool:
         """Return whether nothing imports or starts a module, or calls the function around a place."""
@@ -30,7 +32,8 @@ class UnmetReads:
         file = reached.run.modules.at(path) if reached is not None else None
         if reached is None or file is None:
             return False
-        return reached.is_turned_off(file, place) or not reached.leads_to(file, place)
+        is_off = reached.is_turned_off(file, place) or (self.off is not None and self.off.has(file, place))
+        return is_off or not reached.leads_to(file, place)
 
     def in_cpp(self, path: str, place: Span, files: tuple[CppFile, ...]) -> bool:
         """Return whether no target compiles a file, and nobody else can include it, or nothing calls what is around."""

@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import PurePosixPath
 
+from ...checks.home_path_texts import without_comments
 from ...checks.left_blank import asks_to, is_asked_at, is_asked_for
 from ...checks.pages_and_scripts import own_pages, pages_above
+from ...checks.told_settings import comments_at
 from ...files import PackageFiles
 from ...finding import Finding
 from ...lazy_regex import regex
@@ -39,9 +41,16 @@ ADDS = (
     r"(?:\bfields?\b[ :]*(?:(?:named|called|and|`[^`\n]+`)[ ,]*)*`{0}`|`{0}`(?: \w+)? fields?\b)"
 )
 """How a page has people add a field of a name to a message."""
+UNUSED = (
+    r"\b(?:unused|not (?:yet |currently )?(?:used|supported|implemented|read)|no longer (?:used|read|supported)"
+    r"|deprecated|obsolete|has no effect)\b"
+)
+"""How a comment says of a value or a block that nothing reads it now."""
+OF_VALUES = {"PRM003": rf"{UNUSED}|\b(?:rename|change) (?:this|it|to)\b", "PRM007": UNUSED}
+BY_COMMENT = "; a comment says that nothing reads it, or to change it"
 OF_TYPES = "IDL011"
 IN_MESSAGE = "; a comment in the message says that its fields are still to be written"
-ALL = frozenset(OF_FIELDS | OF_MISSING | TASKS.keys())
+ALL = frozenset(OF_VALUES.keys() | OF_FIELDS | OF_MISSING | TASKS.keys())
 NAMED = regex("`([^`]+)`")
 MAX_NAMES = 2
 WHY = "; a comment says that it is still to be written"
@@ -65,6 +74,11 @@ def why_left(found: Finding, files: PackageFiles, package: str) -> str:
     if found.code in OF_FIELDS:
         return why_without_field(found, files)
     path = str(PurePosixPath(found.location.path).relative_to(files.folder or "."))
+    if found.code in OF_VALUES and path.endswith((".yaml", ".yml")):
+        text = files.readable_text(path)
+        said = comments_at(text, without_comments(path, text), found.location.span.start)
+        if any(re.search(OF_VALUES[found.code], each, re.IGNORECASE) for each in said):
+            return BY_COMMENT
     text = files.readable_text(path) if found.code in OF_MISSING else ""
     names = [name for name in NAMED.findall(found.message)[:MAX_NAMES] if name != package]
     parts = {part for name in names for part in (name, re.split(r"[./:]+", name.partition(".py")[0])[-1], last(name))}

@@ -19,8 +19,8 @@ IN_USE = (*OF_RUNS, "PLG", "IDL012", "CMK201")
 """Families and rules about code, launch files and what these open: nobody meets their faults in a file that is left."""
 AT_RUN = frozenset({"DEP117", "DEP120", "IDL010"})
 """Rules about lines of Python that raise when they run."""
-OF_STARTS = AT_RUN | {"DEP109", "DEP110", "DEP112", "IDL011"}
-"""Those, and the rules about imports and look-ups: what they find ends the programs that come to it."""
+OF_STARTS = AT_RUN | {"DEP109", "DEP110", "DEP112", "IDL011", "PRM007"}
+"""Those, and the rules about imports, look-ups and parameters: their errors end the programs that come to them."""
 UNLED = "; nothing here leads to this file"
 
 

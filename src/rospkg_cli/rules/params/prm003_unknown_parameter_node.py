@@ -97,11 +97,12 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     launch file here starts are left alone, and those of several whose name is like that of no node which lacks one:
     nodes that other packages start may read them. So are names that differ by a number, and nodes inside of a process
     that is given the file: what a container or ros2_control_node loads, the costmap in a server of nav2. It is an info
-    where another node may be meant: code, or a launch file in a comment, names one so; the program is of a package that
-    is not here; several blocks or nodes are left over; another package names the file. It is one where the only launch
-    files that give the file to a node are not installed, or nothing adds the action that starts the node; where a block
-    holds no more than defaults (false, 0 or empty where they are not known); for one of several namespaces for a node's
-    name, as the launch file chooses; and where a spawner is given a type or a file.
+    where another node may be meant: code, a page, or a launch file in a comment, names one so; the program is of a
+    package that is not here; several blocks or nodes are left over; another package names the file. It is one where the
+    only launch files that give the file to a node are not installed or are laid aside, or nothing adds the action that
+    starts the node; where a block holds no more than defaults (false, 0 or empty where they are not known); for one of
+    several namespaces for a node's name, as the launch file chooses; where a spawner is given a type or a file; and
+    where a comment says that nothing reads the block.
 
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.

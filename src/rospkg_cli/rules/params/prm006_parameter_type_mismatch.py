@@ -95,9 +95,9 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     info, unless pages name newer distributions alone. Where pages and scripts name Foxy alone, which takes any type,
     only types of well-known packages are told, as an info; where other pages or names of files do, all is an info.
     Where nothing names the file but an argument that no launch file takes, nothing adds the action that starts the
-    node, no node that is started (and configured) with the file reads the block, code declares what only ends so
-    (`prefix + '.x'`), no list of the block has the plugin, or only the name of one tells which well-known package is
-    meant, it is an info; nav2's nodes are known by several blocks. Launch files for ROS 1 (LCH006) are left alone.
+    node, launch files replace the value, no node that is started (and configured) reads the block, code declares what
+    only ends so (`prefix + '.x'`), no list of the block has the plugin, or only the name of one tells the package, it
+    is an info; nav2's nodes are known by several blocks. Launch files for ROS 1 (LCH006) are left alone.
     """
     told, is_old = set(), scope.distribution.is_named_alone
     for group in () if is_old else scope.given.groups():

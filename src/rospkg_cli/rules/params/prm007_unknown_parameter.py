@@ -106,8 +106,9 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     starts, imports or calls; a value in a block that no started (and, in nav2, configured) node reads, or that the
     package's code may read otherwise: its name stands there, it differs by a number, or names are made when it runs;
     and one that changes nothing: it is the default of the parameter that is meant, as the code or a table has it (where
-    none is known, false, 0, an empty text and list), the code never uses that one, or its switch is off. So is a limit
-    of a joint in a file that nothing names, and what a plugin gets that its block's lists leave out.
+    none is known, false, 0, an empty text and list), the code never uses that one, its switch is off, launch files give
+    it, or a comment says that the value is unused. So is a limit of a joint in a file that nothing names, and what a
+    plugin gets that its block's lists leave out.
 
     ## Fix safety
     The similar name may not be right. A value of another type stays, a single one for a list is put into brackets.
