@@ -159,3 +159,20 @@ def test_a_page_of_another_package() -> None:
     for path, expected in (("other/README.md", "warning"), ("docs/setup.md", "info"), ("my_pkg/README.md", "info")):
         (only,) = lint_files({**files, path: page}, ["DEP103"]).findings
         assert only.severity.value == expected
+
+
+@pytest.mark.parametrize(
+    ("page", "comment", "expected"),
+    [
+        ("- ur_description (optional)\n", "", "info"),
+        ("- ur_description\n", "<!-- optional: ur_description -->", "info"),
+        ("- ur_description\n", "<!-- optional: the gripper -->", "warning"),
+    ],
+)
+def test_robots(page: str, comment: str, expected: str) -> None:
+    robot = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">{}\n'
+    robot += (
+        '  <xacro:include filename="$(find ur_description)/urdf/ur_macro.xacro"/>\n  <link name="base"/>\n</robot>\n'
+    )
+    files = {"package.xml": manifest(""), "README.md": f"    xacro urdf/robot.urdf.xacro > robot.urdf\n\n{page}"}
+    assert levels("DEP106", {**files, "urdf/robot.urdf.xacro": robot.format(comment)}) == [expected]

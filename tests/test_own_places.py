@@ -89,3 +89,19 @@ def test_a_key_without_headers_beside_a_build_from_source() -> None:
     assert levels("DEP115", lines, depends=needs) == ["warning"]
     page = {"README.md": "Build libusb-1.0 from source.\n"}
     assert levels("DEP115", lines, "", needs, **page) == ["info"]
+
+
+@pytest.mark.parametrize(
+    ("comment", "expected"),
+    [
+        ("# libmodbus has to be installed by hand", "info"),
+        ("# build and install libmodbus from source first", "info"),
+        ("# the program that speaks to libmodbus", "warning"),
+        ("# install the scripts by hand", "warning"),
+        ("# sudo apt install libmodbus-dev", "warning"),
+    ],
+)
+def test_comments_of_cmake(comment: str, expected: str) -> None:
+    lines = f"{comment}\n{NODE}"
+    assert levels("DEP105", lines, "#include <modbus/modbus.h>") == [expected]
+    assert levels("DEP115", f"{lines}{LINKS}") == [expected]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from ...lazy_regex import regex
 from ...package.manifest import Manifest
@@ -33,8 +33,18 @@ LEFT = "; a comment of package.xml has people install it otherwise"
 
 def is_installed_by_comment(manifest: Manifest, names: Collection[str]) -> bool:
     """Return whether a comment has people install something otherwise, by one of its names, or what requires it."""
+    return are_told((sentence for text in texts(manifest) for sentence in sentences(text)), names)
+
+
+def is_told_in(text: str, names: Collection[str]) -> bool:
+    """Return whether some comments, one a line, have people install something otherwise, by one of its names."""
+    return are_told((sentence for line in text.split("\n") for sentence in sentences(line)), names)
+
+
+def are_told(told: Iterable[str], names: Collection[str]) -> bool:
+    """Return whether one of some sentences names something, or what requires it."""
     wanted = {plain(each) for each in names} | {one for each in names for one in distributions_of(each)}
-    for sentence in sentences(manifest):
+    for sentence in told:
         words = set(WORD.findall(sentence))
         written = {normalized(word) for word in words}
         if not wanted.isdisjoint({*map(plain, words), *map(plain, required_by(written))}):
@@ -44,13 +54,12 @@ def is_installed_by_comment(manifest: Manifest, names: Collection[str]) -> bool:
     return False
 
 
-def sentences(manifest: Manifest) -> Iterator[str]:
-    """Yield what comments say of other ways to install than rosdep, sentence by sentence."""
-    for text in texts(manifest):
-        for sentence in SENTENCE.split(text):
-            is_other = BY_PIP.search(sentence) or (BY_HAND.search(sentence) and INSTALLS.search(sentence))
-            if is_other and not ROSDEP.search(sentence):
-                yield sentence
+def sentences(text: str) -> Iterator[str]:
+    """Yield what a comment says of other ways to install than rosdep, sentence by sentence."""
+    for sentence in SENTENCE.split(text):
+        is_other = BY_PIP.search(sentence) or (BY_HAND.search(sentence) and INSTALLS.search(sentence))
+        if is_other and not ROSDEP.search(sentence):
+            yield sentence
 
 
 def texts(manifest: Manifest) -> Iterator[str]:

@@ -34,6 +34,7 @@ OF_ANYTHING = COMMON | frozenset(
 )
 """Words by which no page means one package."""
 MIN_LETTERS = 5
+XML = (".xml", ".xacro", ".urdf", ".sdf", ".world")
 MAX_LISTED = 25
 """Lines below a heading that are looked through."""
 OPTIONAL = "; a page here calls it optional"
@@ -58,7 +59,7 @@ class OptionalParts:
     def comments(self, path: str) -> Iterator[str]:
         """Yield the lines of comments of a file that call something optional."""
         for found in COMMENT.finditer(self.files.readable_text(path)):
-            if found[2] is None or not path.endswith(".xml"):
+            if found[2] is None or not path.endswith(XML):
                 yield from SAYS_SO.findall(found[1] or found[2] or "")
 
     @cached_property

@@ -24,7 +24,9 @@ from ...ros.implied_dependencies import IN_SOURCES, implied_by
 from ...ros.libraries import is_named_among, keys_of_header, keys_of_module, stem
 from ...ros.names import NameKind
 from ...source import Source, Span
+from ..cmake.commented_installs import said_in
 from .brought_dependencies import Bringer, brought_by
+from .commented_installs import is_told_in
 from .compiled_sources import (
     certainly_compiled,
     compiled_on_demand,
@@ -47,6 +49,7 @@ GENERATED = regex(r"[a-z][a-z0-9_]*/(?:msg|srv|action)/[a-z0-9_]+\.hpp")
 """A header that rosidl makes of an interface, behind the name of its package."""
 PACKAGE, QUALIFIER = regex(r"[a-z][a-z0-9_]*"), regex(r"[\w:]")
 
+BY_COMMENT = "; a comment here tells to install it by hand, and the key may bring another version"
 OF_SYSTEM = frozenset("sys linux net netinet arpa asm bits rpc mach".split())
 """Folders of the C library and of kernels; a package that brings a port to another system may have one of them, too."""
 OF_CLIENT_LIBRARIES = frozenset(
@@ -220,6 +223,8 @@ class IncludeDependencies:
             return BESIDE_APT.format(place)
         if keys and HandInstalls(self.files).has(every):
             return BY_PAGE
+        if keys and is_told_in("\n".join(map(said_in, self.cmake.files)), every):
+            return BY_COMMENT
         return ELSEWHERE if keys and has_include_folder([*headers], self.cmake) else ""
 
     def may_be_submodule(self, each: IncludedPackage) -> bool:

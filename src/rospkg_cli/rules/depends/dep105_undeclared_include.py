@@ -67,8 +67,8 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     submodule is named after, checked out or not, and those that CMake looks for without need, where only what includes
     them waits for it, what is declared under a condition that does not hold (`$ROS_VERSION == 1`), where no build is
     sure to compile what includes it, and types whose package comes with another undeclared one. What an empty submodule
-    that CMake looks into may hold is an info, and a library that a page tells to install by hand, or
-    whose headers lie in a folder of their own (`/opt/modbus/include`), or that CMake takes
+    that CMake looks into may hold is an info, and a library that a page or a comment of CMake tells to install by hand,
+    or whose headers lie in a folder of their own (`$ENV{MODBUS_ROOT}/include`), or that CMake takes
     from /usr/local or /opt, and what another package of the repository declares, or a list or a command of it installs
     (apt alone), where nothing shows a release. So is what only targets include that stop at a source of ROS 1 before.
     Headers of ROS 1 (`std_msgs/String.h`), and others that no package of interfaces has, come with no declaration:

@@ -82,7 +82,8 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     repository declares, or a list or a script of it installs (apt alone), where nothing shows a release, and unknown
     packages that a script clones, or builds from a folder here that colcon passes by, and what one of the distributions
     lacks that the repository names, beside others that have it. A package here that needs this one itself is an info,
-    for to declare it would make a circle; where it declares this one, nothing is said.
+    for to declare it would make a circle; where it declares this one, nothing is said. What a page or a comment calls
+    optional is an info, too.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. Where this
@@ -111,10 +112,11 @@ def undeclared(robots: RobotUses, tag: str, name: str, uses: list[RobotUse]) -> 
     meant = owner or robots.launch.meant(name)
     todo = f"did you mean `{meant}`{having(files)}?" if meant else advice(declared, tag, name)
     message = f"`{name}` is not declared, {first.usage}: {where_absent(declared, name)} {first.consequence}; {todo}"
-    message += first.why if all(use.is_optional for use in uses) else ""
+    left = "" if meant else robots.launch.why_left_out(name, (use.path for use in uses))
+    message += first.why if all(use.is_optional for use in uses) else left
     fix = None if meant else declaration(declared, tag, name)
     is_elsewhere = is_unmet_at_run(declared, name) or (meant is None and robots.launch.is_told(name))
-    mild = is_elsewhere or all(use.is_optional for use in uses)
+    mild = is_elsewhere or left or all(use.is_optional for use in uses)
     places = related((use.path, use.span) for use in uses)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)
 
