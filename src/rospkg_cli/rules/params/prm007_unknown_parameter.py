@@ -102,13 +102,13 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     names of them are computed; where it asks a client or another object, other packages may choose the options of a
     node, or what gets the node may declare them. Where its base class elsewhere may, or it asks first, it is an info.
     One that is got into a variable, has an alternative, is like no other, or whose exception may be caught, or under a
-    condition, is a warning; one that nothing reads is an info, and so is what stands in code that nothing compiles,
-    starts, imports or calls; a value in a block that no started (and, in nav2, configured) node reads, or that the
-    package's code may read otherwise: its name stands there, it differs by a number, or names are made when it runs;
-    and one that changes nothing: it is the default of the parameter that is meant, as the code or a table has it (where
-    none is known, false, 0, an empty text and list), the code never uses that one, its switch is off, launch files give
-    it, or a comment says that the value is unused. So is a limit of a joint in a file that nothing names, and what a
-    plugin gets that its block's lists leave out.
+    condition, is a warning; one that nothing reads is an info, and so is what stands in code that nothing leads to; a
+    value in a block that no started (and, in nav2, configured) node reads, or that the package's code may read
+    otherwise: its name stands there, it differs by a number, or names are made when it runs; and one that changes
+    nothing: it is the default of the parameter that is meant, as the code or a table has it (where none is known,
+    false, 0, an empty text and list), the code never uses that one, its switch is off, launch files give it, or a
+    comment calls the value unused. So is a limit of a joint in a file that nothing names, and what a plugin gets that
+    its block's lists leave out.
 
     ## Fix safety
     The similar name may not be right. A value of another type stays, a single one for a list is put into brackets.
