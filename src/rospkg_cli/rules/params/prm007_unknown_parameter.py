@@ -104,11 +104,10 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     One that is got into a variable, has an alternative, is like no other, or whose exception may be caught, or under a
     condition, is a warning; one that nothing reads is an info, and so is what stands in code that nothing leads to; a
     value in a block that no started (and, in nav2, configured) node reads, or that the package's code may read
-    otherwise: its name stands there, it differs by a number, or names are made when it runs; and one that changes
-    nothing: it is the default of the parameter that is meant, as the code or a table has it (where none is known,
-    false, 0, an empty text and list), the code never uses that one, its switch is off, launch files give it, or a
-    comment calls the value unused. So is a limit of a joint in a file that nothing names, and what a plugin gets that
-    its block's lists leave out.
+    otherwise: its name stands there, is made, or differs by a number; and one that changes nothing: it is the default
+    of the parameter that is meant, as the code or a table has it (where none is known, false, 0, an empty text and
+    list), the code never uses that one, its switch is off, launch files give it, or a comment calls the value unused.
+    So is a limit of a joint in a file that nothing names, and what a plugin gets that no list has.
 
     ## Fix safety
     The similar name may not be right. A value of another type stays, a single one for a list is put into brackets.
