@@ -18,7 +18,7 @@ def generate_launch_description():
     return [Node(package='controller_manager', executable='ros2_control_node')]
 """
 PLUGIN = "a:\n  ros__parameters:\n    one:\n      type: {}\n"
-OPENED = "ROBOT = share + '/urdf/r.xacro'\n"
+OPENED = "load(share + '/urdf/r.xacro')\n"
 GAZEBO = "<gazebo><plugin><parameters>$(find my_pkg)/config/{}</parameters></plugin></gazebo>"
 
 
@@ -50,10 +50,10 @@ def test_a_robot_that_is_passed_over(launch: str, others: tuple[str, ...], level
 @pytest.mark.parametrize(
     ("launch", "robot", "others", "level"),
     [
-        ("LOADED = 'walk.yaml'\n", "", (), "warning"),
-        ("LOADED = 'walking.yaml'\n", "", (), "info"),
-        ("LOADED = MoveItConfigsBuilder('a')\n", "", (), "info"),
-        ("LOADED = f'{NAME}.yaml'\n", "", (), "warning"),
+        ("load('walk.yaml')\n", "", (), "warning"),
+        ("load('walking.yaml')\n", "", (), "info"),
+        ("load(MoveItConfigsBuilder('a'))\n", "", (), "info"),
+        ("load(f'{NAME}.yaml')\n", "", (), "warning"),
         (OPENED, GAZEBO.format("walk.yaml"), (), "warning"),
         (OPENED, GAZEBO.format("run.yaml"), (), "info"),
         (OPENED, GAZEBO.format("walk.yaml").replace("$(find my_pkg)", "/home/me/my_pkg"), (), "info"),
@@ -106,7 +106,7 @@ def test_an_example_is_there_to_be_copied() -> None:
     [("solver_plugins::CeresSolver", "info"), ("joint_state_broadcaster/JointStateBroadcaster", "warning")],
 )
 def test_a_plugin_that_the_node_of_its_own_package_alone_loads(plugin: str, level: str) -> None:
-    files = {"config/walk.yaml": PLUGIN.format(plugin), "launch/a.launch.py": "A = 'walk.yaml'\n" + LAUNCH}
+    files = {"config/walk.yaml": PLUGIN.format(plugin), "launch/a.launch.py": "load('walk.yaml')\n" + LAUNCH}
     files["package.xml"] = manifest("  <exec_depend>controller_manager</exec_depend>\n", "ament_cmake")
     assert levels(files) == [level]
 
@@ -125,13 +125,13 @@ MANAGED = """\
 @pytest.mark.parametrize(
     ("launch", "found"),
     [
-        ("SPAWNED = ['wheels', 'claw']\n", ["warning", "warning"]),
-        ("SPAWNED = ['wheels']\n", ["warning", "info"]),
-        ("SPAWNED = spawners()\n", ["warning", "warning"]),
+        ("spawn(['wheels', 'claw'])\n", ["warning", "warning"]),
+        ("spawn(['wheels'])\n", ["warning", "info"]),
+        ("spawn(spawners())\n", ["warning", "warning"]),
     ],
 )
 def test_a_controller_that_is_not_spawned_beside_others_that_are(launch: str, found: list[str]) -> None:
-    files = {"config/walk.yaml": MANAGED, "launch/a.launch.py": f"PATH = 'walk.yaml'\n{launch}{LAUNCH}"}
+    files = {"config/walk.yaml": MANAGED, "launch/a.launch.py": f"load('walk.yaml')\n{launch}{LAUNCH}"}
     files["package.xml"] = manifest("  <exec_depend>controller_manager</exec_depend>\n", "ament_cmake")
     assert levels(files) == found
     assert levels(files, "A = 'claw'\n", body="  <depend>my_pkg</depend>\n") == ["warning", "warning"]
@@ -140,9 +140,9 @@ def test_a_controller_that_is_not_spawned_beside_others_that_are(launch: str, fo
 @pytest.mark.parametrize(
     ("name", "start", "level"),
     [
-        ("ros2_controllers", "LOADED = MoveItConfigsBuilder('a')\n", "warning"),
-        ("sensors_kinect", "LOADED = MoveItConfigsBuilder('a')\n", "info"),
-        ("sensors_kinect", "LOADED = 'sensors_kinect.yaml'\n", "warning"),
+        ("ros2_controllers", "load(MoveItConfigsBuilder('a'))\n", "warning"),
+        ("sensors_kinect", "load(MoveItConfigsBuilder('a'))\n", "info"),
+        ("sensors_kinect", "load('sensors_kinect.yaml')\n", "warning"),
     ],
 )
 @pytest.mark.parametrize("is_loaded", [False, True])

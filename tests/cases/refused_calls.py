@@ -81,7 +81,7 @@ def world(text: str, opened: str = "") -> Example:
 
 OWN = "add_library(my_pkg SHARED src/core.cpp)\ninstall(TARGETS my_pkg DESTINATION lib)\n"
 OWN += "ament_target_dependencies(core ${PROJECT_NAME})"
-OPENED = "ROOM = get_package_share_path('my_pkg') / 'worlds' / 'room.world'"
+OPENED = "load(get_package_share_path('my_pkg') / 'worlds' / 'room.world')"
 CASES = {
     "RPK001": (
         world('<sdf version="1.6">\n  <world name="a">\n</sdf>\n', OPENED),
