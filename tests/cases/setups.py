@@ -115,6 +115,8 @@ CASES = {
     ),
     "SET003": (python({"setup.cfg": "[tool:pytest]\njunit-family=xunit2\n[develop]\nscript-dir=$base/lib/my_pkg\n"}),),
     "SET101": (
+        python({"setup.py": setup_py(scripts("talker = my_pkg.talker:main")),
+                "build.sh": "python3 gen.py > my_pkg/talker.py\n"}),
         started("display"),
         started("display_follow"),
         started("display_follow", "follow_display"),

@@ -24,6 +24,12 @@ REPLACED = regex(
     r"(?:change|edit|adapt|adjust|modify|replace|customi[sz]e|update|insert)\b[^\n]{0,60}"
     r"\b(?:your|this|these|here|me|own)\b"
 )
+MADE = r"(?:implemented|written|ported|finished|done|available|made|added|there)"
+UNMADE = regex(
+    rf"(?i)\b(?:not|isn['’]?t|aren['’]?t) {MADE} yet\b|\bnot yet {MADE}\b|\bnot implemented\b|\bcoming soon\b"
+    r"|\bstill (?:missing|to come|to be (?:implemented|written|ported|added|made))\b"
+)
+"""What says of something beside it that it is not there yet."""
 THEIRS = regex(
     r"(?i)\W*(?:(?:to[ -]?do|fix-?me|please|you (?:must|should|can|may|need to|have to))\W+)?"
     r"(?:change|edit|adapt|adjust|modify|replace|customi[sz]e|update|insert|put|set|use|enter|specify|provide|point|give"
@@ -104,7 +110,7 @@ def is_asked_at(text: str, place: int, name: str) -> bool:
             break
         said.append(comment_in(line))
     whole = "\n".join(reversed(said))
-    return is_asked(whole) and shares_word(MAKING.sub("", whole), name)
+    return UNMADE.search(whole) is not None or (is_asked(whole) and shares_word(MAKING.sub("", whole), name))
 
 
 def asks_to(text: str, task: str) -> bool:

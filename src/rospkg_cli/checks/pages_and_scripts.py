@@ -16,10 +16,11 @@ FETCHES = regex(
     r"(?im)^.*\b(?:unzip|unrar|7z|tar|wget|curl|gdown|rsync|scp|download\w*|git[ \t]+(?:lfs|clone|submodule))\b.*$"
 )
 """A line that tells to bring or to unpack files."""
+BY_COMMAND = r"\b(?:cp|mv|ln)(?:[ \t]+-\S+)*[ \t]+[^\s-]\S*[ \t]+\S*{0}|(?:>|\btouch\b|[ \t]-o)[ \t]*[^\s>]*{0}"
+"""How a command makes a file."""
 MAKES = (
     r"(?im)^.*\b(?:save|put|place|copy|export(?![ \t]+\w+=)|store|record|generate|create|move|rename|provide)\b"
-    r"[^\n]*{0}"
-    r"|\b(?:cp|mv|ln)(?:[ \t]+-\S+)*[ \t]+[^\s-]\S*[ \t]+\S*{0}|(?:>|\btouch\b|[ \t]-o)[ \t]*[^\s>]*{0}"
+    rf"[^\n]*{{0}}|{BY_COMMAND}"
 )
 """What tells to make a file, or to put it there: the name of the file stands behind it."""
 COPIES = r"(?m)^(?!\s*#).*\b(?:cp[ \t]+(?:-\w+[ \t]+)*-\w*[rRa]\w*|mv|ln[ \t]+-\w+)[ \t][^\n]*[/ \t]{0}/?(?=[\s`\"']|$)"
@@ -103,6 +104,12 @@ class FetchedFiles:
         from .script_outputs import ScriptOutputs  # few files are missing
 
         return ScriptOutputs(self.files, frozenset({posixpath.basename(self.files.folder)} - {""})).has(path)
+
+    def has_by_command(self, path: str) -> bool:
+        """Return whether a line fetches a missing file by its name, or a command writes it."""
+        whole = rf"(?<![\w.-]){re.escape(posixpath.basename(path))}(?![\w-])"
+        written, named = re.compile(BY_COMMAND.format(whole)), re.compile(whole)
+        return any(map(named.search, self.lines)) or any(map(written.search, self.texts))
 
     @cached_property
     def lines(self) -> tuple[str, ...]:

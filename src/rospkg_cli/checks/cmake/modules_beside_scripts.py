@@ -64,9 +64,13 @@ def modules_left_behind(packages: PythonPackages) -> Iterator[LeftModule]:
 
 
 def by_path(packages: PythonPackages, script: str) -> str:
-    """Return what is said of a script that people give to Python where its neighbours lie; "" for others."""
-    cmake, name = packages.package.cmake, packages.package.facts.name
-    return ALONE if is_started_by_path_alone(cmake.package_files, name, script, IN_SOURCE) else ""
+    """Return why a script finds its neighbours: people give it to Python where they lie, or PYTHONPATH has them."""
+    from ..told_python_paths import ON_PATH, has_on_python_path  # what findings alone need
+
+    files, name = packages.package.cmake.package_files, packages.package.facts.name
+    if is_started_by_path_alone(files, name, script, IN_SOURCE):
+        return ALONE
+    return ON_PATH if has_on_python_path(files, posixpath.dirname(script)) else ""
 
 
 def source_of(packages: PythonPackages, row: InstalledFile, each: Import) -> str:

@@ -95,8 +95,14 @@ class PythonPackages:
                     and file is not None
                 ):
                     is_started = row.what == "executable" or role_of(row.source) == "launch"
-                    why = self.unmet.why(file, each, row)
+                    why = self.unmet.why(file, each, row) or self.why_found(name)
                     yield UninstalledPythonPackage(name, row.source, each.span, each.module, is_started, why)
+
+    def why_found(self, name: str) -> str:
+        """Return why Python finds a Python package where its source lies; "" where no text says so."""
+        from ..found_in_source import why_found  # what findings alone need
+
+        return why_found(self.package.cmake.package_files, posixpath.dirname(self.folders[name]))
 
     def is_beside(self, row: InstalledFile, name: str) -> bool:
         """Return whether a Python package is installed next to a file; or with it, next to a script that imports it."""

@@ -82,8 +82,8 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
     Where install rules can't be evaluated, where the import is guarded by `try`, where the script changes `sys.path`,
     where an environment hook of the package may set PYTHONPATH, and where the folder is installed next to the script.
     It is an info in a function that nothing leads to, in a script that ends at `import rospy` before, in one among
-    the data that nothing starts or names, and in one that pages and scripts give to Python by its path alone, where its
-    neighbours are found.
+    the data that nothing starts or names, in one that pages and scripts give to Python by its path alone, and where one
+    puts the source on PYTHONPATH or has pip link to it.
     """
     cmake = packages.package.cmake
     ends = [call for call in cmake.calls if call.name.endswith(("ament_package", "ament_auto_package"))]

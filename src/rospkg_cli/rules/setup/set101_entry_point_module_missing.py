@@ -12,6 +12,7 @@ from ...package.setup.entry_points import EntryPoint
 from ...rule import rule
 
 MODULE = "def main():\n    print('hello')\n"
+MADE = "; a page or a script here fetches or writes it"
 PLUGIN = "entry_points={'ros2cli.verb': ['show = «my_pkg.shwo»:ShowVerb']},"
 
 
@@ -20,7 +21,10 @@ PLUGIN = "entry_points={'ros2cli.verb': ['show = «my_pkg.shwo»:ShowVerb']},"
     "entry-point-module-missing",
     over=StartedEntryPoints,
     severity=Severity.ERROR,
-    levels={Severity.WARNING: "nothing here starts the program, beside others of the package that are started"},
+    levels={
+        Severity.WARNING: "nothing here starts the program, beside others of the package that are started",
+        Severity.INFO: "a page or a script fetches or writes the module, or a comment says that it is still to come",
+    },
     examples=(
         Example(
             bad={"setup.py": setup_py(scripts("talker = «my_pkg.taker»:main")), "my_pkg/talker.py": MODULE},
@@ -46,11 +50,12 @@ def entry_point_module_missing(started: StartedEntryPoints) -> Iterator[Hit]:
     The build does not look: it is green, and `ros2 run` raises ModuleNotFoundError.
 
     ## When it is quiet
-    Where setup.py may write files or generates the module, for compiled modules, templates and links, for modules
-    of other packages, where a .gitignore names the file, and below a submodule that is not checked out. It is a warning
+    Where setup.py may write files or generates the module, for compiled modules, templates and links, for modules of
+    other packages, where a .gitignore names the file, and below a submodule that is not checked out. It is a warning
     where nothing in the workspace starts or names the program, while another one of the package is started, by a launch
     file, a page, a script, a workflow or code with `ros2 run`. The word alone does not name it where another package or
-    a program of one is called so, nor behind a slash, where it is a topic or a folder. It is an info in a folder of a
+    a program of one is called so, nor behind a slash, where it is a topic or a folder. It is an info where a page or a
+    script fetches or writes the module by its name, where a comment says that it is not there yet, and in a folder of a
     course whose page has people copy its files into a package of `ros2 pkg create`.
     """
     package = started.package
@@ -60,8 +65,17 @@ def entry_point_module_missing(started: StartedEntryPoints) -> Iterator[Hit]:
         meant = package.suggestion(entry.module)
         hint = f"; did you mean `{meant}`?" if meant else ""
         left = started.left(entry)
-        message = f"there is no module `{entry.module}`: {consequence(package, entry)}{hint}{left}"
-        yield Hit(entry.path, entry.module_span, message, Severity.WARNING if left else None)
+        made = not meant and is_made(package, entry)
+        message = f"there is no module `{entry.module}`: {consequence(package, entry)}{hint}{MADE if made else left}"
+        level = Severity.INFO if made else Severity.WARNING if left else None
+        yield Hit(entry.path, entry.module_span, message, level)
+
+
+def is_made(package: PythonPackage, entry: EntryPoint) -> bool:
+    """Return whether a command of a page or a script fetches or writes the file of a module, by its name."""
+    from ...checks.pages_and_scripts import FetchedFiles  # what findings alone need
+
+    return FetchedFiles(package.files).has_by_command(f"{entry.module.replace('.', '/')}.py")
 
 
 def consequence(package: PythonPackage, entry: EntryPoint) -> str:
