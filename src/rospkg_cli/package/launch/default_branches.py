@@ -9,6 +9,7 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import functions_of, last_name, nodes_below, nodes_of
 from ...ros.distros import DISTROS
 from ...source import Span
+from .default_helpers import Helpers, helpers_in, value_of_call
 from .default_texts import FALSE, TRUE, Defaults
 from .exception_guards import blocks_of, leaves
 from .plain_values import NotKnownError, plain_value
@@ -21,12 +22,12 @@ Bound = Mapping[str, ast.expr]
 
 def untaken_branches(file: PythonFile, arguments: Mapping[str, str]) -> Iterator[tuple[Span, str]]:
     """Yield the parts of functions and of the module, each with the argument that leads there: `sim:=true`."""
-    outer = bound_once(file.tree)
+    outer, helpers = bound_once(file.tree), helpers_in(file)
     for part in (file.tree, *functions_of(file.tree)):
         names = {**outer, **bound_once(part)}
         for node in [part, *nodes_below(part)]:
             for block in blocks_of(node):
-                yield from untaken_in(block, file, Values(names, arguments))
+                yield from untaken_in(block, file, Values(names, arguments, helpers))
 
 
 def untaken_in(block: list[ast.stmt], file: PythonFile, values: Values) -> Iterator[tuple[Span, str]]:
@@ -62,8 +63,8 @@ def bound_once(part: ast.AST) -> dict[str, ast.expr]:
 class Values:
     """What expressions of Python are with the defaults of the arguments and a bare environment."""
 
-    def __init__(self, names: Bound, arguments: Mapping[str, str]) -> None:
-        self.names = names
+    def __init__(self, names: Bound, arguments: Mapping[str, str], helpers: Helpers) -> None:
+        self.names, self.helpers = names, helpers
         self.defaults = Defaults(arguments)
         self.steps = 0
 
@@ -112,6 +113,8 @@ class Values:
             case ast.Attribute(value=ast.Name(id="sys"), attr="argv"):
                 self.defaults.asked.setdefault("", "")
                 return []
+            case ast.Call():
+                return value_of_call(node, self.helpers, self.known)
         raise NotKnownError
 
     def meant(self, node: ast.expr) -> ast.expr:

@@ -9,6 +9,7 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import functions_of, nodes_below, nodes_of_kind
 from ...source import Span
 from .default_branches import Values, bound_once, span_of
+from .default_helpers import helpers_in
 from .default_texts import Defaults
 from .plain_values import NotKnownError, plain_value
 
@@ -18,9 +19,9 @@ Choice = tuple[Span, str, bool]
 
 def untaken_choices(file: PythonFile, arguments: Mapping[str, str]) -> Iterator[Choice]:
     """Yield the parts that are not chosen; all of a table is made by Python, and one entry is used."""
-    outer = bound_once(file.tree)
+    outer, helpers = bound_once(file.tree), helpers_in(file)
     for part in (file.tree, *functions_of(file.tree)):
-        values = Values({**outer, **bound_once(part)}, arguments)
+        values = Values({**outer, **bound_once(part)}, arguments, helpers)
         for node in nodes_below(part):
             match node:
                 case ast.Match(subject=subject, cases=cases):

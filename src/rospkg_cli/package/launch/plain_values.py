@@ -9,7 +9,7 @@ from typing import Any
 
 from ...languages.python.nodes import COMPARISONS
 
-TEXT_METHODS = frozenset({"lower", "upper", "strip", "casefold", "startswith", "endswith"})
+TEXT_METHODS = frozenset({"lower", "upper", "strip", "casefold", "startswith", "endswith", "capitalize", "title"})
 FUNCTIONS: dict[str, Callable[[Any], object]] = {"str": str, "bool": bool, "len": len}
 SIGNS: dict[type[ast.cmpop], Callable[[Any, Any], bool]] = {
     **COMPARISONS, ast.Is: operator.eq, ast.IsNot: operator.ne,
