@@ -105,3 +105,20 @@ def test_comments_of_cmake(comment: str, expected: str) -> None:
     lines = f"{comment}\n{NODE}"
     assert levels("DEP105", lines, "#include <modbus/modbus.h>") == [expected]
     assert levels("DEP115", f"{lines}{LINKS}") == [expected]
+
+
+@pytest.mark.parametrize(
+    ("page", "expected"),
+    [
+        ("sudo dpkg -i libmodbus_3.1_amd64.deb\n", "info"),
+        ("wget https://acme.org/libmodbus5-3.1.deb\n", "info"),
+        ("sudo apt install ./libmodbus-dev_3.1_arm64.deb\n", "info"),
+        ("sudo dpkg -i arm_3.1_amd64.deb\n", "warning"),
+        ("Install [libmodbus](https://github.com/stephane/libmodbus) first.\n", "info"),
+        ("Install [libmodbus](https://github.com/stephane/libmodbus) by apt.\n", "warning"),
+        ("It speaks to [libmodbus](https://github.com/stephane/libmodbus).\n", "warning"),
+        ("Install [the arm](https://github.com/acme/arm) first.\n", "warning"),
+    ],
+)
+def test_pages(page: str, expected: str) -> None:
+    assert levels("DEP115", f"{NODE}{LINKS}", **{"README.md": page}) == [expected]

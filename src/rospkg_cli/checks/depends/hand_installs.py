@@ -19,6 +19,15 @@ SOURCE = regex(r"\b(?:build|compile|install)\w*\b((?:[^.\n]|\.(?!\s)){0,80}?)\bf
 COPIES = regex(r"(?i)\b(?:cp|mv|copy|move|put)\b([^\n]{0,300}?)(?:/usr/(?:local/)?include|\b(?:site|dist)-packages)")
 FETCHES = regex(r"\bgit\+[^\s\"']{0,200}?/([\w.-]+?)(?:\.git)?/?(?=[@#\s\"'`)]|$)", re.MULTILINE)
 WHEEL_FILES = regex(r"\bpip3?\s+install\b[^\n]{0,300}?\b([A-Za-z]\w*)(?:[-.][\w.+-]{0,80})?\.(?:whl|tar\.gz|zip)\b")
+DEBS = regex(
+    r"\b(?:dpkg|gdebi|apt(?:-get)?|wget|curl)\b[^\n]{0,300}?(?<![\w.+-])([A-Za-z][\w.+-]*?)(?:_[^\s/]*)?\.deb\b"
+)
+"""A package for apt that comes as a file: `dpkg -i libmodbus_3.1_amd64.deb`."""
+LINKED = regex(
+    r"(?i)\b(?:install|build|compile)\b(?![^\n]{0,160}\b(?:rosdep|apt)\b)[^\n]{0,160}?\]\(https?://git(?:hub|lab)\.com"
+    r"/[\w.-]{1,100}/([\w.-]{1,100}?)(?:\.git)?(?=[/)#?])"
+)
+"""What a page has people install, and where it links to: `Install the [SDK](https://github.com/acme/libacme)`."""
 ROBOTPKG = regex(r"\brobotpkg-(?:py\d+-)?([a-z][\w-]*)")
 """What the packages for apt of LAAS, whom Pinocchio comes from, are called."""
 RELEASES = regex(r"\bgithub\.com/[\w.-]{1,100}/([\w.-]{1,100})/(?:releases|archive)\b")
@@ -65,10 +74,10 @@ class HandInstalls:
         for _, text in (*installing_texts(self.files), *texts_called(self.files, is_job)):
             found.update(
                 name
-                for each in (CLONES, FETCHES, RELEASES, ROBOTPKG, WHEEL_FILES, ARCHIVES)
+                for each in (CLONES, FETCHES, RELEASES, ROBOTPKG, LINKED, WHEEL_FILES, ARCHIVES)
                 for name in each.findall(text)
             )
-            found.update(RELEASE.sub("", name) for name in MAKES.findall(text))
+            found.update(RELEASE.sub("", name) for each in (MAKES, DEBS) for name in each.findall(text))
             found.update(RELEASE.sub("", name) for names in MADE_THERE.findall(text) for name in names if name)
             told = (part for each in (CONDA, WHEELS, SOURCE, COPIES, FOLDERS, SETUPS) for part in each.findall(text))
             found.update(word for part in told for word in WORD.findall(part))
