@@ -32,10 +32,6 @@ def nothing_is_seldom(_: Hit) -> str:
     return ""
 
 
-def nothing_is_unmet(_: str, __: Severity, ___: Hit) -> str:
-    return ""
-
-
 @dataclass
 class FindingBuilder:
     """For the hits of one package. `whole` holds the files of the whole run, for paths that begin with `/`."""

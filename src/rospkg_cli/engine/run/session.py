@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence, Set
+from functools import partial
 from typing import Any, Protocol
 
 from ...files import PackageFiles
@@ -21,7 +22,8 @@ from ..suppression.comments import Suppression
 from ..suppression.suppression_index import SuppressionIndex
 from .codes_of_packages import CodesOfPackages
 from .crashes import one_each
-from .finding_builder import FindingBuilder, RootFindingBuilder, nothing_is_left, nothing_is_seldom, nothing_is_unmet
+from .finding_builder import FindingBuilder, RootFindingBuilder, nothing_is_left, nothing_is_seldom
+from .plugins_left import why_left
 from .run_rules import run_rules
 from .switched_off import switched_off
 from .worker import PackageResults, Worker
@@ -244,7 +246,8 @@ class Session:
 
     def finding_builder(self, workspace: Workspace) -> FindingBuilder:
         files = PackageFiles(self.tree)
-        return RootFindingBuilder(files, files, "", nothing_is_left, nothing_is_seldom, nothing_is_unmet, workspace)
+        unmet = partial(why_left, files)
+        return RootFindingBuilder(files, files, "", nothing_is_left, nothing_is_seldom, unmet, workspace)
 
     def no_packages(self, paths: Sequence[str], hidden: str = "", place: str = ".") -> Results:
         """Return the results of a run that found no package; `place` leads from its root to the first of the paths."""

@@ -82,12 +82,12 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     load it stops when it starts: "… with base class type … does not exist".
 
     ## When it is quiet
-    Packages whose plugins are not all known, plugins in Python, and names of components and interfaces, are left alone;
+    Packages whose plugins are not all known, plugins in Python, names of components and interfaces are left alone, and
     so are names of packages that exist or are declared but are not here, and a `plugin` in the block of a well-known
     plugin that reads no such key: DWB knows its critics by `class`. It is an info for a controller that no other file
-    names, where one beside it is named, in a parameter file or robot that nothing names, though nodes are launched, and
-    for a panel of an RViz config: RViz goes on without it. What is offered there is of the same kind: a panel, a
-    display, a tool or a view.
+    names, where one beside it is named, in a parameter file or robot that nothing names, though nodes are launched, for
+    a panel of an RViz config, which goes on without it, and where a comment says that nothing reads it, or a comment or
+    page has people write it. What is offered there is of the same kind: a panel, a display, a tool or a view.
 
     ## Fix safety
     The name is changed only with `--unsafe-fixes`: the description may be what is wrong.
