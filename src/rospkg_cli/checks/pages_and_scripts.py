@@ -23,6 +23,8 @@ MAKES = (
     rf"[^\n]*{{0}}|{BY_COMMAND}"
 )
 """What tells to make a file, or to put it there: the name of the file stands behind it."""
+MOUNTS = r"(?m)^\s*-\s*[\"']?[^\s:\"']+:[^\s:\"']*/{0}(?=[:\s\"']|$)|\b(?:target|dst)=[^\s,\"']*/{0}(?=[,\s\"']|$)"
+"""How a container is given a file in place of one of its own."""
 COPIES = r"(?m)^(?!\s*#).*\b(?:cp[ \t]+(?:-\w+[ \t]+)*-\w*[rRa]\w*|mv|ln[ \t]+-\w+)[ \t][^\n]*[/ \t]{0}/?(?=[\s`\"']|$)"
 """What copies or links a whole folder."""
 PLAIN = regex(r"(?i)mesh(?:es)?|models?|textures?|maps?|media|worlds?|weights|checkpoints|datasets?|(?:ros)?bags?")
@@ -94,7 +96,7 @@ class FetchedFiles:
         name = posixpath.basename(path)
         stem, end = posixpath.splitext(name)
         whole = rf"(?<![\w.-]){re.escape(name)}(?![\w-])"
-        patterns = [re.compile(MAKES.format(whole))]
+        patterns = [re.compile(MAKES.format(whole)), re.compile(MOUNTS.format(re.escape(name)))]
         patterns += [re.compile(MAPS.format(re.escape(stem)))] if end in MAP_FILES else []
         is_named = re.compile(whole)
         if any(is_named.search(line) for line in self.lines):

@@ -125,11 +125,16 @@ class ShareUses:
         RViz starts with its default view where its config is missing.
         """
         if self.opens(folder):
-            if self.opens_when_on(folder) and not self.may_be_opened(folder):
+            if self.is_put_there(folder) or (self.opens_when_on(folder) and not self.may_be_opened(folder)):
                 return "info"
             return None if folder == "rviz" else "error"
         needed = (folder == "launch" and not self.holds_examples(folder)) or self.may_be_opened(folder)
-        return None if needed and not self.opens_in_source(folder) else "info"
+        return None if needed and not (self.opens_in_source(folder) or self.is_put_there(folder)) else "info"
+
+    def is_put_there(self, folder: str) -> bool:
+        from .put_in_share import is_put_in_share  # what findings alone need
+
+        return is_put_in_share(self.files, self.name, folder)
 
     def holds_examples(self, folder: str) -> bool:
         return all(EXAMPLE.search(path.rpartition("/")[2]) for path in self.files.below(folder))
@@ -144,6 +149,8 @@ class ShareUses:
 
     def consequence(self, folder: str) -> str:
         """Return what happens where a folder is not installed, for a message."""
+        if self.is_put_there(folder):
+            return "only a script or a page puts it into the share directory, and the build does not"
         if folder == "launch" and not self.opens_in_source(folder):
             return f"`ros2 launch {self.name} …` does not find it"
         if self.level(folder) != "info":
