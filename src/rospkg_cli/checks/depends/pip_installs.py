@@ -27,8 +27,23 @@ PROJECTS = regex(r"(?:.*/)?(?:[^/]*(?:environment|conda)[^/]*\.ya?ml|Pipfile|pix
 """What conda, pipenv, pixi, poetry and uv install."""
 TYPED = regex(r"(?:.*/)?(?:README[^/]*|[^/]*\.(?:md|rst|sh|bash)|[Mm]akefile|justfile)")
 """Files with commands: some run them, and people type those of the others."""
-JOBS = regex(r"(?:.*/)?(?:\.github/workflows/[^/]+|\.gitlab-ci)\.ya?ml")
-BESIDE = ("", ".github/workflows", "conda", "doc", "docker", "docs", "env", "envs", "requirements", "scripts")
+JOBS = regex(
+    r"(?:.*/)?(?:(?:\.github/workflows/[^/]+|\.gitlab-ci|[^/]*azure-pipelines[^/]*|\.circleci/config|\.travis"
+    r"|[Tt]askfile)\.ya?ml|Jenkinsfile|Vagrantfile|Earthfile)"
+)
+BESIDE = (
+    "",
+    ".circleci",
+    ".github/workflows",
+    "conda",
+    "doc",
+    "docker",
+    "docs",
+    "env",
+    "envs",
+    "requirements",
+    "scripts",
+)
 """The folders, in one above a package, whose files say what is to be installed."""
 LISTED = regex(r"^[ \t]*([A-Za-z][\w.-]*)", re.MULTILINE)
 NEEDED = regex(

@@ -18,7 +18,9 @@ from .hand_installs import plain
 
 READ = regex(
     r"(?i)(?:^|/)(?:[^/]*(?:dockerfile|containerfile)[^/]*|[^/]*compose[^/]*\.ya?ml|devcontainer\.json|makefile|justfile"
-    r"|\.github/workflows/[^/]+\.ya?ml|\.gitlab-ci\.yml|snapcraft\.ya?ml|[^/]*\.(?:sh|bash)"
+    r"|\.github/(?:workflows|actions)/.+\.ya?ml|\.gitlab-ci\.yml|snapcraft\.ya?ml|[^/]*\.(?:sh|bash)"
+    r"|[^/]*azure-pipelines[^/]*\.ya?ml|\.circleci/config\.ya?ml|\.travis\.ya?ml|jenkinsfile|vagrantfile|earthfile"
+    r"|taskfile\.ya?ml|user-data(?:\.ya?ml)?|debian/control"
     r"|(?:[^/]*[-_.])?(?:set-?up|install|bootstrap)(?:[-_.][^/.]*)?(?:\.py)?|(?:ansible|playbooks|roles)/.*\.ya?ml)$"
 )
 """What containers, jobs and scripts are made by; a setup.py of Python is none."""
