@@ -10,6 +10,7 @@ from ...languages.cmake.targets import Target
 from ...languages.cmake.values import UNKNOWN, Word
 from ...languages.cpp.file import CppFile
 from ...light_dataclasses import dataclass
+from ...package.cmake.cmake_project import CMake
 from ...package.cmake.set_variables import WHOLE_REFERENCE, SetVariables
 from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...ros.aliases import keys_for_cmake
@@ -50,6 +51,8 @@ class UnlinkedInclude:
     is_found: bool = True
     behind: Ros1Use | None = None
     """What of ROS 1 ends the build of the target."""
+    is_on_demand: bool = False
+    """Whether a plain build leaves the target out: EXCLUDE_FROM_ALL, and nothing else needs it."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +72,10 @@ class UnlinkedIncludes:
             return  # CMake stops there, and a misspelt command may be the one that links
         seen: set[str] = set()
         stopping = self.includes.ros1.stopping
-        for target in sorted(cmake.targets, key=lambda each: (each.call.testing, stopping(each.name) is not None)):
+        for target in sorted(
+            cmake.targets,
+            key=lambda each: (each.call.testing, stopping(each.name) is not None or is_on_demand(cmake, each)),
+        ):
             if target.call.name in PLAIN | OF_TESTS and target.is_built and not target.call.maybe:
                 for each in self.of(target):
                     if each.package not in seen:
@@ -94,9 +100,9 @@ class UnlinkedIncludes:
                     keeper = there.bringer_of(name, BEFORE_JAZZY)
                 if name in known or keeper:
                     has_own = self.has_own_folder(name)
-                    use = self.includes.ros1.stopping(target.name)
+                    use, is_late = self.includes.ros1.stopping(target.name), is_on_demand(self.includes.cmake, target)
                     yield UnlinkedInclude(
-                        target, name, header, file, span, has_own, bringer, keeper, name in known, use
+                        target, name, header, file, span, has_own, bringer, keeper, name in known, use, is_late
                     )
 
     @cached_property
@@ -212,3 +218,11 @@ class UnlinkedIncludes:
         facts = self.includes.declared.workspace.named(package)
         is_named_so = package.endswith(("_msgs", "_srvs", "_interfaces")) and not package.startswith("tf2_")
         return bool(facts.interfaces) if facts is not None else is_named_so
+
+
+def is_on_demand(cmake: CMake, target: Target) -> bool:
+    """Return whether a plain build leaves a target out, as it says so and nothing that is built needs it."""
+    if "EXCLUDE_FROM_ALL" not in target.call.texts:
+        return False
+    users = cmake.named("target_link_libraries", "add_dependencies", "install")
+    return not any(target.name in call.texts[1:] for call in users)

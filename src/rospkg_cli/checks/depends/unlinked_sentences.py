@@ -5,6 +5,8 @@ from __future__ import annotations
 from ..older_distribution import OlderDistribution
 from .unlinked_includes import UnlinkedInclude
 
+ON_DEMAND = "; it is built on demand alone"
+
 
 def lacking(each: UnlinkedInclude, distribution: OlderDistribution) -> str:
     ends = 'the build ends with "No such file or directory"'
@@ -16,7 +18,7 @@ def lacking(each: UnlinkedInclude, distribution: OlderDistribution) -> str:
         ends = "it builds only where the headers lie in a folder that others share"
     start = f"`{each.header}` is included here, and `{each.target.name}` is not linked with `{each.package}`"
     find = "" if each.is_found else "find it, and "
-    end = "" if each.behind is None else each.behind.sentence
+    end = ON_DEMAND if each.is_on_demand else "" if each.behind is None else each.behind.sentence
     return f"{start}: {ends}; {find}add it to `target_link_libraries({each.target.name} …)`{end}"
 
 
@@ -24,4 +26,4 @@ def is_met(each: UnlinkedInclude, distribution: OlderDistribution) -> bool:
     """Return whether a build stops for it: in a distribution that is meant, and before any source of ROS 1."""
     is_shared = distribution.is_before_humble and each.is_own_folder
     is_later = is_shared or (bool(each.keeper) and not distribution.reaches_jazzy)
-    return (each.is_own_folder or bool(each.keeper)) and not is_later and each.behind is None
+    return (each.is_own_folder or bool(each.keeper)) and not is_later and each.behind is None and not each.is_on_demand

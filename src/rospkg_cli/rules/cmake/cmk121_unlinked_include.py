@@ -64,19 +64,18 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     at the latest the linker misses the symbols.
 
     ## When it is quiet
-    The package's own interfaces bring what `rosidl_generate_interfaces()` is given as DEPENDENCIES.
-    What a target is linked with brings what it passes on itself, as far as package.xml tells, and the CMake of a
-    package of the workspace (what it is linked with as PRIVATE stays there), and so do the folders of
-    a package (`${tf2_INCLUDE_DIRS}`); where one link or folder is not known, nothing is said of the target, and where
-    that is not known of one package, or it brings it on some distributions alone, all that it may bring is one info.
-    What rclcpp is linked with for itself alone from Jazzy on, as it is with ament_index_cpp, it does not bring; where
-    the run checks for Humble alone, or nothing of the repository names Jazzy or a later distribution (but to say that
-    it does not work there), that is an info,
-    and all is where pages, scripts and workflows name distributions before Humble alone.
-    A target with a source that includes headers of ROS 1 (`ros/ros.h`, `std_msgs/String.h`) or calls
-    `ros::NodeHandle` and the like stops there: an info. A header that no package of interfaces has, as rosidl makes
-    `std_msgs/msg/string.hpp` alone, is not a matter of linking.
-    Targets of `ament_auto_add_…()`, includes under `#if`, and calls under a condition are left alone.
+    The package's own interfaces bring what `rosidl_generate_interfaces()` is given as DEPENDENCIES. What a target is
+    linked with brings what it passes on itself, as far as package.xml tells, and the CMake of a package of the
+    workspace (what it is linked with as PRIVATE stays there), and so do the folders of a package
+    (`${tf2_INCLUDE_DIRS}`); where one link or folder is not known, nothing is said of the target, and where that is not
+    known of one package, or it brings it on some distributions alone, all that it may bring is one info. What rclcpp is
+    linked with for itself alone from Jazzy on, as it is with ament_index_cpp, it does not bring; where the run checks
+    for Humble alone, or nothing of the repository names Jazzy or a later distribution (but to say that it does not work
+    there), that is an info, and all is where pages, scripts and workflows name distributions before Humble alone. A
+    target with a source that includes headers of ROS 1 (`ros/ros.h`, `std_msgs/String.h`) or calls `ros::NodeHandle`
+    and the like stops there: an info, as is one that a plain build leaves out (EXCLUDE_FROM_ALL). A header that no
+    package of interfaces has, as rosidl makes `std_msgs/msg/string.hpp` alone, is not a matter of linking. Targets of
+    `ament_auto_add_…()`, includes under `#if`, and calls under a condition are left alone.
 
     ## References
     - [ament_cmake user documentation](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Documentation.html)
