@@ -26,6 +26,16 @@ class UnimportedModules:
         module = self.installed.names.get(path, "")
         return bool(module) and self.reached.is_library and self.is_used and module not in self.imported
 
+    def is_beside_imported(self, path: str) -> bool:
+        """Return whether nothing here imports or names a module of a package without programs, and others are imported.
+
+        It is asked of modules at which Python stops: nobody elsewhere imports those either.
+        """
+        module, sources = self.installed.names.get(path, ""), self.installed.sources
+        if not module or not self.reached.is_library or module in self.imported or any(self.reached.naming(path)):
+            return False
+        return any(not sources[each].endswith("__init__.py") for each in self.imported if each in sources)
+
     @cached_property
     def is_used(self) -> bool:
         return not self.installed.sources.keys().isdisjoint(self.taken)

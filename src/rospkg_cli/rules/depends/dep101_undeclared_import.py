@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from ...checks.depends.hand_installs import BY_PAGE
 from ...checks.depends.name_source import is_unmet_at_run
-from ...checks.depends.undeclared_imports import ImportDependencies, ImportUse, UndeclaredImport
+from ...checks.depends.undeclared_imports import ImportDependencies, UndeclaredImport
+from ...edits.ros1_hits import ros1_leftovers, unneeded
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
-from ...finding import Hit, Related, Safety, Severity
+from ...finding import Hit, Safety, Severity
 from ...rule import rule
 
 RUN = "the import raises ModuleNotFoundError"
@@ -20,8 +21,6 @@ BUILD = "`colcon build` stops with ModuleNotFoundError"
 RCLPY = "  <exec_depend>rclpy</exec_depend>\n"
 BAD = "import rclpy\nfrom «trajectory_msgs.msg» import JointTrajectory\n"
 ONLY_LAUNCH = "only launch files need it, and `ros2 launch` brings it"
-LEFT = "; nothing starts or imports this module"
-OPTIONAL = "; this module is imported only where that may fail"
 
 
 @rule(
@@ -63,23 +62,25 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     declares: that is an info where nothing shows a release.
 
     ## When it is quiet
-    Of a file that imports `rospy` only that is said, for nothing behind it runs, and of several such files once; what
-    stands behind `tf` or the like is an info, and what the file says to pip install. What a declared dependency
-    certainly installs, be it for tests or the build, can't be missing where `rosdep install` ran, nor can what rosdep
-    itself needs (PyYAML, rospkg): that is one info, which names who brings it. What may come with a declared one is
-    another: anything may, with a package that is neither here nor in the tables. A module that no entry point or other
-    file names, beside others that start, is an info, be it that a script imports it whose install rule stands in a
-    comment; as is a script that nothing starts or names beside programs that are started, unless the build names it,
-    what lies in a folder of tools (`benchmarks/`) and is no part of a program, and one that others import under `try` …
-    `except ImportError` alone; so is an import under a condition (`if self.plot:`), in a function that no program leads
-    to, behind `rclpy.spin`, or under the `__main__` of an entry point's module, what `ros2 launch` brings, where only
-    launch files import the module, and a library that a list for pip or conda (requirements.txt, pyproject.toml, a lock
-    file, …), a Dockerfile, a script, a job or a page of the repository has pip install, alone, with one that requires
-    it (torch with `ultralytics`) or by `install_requires` of a package that it has pip install, be it of ROS as well
-    (`pin`), that comes with another import which only PyPI has, or that a page, or a comment of package.xml, tells to
-    install by hand or by pip, or calls optional, a framework for graphic cards (torch), a package that nobody knows and
-    whose repository a page links to or fetches, or what Blender, Isaac Sim, Webots or a microcontroller runs. So is a
-    library in programs that all import what these bring, or where a page that builds or starts the package enters an
+    Of a file that imports `rospy` only that is said, for nothing behind it runs, and of several such files once; it is
+    an info where a page, script or container that has ROS 1 (`/opt/ros/noetic`, `ros:noetic`, `roscore`) runs the file
+    by its path, or nothing imports this module of a package without programs, but others of it. What stands behind `tf`
+    or the like is an info, and what the file says to pip install. What a declared dependency certainly installs, be it
+    for tests or the build, can't be missing where `rosdep install` ran, nor can what rosdep itself needs (PyYAML,
+    rospkg): that is one info, which names who brings it. What may come with a declared one is another: anything may,
+    with a package that is neither here nor in the tables. A module that no entry point or other file names, beside
+    others that start, is an info, be it that a script imports it whose install rule stands in a comment; as is a script
+    that nothing starts or names beside programs that are started, unless the build names it, what lies in a folder of
+    tools (`benchmarks/`) and is no part of a program, and one that others import under `try` … `except ImportError`
+    alone; so is an import under a condition (`if self.plot:`), in a function that no program leads to, behind
+    `rclpy.spin`, or under the `__main__` of an entry point's module, what `ros2 launch` brings, where only launch files
+    import the module, and a library that a list for pip or conda (requirements.txt, pyproject.toml, a lock file, …), a
+    Dockerfile, a script, a job or a page of the repository has pip install, alone, with one that requires it (torch
+    with `ultralytics`) or by `install_requires` of a package that it has pip install, be it of ROS as well (`pin`),
+    that comes with another import which only PyPI has, or that a page, or a comment of package.xml, tells to install by
+    hand or by pip, or calls optional, a framework for graphic cards (torch), a package that nobody knows and whose
+    repository a page links to or fetches, or what Blender, Isaac Sim, Webots or a microcontroller runs. So is a library
+    in programs that all import what these bring, or where a page that builds or starts the package enters an
     environment (`conda activate`, `uv run`, `python3 -m venv` without `--system-site-packages`): that Python sees no
     library of rosdep, or where containers build on an image that is not of ROS or Ubuntu. Left out are optional
     imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the
@@ -103,24 +104,7 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
             else:
                 yield undeclared(imports, missing, kind, ends)
     yield from left_to_others(imports.declared, brought, "imported")
-    if leftovers := list(imports.ros1_leftovers()):
-        yield ros1_leftover(imports, leftovers)
-
-
-def ros1_leftover(imports: ImportDependencies, places: list[ImportUse]) -> Hit:
-    first, *others = places
-    files, ends = (f"this file and {len(others)} more", "end") if others else ("this file", "ends")
-    them, what = "them" if others else "it", f"`{first.module}` is a module of ROS 1"
-    todo = f"port {them} to rclpy, or do not install {them}"
-    message = f"{what}: {files} {ends} with ModuleNotFoundError before anything else; {todo}"
-    also = tuple(Related(each.path, each.span, "and here") for each in others)
-    end = unneeded(imports, places) or imports.why_unstarted(places)
-    return Hit(first.path, first.span, f"{message}{end}", Severity.INFO if end else None, also)
-
-
-def unneeded(imports: ImportDependencies, places: Iterable[ImportUse]) -> str:
-    """Return what is said of modules that nobody needs; "" for others."""
-    return LEFT if imports.is_left(places) else OPTIONAL if imports.are_optional(places) else ""
+    yield from ros1_leftovers(imports)
 
 
 def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str, ends: str) -> Hit:
