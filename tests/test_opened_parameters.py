@@ -128,6 +128,13 @@ MANAGED = """\
         ("spawn(['wheels', 'claw'])\n", ["warning", "warning"]),
         ("spawn(['wheels'])\n", ["warning", "info"]),
         ("spawn(spawners())\n", ["warning", "warning"]),
+        ("moveit['claw']['default'] = False\nspawn(['wheels'])\n", ["warning", "info"]),
+        ("print(known()[\"claw\"], all[0]['claw'])\nspawn(['wheels'])\n", ["warning", "info"]),
+        ("if used['claw'] == 1:\n    pass\nspawn(['wheels'])\n", ["warning", "info"]),
+        ("used['claw'] = 1\nspawn(['wheels', *used])\n", ["warning", "warning"]),
+        ("spawn(['wheels'] + ['claw'])\n", ["warning", "warning"]),
+        ("moveit['claw']['default'] = False\nspawn(['claw', 'wheels'])\n", ["warning", "warning"]),
+        ("get('a', default='claw')\nspawn(['wheels'])\n", ["warning", "warning"]),
     ],
 )
 def test_a_controller_that_is_not_spawned_beside_others_that_are(launch: str, found: list[str]) -> None:

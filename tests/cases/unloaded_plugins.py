@@ -55,7 +55,13 @@ CASES = {
         spawned(SPAWNS.format("robot.yaml", ONE), values=CONTROLLERS.replace("controller_manager", "manager")),
         *(
             spawned(JOINED.format(text), "launch/a.launch.py")
-            for text in ("f'{config}_arm_controller'", "'left_' + other", "config + '_controller'", "'a'")
+            for text in (
+                "f'{config}_arm_controller'",
+                "'left_' + other",
+                "config + '_controller'",
+                "'a'",
+                "known['left_arm_controller']['default']",
+            )
         ),
         *(spawned(SPAWNS.format(name, BOTH)) for name in ("robot.yaml", "other.yaml")),
         spawned(SPAWNS.format("other.yaml", BOTH), name="ros2_controllers"),

@@ -13,6 +13,7 @@ from ...package.launch.live_text import live_text, without_unread
 from ...package.launch.text import uncommented
 from ...package.package_facts import PackageFacts
 from ...package.params.named_yaml import ANY, puts_together
+from ...package.plugins.unspawned_controllers import not_looked_up
 from ...package.urdf.robot_file import RobotFile
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
@@ -68,8 +69,8 @@ class OpenedParameters:
         return name in ("", self.package.name) or not is_known
 
     def is_spawned(self, controller: str) -> bool:
-        """Return whether a launch file of the package names a controller, other than in a path or a topic."""
-        word = re.compile(rf"(?<![\w/.-]){re.escape(controller)}(?![\w/.-])")
+        """Return whether a launch file of the package names a controller, but in a path, a topic or a look-up."""
+        word = re.compile(rf"(?<![\w/.-]){not_looked_up(controller)}(?![\w/.-])")
         return any(map(word.search, self.launches))
 
     @cached_property

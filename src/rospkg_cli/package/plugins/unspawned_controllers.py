@@ -82,4 +82,13 @@ def may_name(name: str, text: str) -> bool:
 
 
 def word(name: str) -> re.Pattern[str]:
-    return re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
+    return re.compile(rf"(?<![\w-]){not_looked_up(name)}(?![\w-])")
+
+
+def not_looked_up(name: str) -> str:
+    """Return the pattern of a name but where code looks it up in a value that has it (`loaded["arm"]["default"]`).
+
+    What sets it there (`controllers["arm"] = …`) may be what hands it to a spawner.
+    """
+    escaped = re.escape(name)
+    return rf"(?:(?<![\w)\]]\[[\"'])|(?={escaped}[\"']\]\s*=[^=])){escaped}"
