@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...files import PackageFiles
 from ...languages.xml.parser import Document
 from ...lazy_regex import regex
 from ...package.urdf.references import text_spans
 from ...source import Span
+from ..container_folders import is_of_containers
+from ..fault import Level
 
 HOME = regex(
     r"\s*(?:file://)?(?:/home/[^/${}<>\s]+/|/root/|/Users/[^/${}<>\s]+/|[A-Za-z]:[\\/]Users[\\/])[^\s${}<>]+\s*"
@@ -22,6 +25,11 @@ LIBRARIES = "which Gazebo looks for in the folders of GZ_SIM_SYSTEM_PLUGIN_PATH 
 FUEL = regex(r"/fuel/(?P<server>[\w-]+(?:\.[\w-]+)+)/(?P<owner>[^/]+)/models/(?P<model>[^/]+)")
 """Where Gazebo keeps the models that it has fetched."""
 INSTALLED = regex(r"/install/(?:[^/]+/)?share/(?P<package>[^/]+)/(?P<path>.+)")
+
+ON_ONE, IN_CONTAINERS = "on one machine", "in containers and homes of this name alone"
+Place = tuple[Span, str]
+Told = tuple[str, str, Level | None]
+"""The message, what to do, and the level."""
 
 
 def personal_paths(document: Document) -> Iterator[tuple[Span, str]]:
@@ -61,11 +69,19 @@ def for_gazebo(path: str) -> str:
     return f"write `model://{model['model'] if model else '<model>/<path>'}`, {RESOURCES}"
 
 
-def of_one_machine(found: list[tuple[Span, str]], document: Document) -> tuple[str, str]:
+def told_apart(found: list[Place], document: Document, files: PackageFiles) -> Iterator[tuple[list[Place], Told]]:
+    """Yield such paths with what is said of them, those apart that the containers of the repository have."""
+    kept = [each for each in found if is_of_containers(files, each[1])]
+    for places, where in (([each for each in found if each not in kept], ON_ONE), (kept, IN_CONTAINERS)):
+        if places:
+            yield places, (*of_some_machines(places, document, where), "info" if where == IN_CONTAINERS else None)
+
+
+def of_some_machines(found: list[Place], document: Document, where: str) -> tuple[str, str]:
     """Return what is said of such paths, and what to do: as xacro includes files, and as meshes are named."""
     more = f" and {len(found) - 1} more" if found[1:] else ""
     verb, them = ("are", "they are") if more else ("is", "it is")
-    told = f"`{found[0][1]}`{more} {verb} on one machine: elsewhere {them} missing"
+    told = f"`{found[0][1]}`{more} {verb} {where}: elsewhere {them} missing"
     if document.source.path.endswith(WORLDS):
         return told, for_gazebo(found[0][1])
     included, ways = included_spans(document), dict[bool, str]()

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.fault import Fault, Level, softer
+from ...checks.fault import Fault, softer
 from ...checks.urdf.bare_meshes import bare_meshes, without_scheme
 from ...checks.urdf.missing_files import RobotInWorkspace
 from ...checks.urdf.missing_level import missing_fault
 from ...checks.urdf.missing_resource import MissingResource, advice, also
-from ...checks.urdf.personal_paths import of_one_machine, personal_paths
+from ...checks.urdf.personal_paths import Place, Told, personal_paths, told_apart
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
 from ...rule import rule
-from ...source import Span
 
 GOOD = """\
 <robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="robot">
@@ -51,7 +50,7 @@ FILES = {
         Severity.WARNING: "a mesh is missing, a condition is around it, it is for Gazebo alone, or code or a command "
         "of a page, and no launch file, opens the robot",
         Severity.INFO: "nothing is shown to open the robot, or Gazebo, calls the macro or reads the property or "
-        "default that it is in, each launch file replaces the default or a part of the path, or people bring the file",
+        "default that it is in, launch files replace the default or part of the path, or people or containers have it",
     },
     examples=(
         Example(
@@ -94,17 +93,18 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     Nothing is said of packages that are not in the workspace, of paths that a property or an argument fills in, of
     files that the build or code writes, git ignores or a submodule holds that is not checked out, and where install
     rules are not all known (a CMake macro of another package may install files). A folder that is not installed is
-    another rule's. In a condition of xacro, in a file that is only included under one which the defaults of the
-    arguments switch off, and in a `<gazebo>` or `<plugin>`, which Gazebo alone reads, it is a warning (an info where
-    nothing here starts it), and so in a robot that only code names, or a command of a page, and of an include of a
-    `.urdf` that only another package may open. It is an info in a robot that no launch file, code or command of a page
-    is shown to open by default, by its folder, or that lies in a folder such as `old/` or is not installed, and in a
-    macro that nothing calls, or a condition that is constant, or off in each robot by default or as launch files say.
-    The default of an argument is one where nothing reads it, or only what is off by default, or each launch file that
-    opens the robot gives another, or spawns it, where Gazebo alone reads it. A path without a scheme is one where no
-    launch file opens the robot, or none that does starts RViz or move_group by default, or what publishes the robot,
-    where Gazebo finds it: `$(find …)`, or a relative one where `create -file` alone opens the robot. So is a path that
-    each such launch file replaces, what a page or a script fetches or makes, and a mesh that people bring or name.
+    another rule's. In a condition of xacro, in a file that is only included under one which defaults switch off, and in
+    a `<gazebo>` or `<plugin>`, which Gazebo alone reads, it is a warning (an info where nothing here starts it), and so
+    in a robot that only code names, or a command of a page, and of an include of a `.urdf` that only another package
+    may open. It is an info in a robot that no launch file, code or command of a page is shown to open by default, by
+    its folder, or that lies in a folder such as `old/` or is not installed, and in a macro that nothing calls, or a
+    condition that is constant, or off in each robot by default or as launch files say. The default of an argument is
+    one where nothing reads it, or only what is off by default, or each launch file that opens the robot gives another,
+    or spawns it, where Gazebo alone reads it. A path without a scheme is one where no launch file opens it, or none
+    that does starts RViz or move_group by default, or what publishes the robot, where Gazebo finds it: `$(find …)`, or
+    a relative one where `create -file` alone opens the robot. So is a path that each such launch file replaces, what a
+    page or a script fetches or makes, and a mesh that people bring or name, or that lies in a home which many accounts
+    or the containers of the repository have, or where these mount a folder.
     """
     for each in scope.missing():
         same = list(scope.beside.lacking(scope.robot, each))
@@ -114,12 +114,13 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
         again += tuple(Related(path, span, f"`{each.path}` here too") for path, span in same)
         level, message = judged(scope, each)
         yield Hit(scope.robot.path, each.span, message, level, again)
-    if found := scope.beside.untold(scope.robot, list(personal_paths(scope.robot.document))):
-        yield of_several(scope, found, *of_one_machine(found, scope.robot.document))
+    named = scope.beside.untold(scope.robot, list(personal_paths(scope.robot.document)))
+    for found, told in told_apart(named, scope.robot.document, scope.files):
+        yield of_several(scope, found, told)
     bare = bare_meshes(scope.robot.document, scope.files, scope.package) if not scope.is_idle else {}
     if found := scope.beside.untold(scope.robot, list(bare)):
         is_met = scope.misses_bare(bare)
-        yield of_several(scope, found, *without_scheme(bare, is_shown=is_met), None if is_met else "info")
+        yield of_several(scope, found, (*without_scheme(bare, is_shown=is_met), None if is_met else "info"))
 
 
 def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity | None, str]:
@@ -129,12 +130,11 @@ def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity 
     return Severity(level) if level else None, best.message + advice(missing)
 
 
-def of_several(
-    scope: RobotInWorkspace, found: list[tuple[Span, str]], message: str, advice: str, level: Level | None = None
-) -> Hit:
+def of_several(scope: RobotInWorkspace, found: list[Place], told: Told) -> Hit:
     (first, _), *others = found
+    message, todo, level = told
     best = scope.weighed(Fault(first, message, "warning"))
     if "info" not in (level, best.level) and not scope.is_met:
         best = softer(best, "info", "as soon as something opens this robot")
     again = tuple(Related(scope.robot.path, span, f"`{other}` too") for span, other in others)
-    return Hit(scope.robot.path, first, f"{best.message}; {advice}", Severity(level or best.level or "warning"), again)
+    return Hit(scope.robot.path, first, f"{best.message}; {todo}", Severity(level or best.level or "warning"), again)
