@@ -41,10 +41,24 @@ class ScriptDir:
         return has_file or self.package.setup.argument("options") is not None
 
     @cached_property
+    def executables(self) -> tuple[EntryPoint, ...]:
+        """Those that are found only where setuptools puts them: `data_files` has no script of their name in lib/."""
+        return tuple(each for each in self.package.executables if each.name not in self.scripts_in_lib)
+
+    @cached_property
+    def scripts_in_lib(self) -> frozenset[str]:
+        """What `data_files` puts into lib/<package>, and who runs the package may execute."""
+        files, prefix = self.package.files, f"lib/{self.package.name}/"
+        there = (each for each in self.package.setup.data_files if each.destination.startswith(prefix))
+        run = (each for each in there if each.source is not None and files.is_executable(each.source))
+        return frozenset(each.destination.removeprefix(prefix) for each in run)
+
+    @cached_property
     def nodes(self) -> tuple[EntryPoint, ...]:
         """The executables that run a node, and those that a launch file of the workspace starts."""
-        named = (each for each in self.package.executables if self.is_started(each))
-        return tuple(dict.fromkeys((*self.package.nodes, *named)))
+        named = (each for each in self.executables if self.is_started(each))
+        nodes = (each for each in self.package.nodes if each in self.executables)
+        return tuple(dict.fromkeys((*nodes, *named)))
 
     @cached_property
     def wrong(self) -> tuple[tuple[str, str, SetupText | None], ...]:
@@ -61,7 +75,7 @@ class ScriptDir:
         is_for_tools = not (self.has_nodes_in_lib or right & set(values.values()))
         is_for_lib = bool(self.nodes) or bool(right & set(values.values()))
         right |= {TOOLS} if is_for_tools or is_moved else set()
-        for section, key in SCRIPT_OPTIONS if self.cfg is not None and self.package.executables else ():
+        for section, key in SCRIPT_OPTIONS if self.cfg is not None and self.executables else ():
             option = self.cfg.get(section, key) if self.cfg else None
             folder = values[key]
             if option is None and is_for_lib and not is_moved and self.package.setup.argument("options") is None:
@@ -88,7 +102,7 @@ class ScriptDir:
     @cached_property
     def has_nodes_in_lib(self) -> bool:
         """Whether a launch file of the workspace looks in lib/<package> for one of the executables."""
-        return any(map(self.is_started, self.package.executables))
+        return any(map(self.is_started, self.executables))
 
     def is_started(self, entry: EntryPoint) -> bool:
         return bool(self.workspace.having("started_nodes", self.package.name, entry.name))

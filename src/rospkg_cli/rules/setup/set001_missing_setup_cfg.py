@@ -52,16 +52,17 @@ def missing_setup_cfg(home: ScriptDir) -> Iterator[Hit]:
     was green.
 
     ## When it is quiet
-    Where setup() itself sets `options` for the scripts. Where no executable runs a node, as far as its module and
+    Where setup() itself sets `options` for the scripts, and of an executable beside which `data_files` installs a
+    script of the same name into `lib/<package>`, that may be executed: it is found there. Where no executable runs a node, as far as its module and
     the launch files of the workspace tell, it is an info.
 
     ## References
     https://docs.ros.org/en/rolling/How-To-Guides/Developing-a-ROS-2-Package.html
     """
     package = home.package
-    if home.is_configured or not package.executables:
+    if home.is_configured or not home.executables:
         return
-    entry = (home.nodes or package.executables)[0]
+    entry = (home.nodes or home.executables)[0]
     message = (
         f"there is no setup.cfg: `{entry.name}` goes to bin/, where `ros2 run {package.name} {entry.name}` and launch "
         f"files don't look; write one with `$base/lib/{package.name}`"

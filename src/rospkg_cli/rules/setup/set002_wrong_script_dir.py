@@ -59,7 +59,7 @@ def wrong_script_dir(home: ScriptDir) -> Iterator[Hit]:
     is for command line tools, unless a launch file starts one of them or the other option says `lib/<package>`. Where
     setup.py makes links or has a command of its own that installs scripts (`cmdclass`), neither `bin` nor a missing
     option is reported. Where no executable runs a node, a missing option is none, unless the other one says
-    `lib/<package>`.
+    `lib/<package>`. Where `data_files` installs a script of the name of each executable into `lib/<package>`.
     """
     name = home.package.name
     wanted = f"$base/lib/{name}"
