@@ -26,6 +26,11 @@ REPEATED = frozenset({"FILES", "PROGRAMS"})
 """Those of them that CMake reads once more where they are repeated: `FILES a FILES b`; another DIRECTORY is a path."""
 FOREIGN = frozenset({*KINDS, "TARGETS", *(set(ARTIFACTS) - {"INCLUDES", "RESOURCE"})})
 """Keywords of the other forms of install()."""
+UNLINKED = frozenset({
+    "FILE_PERMISSIONS", "DIRECTORY_PERMISSIONS", "USE_SOURCE_PERMISSIONS", "PERMISSIONS", "CONFIGURATIONS", "COMPONENT",
+    "FILES_MATCHING", "REGEX",
+})  # fmt: skip
+"""What ament leaves to CMake where it makes links."""
 NOT_LINKED = frozenset({"SHARED", "STATIC", "MODULE", "REQUIRED", "COMPONENTS"})
 """Keywords of add_library() and find_package(), which target_link_libraries() links."""
 OPTIONS = ("add_compile_options", "target_compile_options", "add_definitions")
@@ -55,6 +60,10 @@ class RefusedArgument:
     message: str
     is_idle: bool = False
     """Whether nothing fails as the package is built by default."""
+    others: tuple[Word, ...] = ()
+    """More words of the call with the same fault."""
+    is_linked: bool = False
+    """Whether a build with `--symlink-install` takes the words as they are meant."""
 
 
 def refused_calls(cmake: CMake) -> Iterator[RefusedArgument]:
@@ -105,17 +114,28 @@ def lacks_value(call: EvaluatedCommand) -> bool:
 
 
 def foreign_keywords(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedArgument]:
+    """Yield one for all of a call: somebody took the form of install() for one that knows them."""
     if call.name != "install" or not call.words or call.texts[0] not in KINDS:
         return
-    before = ""
+    before, found = "", list[Word]()
     for word in call.words[1:]:
         is_value = before in ("PATTERN", "REGEX", "DESTINATION", "COMPONENT", "RENAME", "CONFIGURATIONS", "TYPE")
         is_value = is_value or (word.text == call.texts[0] and word.text in REPEATED)
         before = word.text
         if word.text in FOREIGN and not is_value and not word.quoted and not cmake.package_files.is_there(word.text):
-            start = f"`{word.text}` is no keyword in `install({call.texts[0]} …)`"
-            message = f"{start}: CMake takes it for a path, and the build stops when it installs; remove the word"
-            yield RefusedArgument(call, word, message)
+            found.append(word)
+    if found:
+        first, *others = found
+        is_linked = {call.texts[0], *(word.text for word in found)} == {"DIRECTORY"} and links(cmake, call)
+        start = f"`{first.text}` is no keyword in `install({call.texts[0]} …)`"
+        stops = f"{'a build without `--symlink-install`' if is_linked else 'the build'} stops when it installs"
+        message = f"{start}: CMake takes it for a path, and {stops}; remove the word"
+        yield RefusedArgument(call, first, message, others=tuple(others), is_linked=is_linked)
+
+
+def links(cmake: CMake, call: EvaluatedCommand) -> bool:
+    """Return whether a build with `--symlink-install` has ament install a folder, which parses its words otherwise."""
+    return UNLINKED.isdisjoint(call.texts) and any(found.name.startswith("ament_cmake") for found in cmake.packages)
 
 
 def misplaced_words(cmake: CMake, call: EvaluatedCommand) -> Iterator[RefusedArgument]:

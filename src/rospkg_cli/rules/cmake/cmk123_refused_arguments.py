@@ -8,8 +8,9 @@ from ...checks.cmake.empty_operands import EmptyOperand, EmptyOperands
 from ...checks.cmake.refused_arguments import refused_calls
 from ...checks.cmake.source_includes import source_includes
 from ...checks.cmake.written_slips import WrittenSlips
+from ...checks.setup.linked_build import is_always_linked
 from ...example import CMAKE, Example
-from ...finding import Hit, Severity
+from ...finding import Hit, Related, Severity
 from ...package.cmake.cmake_package import CMakePackage
 from ...rule import rule
 
@@ -44,7 +45,8 @@ def cmake(lines: str) -> str:
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "under a condition that can't be evaluated, or CMake goes on with another value, or a "
-        "condition compares what is empty for some",
+        "condition compares what is empty for some, or each command that tells to build it has `--symlink-install`, "
+        "with which a second `DIRECTORY` is read as it is meant",
         Severity.INFO: "what it compares is set wherever ROS is set up, or the condition stands in a block; or no "
         "linker runs for what is linked, or a folder without its slash is not needed",
     },
@@ -101,8 +103,11 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
     """
     for each in (*refused_calls(package.cmake), *source_includes(package.cmake)):
         place = each.word.span if each.word else each.call.command.name_span
-        level = Severity.WARNING if each.call.maybe or (each.word and each.word.maybe) else None
-        yield Hit(each.call.path, place, each.message, Severity.INFO if each.is_idle else level)
+        is_met = each.is_linked and is_always_linked(package.cmake.package_files, package.facts.name)
+        level = Severity.WARNING if is_met or each.call.maybe or (each.word and each.word.maybe) else None
+        places = dict.fromkeys((word.path, word.span) for word in each.others)
+        related = tuple(Related(*other, "and here") for other in places)
+        yield Hit(each.call.path, place, each.message, Severity.INFO if each.is_idle else level, related)
     for value in WrittenSlips(package.cmake).all():
         yield Hit(value.call.path, value.span, value.message, Severity.INFO if value.why_harmless else Severity.WARNING)
     for operand in EmptyOperands(package).all():
