@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.example import BACKDROPS, existing_files, setup_py
+from rospkg_cli.example import BACKDROPS, existing_files, manifest, scripts, setup_py
 from rospkg_cli.testing import lint_files
 
 LIBRARY = {
@@ -50,3 +50,25 @@ def test_an_import_that_fails(use: str) -> None:
 )
 def test_what_else_comes_to_the_module(more: dict[str, str]) -> None:
     assert level("from my_pkg import GREETING", more)[:1] != ["info"]
+
+
+STUB = "class Brain(Node):\n    pass\n"
+
+
+@pytest.mark.parametrize("text", [STUB, "import rclpy\n\nrclpy.intt()\n"])
+@pytest.mark.parametrize(
+    ("more", "level"),
+    [
+        ({}, "warning"),
+        ({"README.md": "The brain is still to come.\n"}, "warning"),
+        ({"README.md": "    python3 my_pkg/brain.py\n"}, "error"),
+        ({"README.md": "Write `from my_pkg.brain import Brain`.\n"}, "error"),
+        ({"my_pkg/__init__.py": "from .brain import Brain\n"}, "error"),
+        ({"test/test_brain.py": "from my_pkg.brain import Brain\n\n\ndef test_it():\n    Brain()\n"}, "error"),
+        ({"setup.py": setup_py(scripts("brain = my_pkg.brain:Brain"))}, "error"),
+    ],
+)
+def test_no_start_ends_in_a_module_that_nothing_imports(text: str, more: dict[str, str], level: str) -> None:
+    own = {"my_pkg/__init__.py": "", "my_pkg/brain.py": text, "package.xml": manifest("  <depend>rclpy</depend>\n")}
+    found = lint_files({**existing_files(BACKDROPS["ament_python"]), **own, **more}, ["DEP117", "DEP120"]).findings
+    assert [each.severity.value for each in found] == [level]

@@ -200,11 +200,14 @@ class ReachedPlaces:
         return is_under and not is_program and self.installed.names.get(file.path) in self.reached.entries
 
     def certain_spans(self, file: PythonFile) -> frozenset[Span]:
-        """Return where the names stand that a program or a module reads whenever it is started or imported."""
+        """Return where the names stand that a program or a module reads whenever it is started or imported.
+
+        None in a module of a library that nothing here comes to: no start ends there, but of who may import it.
+        """
         module, rows = self.installed.names.get(file.path, ""), [*self.table.of("executable")]
         is_program = any(row.source == file.path and not row.entry for row in rows)
         is_started = (is_program or module in self.reached.started) and not self.reached.is_left(file.path)
-        is_met = is_started and not self.unimported.has(file.path)
+        is_met = is_started and not self.unimported.is_by_nobody(file.path)
         if not is_met or self.reached.is_optional(file.path) or self.is_unwanted(file):
             return frozenset()
         entries = [row.entry.partition(":")[2] for row in rows if row.entry.partition(":")[0] == module]

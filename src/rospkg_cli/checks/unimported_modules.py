@@ -23,8 +23,12 @@ class UnimportedModules:
 
         Where no other package here imports any, it is for users that are not to be seen.
         """
+        return self.is_used and self.is_by_nobody(path)
+
+    def is_by_nobody(self, path: str) -> bool:
+        """Return whether a file is a module of a package without programs that nothing here comes to: others may."""
         module = self.installed.names.get(path, "")
-        return bool(module) and self.reached.is_library and self.is_used and module not in self.imported
+        return bool(module) and self.reached.is_library and module not in self.imported
 
     def is_beside_imported(self, path: str) -> bool:
         """Return whether nothing here imports or names a module of a package without programs, and others are imported.
@@ -55,7 +59,7 @@ class UnimportedModules:
         return [name for module, inner in found for name in (module, f"{module}.{inner}")]
 
     def is_shown(self, module: str, source: str) -> bool:
-        """Return whether a module may be started by its path, or a page tells of it by its dotted name."""
+        """Return whether a module may be started by its path, or a page tells of it by its dotted name or its path."""
         files = self.installed.files
         pages = (files.readable_text(path) for path in files.paths if path.endswith(PAGES))
-        return "__main__" in files.readable_text(source) or any(module in text for text in pages)
+        return "__main__" in files.readable_text(source) or any(module in text or source in text for text in pages)

@@ -55,7 +55,8 @@ WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function that a program is shown to come to, under one condition at most, in a "
-        "test, in an annotation, or in a program that nothing starts, beside others that are started",
+        "test, in an annotation, in a module of a library that nothing here imports, or in a program that nothing "
+        "starts, beside others that are started",
         Severity.INFO: "no program is shown to come to it, or under several conditions alone, nothing in the package "
         "calls the function, imports the module, or installs the file, a switch turns it off that nothing throws, it "
         "stands behind `rclpy.spin`, an attribute is read under a condition, nothing spins the node, a comment says "

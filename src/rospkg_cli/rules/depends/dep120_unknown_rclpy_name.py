@@ -41,7 +41,8 @@ def main():
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function that a program is shown to come to, under one condition at most, in a "
-        "test, or in a program that nothing starts, beside others that are started",
+        "test, in a module of a library that nothing here imports, or in a program that nothing starts, beside others "
+        "that are started",
         Severity.INFO: "no program is shown to come to it, or under several conditions alone, it is under a condition "
         "(`__main__` of an entry point's module, a switch that is off), behind `rclpy.spin`, nothing in the package "
         "calls the function, or imports the module, nothing spins the node, the run ends before, at another fault or "
