@@ -22,6 +22,7 @@ from ..depends.ros1_headers import Ros1Headers
 from ..depends.ros1_sources import Ros1Sources, Ros1Use
 from ..fault import Level
 from .installed_headers import is_installed_header
+from .unmet_headers import is_unmet, may_be_for
 
 MADE = (".pb.h", ".pb.hpp", "_generated.h")
 """What compilers of protobuf and flatbuffers write: by hand too, into folders that git ignores."""
@@ -85,6 +86,7 @@ class MissingHeaders:
         if folder == self.package.facts.name:
             is_open = is_open or self.may_make or self.is_of_library
             meant = self.near(each.path, self.others(source, self.own), is_open)
+            meant = meant if self.may_mean(source, each.path, meant) else ""
             return (folder, meant) if self.knows_own(each.path) and (meant or not is_open) else None
         if (facts := self.workspace.named(folder)) is None:
             return None
@@ -139,6 +141,16 @@ class MissingHeaders:
         alike = stem if stem in stems else nearest(stem, stems)
         return moved[0] if len(moved) == 1 else f"{folder}/{stems[alike]}" if alike else ""
 
+    def may_mean(self, source: CppFile, header: str, meant: str) -> bool:
+        """Return whether a file may have meant an own header: its name is a slip away, or it holds what is used."""
+        written, name = posixpath.basename(header), posixpath.basename(meant)
+        same = written.partition(".")[0] == name.partition(".")[0]
+        if not meant or same or near_names(written, [name], 1 if len(written) < SHORT else 2):
+            return True
+        paths = [path for path in self.by_name.get(name, ()) if f"/{path}".endswith(f"/{meant}")]
+        files = [file for file in self.sources if file.path in paths]
+        return len(files) != 1 or may_be_for(source, files[0])
+
     def beside(self, source: CppFile, name: str) -> str | None:
         """Return the header in the folder of a file that is one or two letters off."""
         folder = posixpath.dirname(source.path)
@@ -186,7 +198,10 @@ class MissingHeaders:
         return may_make_headers(self.package.cmake)
 
     def harm_in(self, path: str) -> Level:
-        return harm_in(self.package.cmake, self.sources, path)
+        package = self.package
+        if is_unmet(package.cmake, self.sources, path, self.workspace, package.facts.name):
+            return "info"
+        return harm_in(package.cmake, self.sources, path)
 
     @cached_property
     def guarded(self) -> frozenset[str]:

@@ -79,7 +79,8 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     well-known library has a folder of that name (`pcl/`). Inside of `#if`, in headers that others include there alone,
     in files with `__has_include`, for the path that an install or an export gives a header, where git ignores the
     header or a submodule is not checked out, and in files that nothing compiles or installs. A header that the build
-    does not open, beside sources that it compiles, may be a leftover: an info. So is what lies below a CMakeLists.txt
+    does not open, beside sources that it compiles, or that no test of a package of headers alone includes, while no
+    other package here is built with it, may be a leftover: an info. So is what lies below a CMakeLists.txt
     that no other one adds and no page or script builds, one in a package that has no target and installs nothing, one
     in a target that stops at a source of ROS 1 anyway, a name as ROS 1 would have it of an interface that is not known
     (`foo_msgs/Foo.h`), and the first header of ROS 1 where CMake looks for roscpp or catkin, unless package.xml
