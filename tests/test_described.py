@@ -16,6 +16,7 @@ from launch_ros.actions import Node
 def generate_launch_description():
     return LaunchDescription([Node(package='{}', executable='x')])
 """
+GIVEN = "'x', parameters=[share + '/config/nav.yaml']"
 NAVIGATION = """\
 planner_server:
   ros__parameters:
@@ -90,7 +91,7 @@ def test_layouts_name_plugins() -> None:
 
 def test_parameters_name_plugins_that_launch_files_start() -> None:
     one = NAVIGATION.partition("controller_server")[0]
-    files = {"config/nav.yaml": one, "launch/a.launch.py": LAUNCH.format("nav2_planner") + "FILE = 'config/nav.yaml'\n"}
+    files = {"config/nav.yaml": one, "launch/a.launch.py": LAUNCH.format("nav2_planner").replace("'x'", GIVEN)}
     assert said(files) == [("nav2_navfn_planner", "warning")]
     assert said({"config/nav.yaml": one}) == [("nav2_navfn_planner", "info")]
 
@@ -102,6 +103,14 @@ def test_plugins_that_come_with_others(declared: str) -> None:
 
 def test_plugins_that_come_with_what_is_launched() -> None:
     assert said({"config/nav.yaml": NAVIGATION, "launch/a.launch.py": LAUNCH.format("nav2_bringup")}) == []
+
+
+def test_plugins_that_the_started_nodes_need_themselves() -> None:
+    layers = "local_costmap:\n  local_costmap:\n    ros__parameters:\n      plugins: [inflation_layer]\n"
+    layers += "      inflation_layer:\n        plugin: 'nav2_costmap_2d::InflationLayer'\n"
+    for started, expected in (("nav2_planner", []), ("nav2_map_server", [("nav2_costmap_2d", "warning")])):
+        launch = LAUNCH.format(started).replace("'x'", GIVEN)
+        assert said({"config/nav.yaml": layers, "launch/a.launch.py": launch}) == expected
 
 
 def test_the_parts_of_navigation_are_asked_for_at_once() -> None:

@@ -261,9 +261,12 @@ class RobotUses:
 
     @cached_property
     def available(self) -> frozenset[str]:
-        """What comes with the declared packages and those of its launch files at run time, as far as it is known."""
-        waiting = list(self.declared.names | self.started)
-        found = set(implied_by(waiting, IN_PARAMETERS))
+        """What comes with the declared packages and those of its launch files at run time, as far as it is known.
+
+        A node that launch files start has what its own package needs, wherever it can be started at all.
+        """
+        waiting, undeclared = list(self.declared.names | self.started), self.started - self.declared.names
+        found = {*implied_by(waiting, IN_PARAMETERS), *brought_by(sorted(undeclared), self.declared.workspace)}
         while waiting:
             facts = self.declared.workspace.named(waiting.pop())
             new = {need.name for need in facts.dependencies if need.tag in RUN} - found if facts else set()

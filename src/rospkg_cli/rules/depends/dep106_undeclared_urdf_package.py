@@ -69,21 +69,21 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     ## When it is quiet
     What a declared dependency certainly installs is one info, which names who brings it. What may come with a declared
     one is another: with a package that is neither here nor in the table of what is installed with what, anything may
-    come. Left alone are files that are not installed, what comes with RViz itself, plugins of a metapackage or of a
-    package whose node is launched, and what launch files need as well (DEP103). Plugins of robots and RViz configs are
-    infos, and so are those of parameter files in a package that launches nothing that loads plugins
-    (controller_manager, nav2, MoveIt), or in a file that no launch file for ROS 2 names or puts together, nor an opened
-    robot: others may use it without them. So is a controller that is not spawned where launch files spawn others of its
-    file (they may look it up, as `loaded["arm"]["default"]`), or load none at all, one whose type is in a comment, a
-    plugin that no list beside it names (`plugins: [static_layer]`), a type that comes with the node which loads it
-    (`geometry_msgs` with joy_teleop), and what a robot needs that nothing opens, or only where an argument turns it on
-    (`GAZEBO:=true`), or a variable that nothing here sets, in a macro that nothing calls, in the default of an argument
-    that each launch file gives, or in a property that nothing reads, what stands as `$(find …)` in SDF without a word
-    of xacro, and what another package of the repository declares, or a list or a script of it installs (apt alone),
-    where nothing shows a release, and unknown packages that a script clones, or builds from a folder here that colcon
-    passes by, and what one of the distributions lacks that the repository names, beside others that have it. A package
-    here that needs this one itself is an info, for to declare it would make a circle; where it declares this one,
-    nothing is said. What a page or a comment calls optional is an info, too.
+    come. Left alone are files that are not installed, what comes with RViz itself, plugins of a metapackage, or of a
+    package whose node is launched, or that such a one needs itself, and what launch files need as well (DEP103).
+    Plugins of robots and RViz configs are infos, and so are those of parameter files in a package that launches nothing
+    that loads plugins (controller_manager, nav2, MoveIt), or in a file that no launch file for ROS 2 names or puts
+    together, nor an opened robot: others may use it without them. So is a controller that is not spawned where launch
+    files spawn others of its file (they may look it up, as `loaded["arm"]["default"]`), or load none at all, one whose
+    type is in a comment, a plugin that no list beside it names (`plugins: [static_layer]`), a type that comes with the
+    node which loads it (`geometry_msgs` with joy_teleop), and what a robot needs that nothing opens, or only where an
+    argument turns it on (`GAZEBO:=true`), or a variable that nothing here sets, in a macro that nothing calls, in the
+    default of an argument that each launch file gives, or in a property that nothing reads, what stands as `$(find …)`
+    in SDF without a word of xacro, and what another package of the repository declares, or a list or a script of it
+    installs (apt alone), where nothing shows a release, and unknown packages that a script clones, or builds from a
+    folder here that colcon passes by, and what one of the distributions lacks that the repository names, beside others
+    that have it. A package here that needs this one itself is an info, for to declare it would make a circle; where it
+    declares this one, nothing is said. What a page or a comment calls optional is an info, too.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. Where this
