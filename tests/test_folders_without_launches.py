@@ -25,10 +25,10 @@ ROS1 = '<launch>\n  <node pkg="my_pkg" type="move" name="move"/>\n</launch>\n'
 ROS2 = '<launch>\n  <node pkg="my_pkg" exec="move"/>\n</launch>\n'
 
 
-def told(build_type: str, **files: str) -> list[str]:
+def told(build_type: str, page: str = "", **files: str) -> list[str]:
     named = {f"launch/{name.replace('_dot_', '.')}": text for name, text in files.items()}
     build = {"setup.py": SETUP, "my_pkg/__init__.py": ""} if build_type == "ament_python" else {"CMakeLists.txt": CMAKE}
-    package = {"package.xml": manifest("", build_type), **build, **named}
+    package = {"package.xml": manifest("", build_type), **build, **named, "README.md": page}
     return [each.severity.value for each in lint_files(package, ["CMK101", "SET206"]).findings]
 
 
@@ -52,3 +52,27 @@ def told(build_type: str, **files: str) -> list[str]:
 )
 def test_a_folder_is_asked_for_by_its_launch_files(build_type: str, files: dict[str, str], is_told: bool) -> None:
     assert bool(told(build_type, **files)) is is_told
+
+
+FOXY = LAUNCH.replace(
+    "import LaunchDescription", "import LaunchDescription\nfrom launch_ros.actions import Node"
+).replace("[]", "[Node(package='my_pkg', node_executable='move')]")
+TODAY = FOXY.replace("node_executable", "executable")
+
+
+@pytest.mark.parametrize("build_type", ["ament_cmake", "ament_python"])
+@pytest.mark.parametrize(
+    ("files", "page", "level"),
+    [
+        ({"a_dot_launch_dot_py": FOXY}, "", "info"),
+        ({"a_dot_launch_dot_py": FOXY}, "For ROS 2 Jazzy.\n", "info"),
+        ({"a_dot_launch_dot_py": FOXY}, "For ROS 2 Foxy.\n", "warning"),
+        ({"foxy_dot_launch_dot_py": FOXY}, "", "warning"),
+        ({"a_dot_launch_dot_py": FOXY}, "`ros2 launch my_pkg a.launch.py`\n", "error"),
+        ({"a_dot_launch_dot_py": TODAY}, "", "warning"),
+        ({"a_dot_launch_dot_py": FOXY, "b_dot_launch_dot_py": TODAY}, "", "warning"),
+        ({"a_dot_launch_dot_py": FOXY, "b_dot_launch_dot_xml": ROS2}, "", "warning"),
+    ],
+)
+def test_launch_files_that_launch_stops_in(build_type: str, files: dict[str, str], page: str, level: str) -> None:
+    assert told(build_type, page, **files) == [level]

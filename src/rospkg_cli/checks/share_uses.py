@@ -25,6 +25,8 @@ NAMED = (
     r"|[\"']{0}[\"']\s*:"
 )
 """An argument or an entry that has a name: of no folder."""
+LOADED = (".py", ".xml", ".yaml", ".yml", ".launch")
+"""What launch may load."""
 REACH = 200
 """The most characters of a path before the name of a folder."""
 
@@ -128,7 +130,8 @@ class ShareUses:
             if self.is_put_there(folder) or (self.opens_when_on(folder) and not self.may_be_opened(folder)):
                 return "info"
             return None if folder == "rviz" else "error"
-        needed = (folder == "launch" and not self.holds_examples(folder)) or self.may_be_opened(folder)
+        is_left = folder != "launch" or self.holds_examples(folder) or self.is_stopped(folder)
+        needed = not is_left or self.may_be_opened(folder)
         return None if needed and not (self.opens_in_source(folder) or self.is_put_there(folder)) else "info"
 
     def is_put_there(self, folder: str) -> bool:
@@ -138,6 +141,15 @@ class ShareUses:
 
     def holds_examples(self, folder: str) -> bool:
         return all(EXAMPLE.search(path.rpartition("/")[2]) for path in self.files.below(folder))
+
+    def is_stopped(self, folder: str) -> bool:
+        """Return whether launch can load no file of a folder: each has a keyword of a node that Foxy was the last to
+        take.
+        """
+        from .launch.stopped_launches import are_all_stopped  # what findings alone need
+
+        paths = (path for path in self.files.below(folder) if path.endswith(LOADED) and "__init__" not in path)
+        return are_all_stopped(paths, self.launches, self.files)
 
     def may_be_opened(self, folder: str) -> bool:
         """Return whether another package of the workspace opens the folder or a file in it.
@@ -152,7 +164,8 @@ class ShareUses:
         if self.is_put_there(folder):
             return "only a script or a page puts it into the share directory, and the build does not"
         if folder == "launch" and not self.opens_in_source(folder):
-            return f"`ros2 launch {self.name} …` does not find it"
+            nor = ", nor could launch load it today" if self.is_stopped(folder) else ""
+            return f"`ros2 launch {self.name} …` does not find it{nor}"
         if self.level(folder) != "info":
             return "what opens it in the share directory does not find it"
         if self.opens_in_source(folder):
