@@ -53,8 +53,8 @@ def missing_setup_cfg(home: ScriptDir) -> Iterator[Hit]:
 
     ## When it is quiet
     Where setup() itself sets `options` for the scripts, and of an executable beside which `data_files` installs a
-    script of the same name into `lib/<package>`, that may be executed: it is found there. Where no executable runs a node, as far as its module and
-    the launch files of the workspace tell, it is an info.
+    script of the same name into `lib/<package>`, that may be executed: it is found there. Where no executable runs a
+    node, as far as its module and the launch files of the workspace tell, it is an info.
 
     ## References
     https://docs.ros.org/en/rolling/How-To-Guides/Developing-a-ROS-2-Package.html
