@@ -62,7 +62,7 @@ class LookedUpPackages:
         for name, place in self.all() if self.declared.is_checked else ():
             kind = workspace.kind_of(name)
             is_elsewhere = may_be_elsewhere(workspace, name)
-            if (kind is NameKind.PACKAGE or is_elsewhere) and not self.declared.has([name]):
+            if (kind is NameKind.PACKAGE or is_elsewhere) and not self.declared.has_to_run(name):
                 found.setdefault(name, []).append(place)
         if not found:
             return found

@@ -178,7 +178,7 @@ class ShareLookups:
         is_own = name == self.facts.name.lower().replace("-", "_")  # what its name should be: XML101
         if is_own or name in known or self.workspace.is_available(name) or self.workspace.is_listed(name):
             return None
-        if self.workspace.index.kind_of(name) is NameKind.PACKAGE:
+        if self.workspace.index.kind_of(name) is NameKind.PACKAGE or self.workspace.is_marked(name):
             return None
         if near := nearest(name, known):
             return near

@@ -40,6 +40,9 @@ from .uninstalled_files import made_files, uninstalled_files
 from .urdf.robot_words import robot_includes, robot_words
 from .used_packages import used_packages
 
+INSTALLED = ("executables", "misplaced_executables", "other_markers", "share_files", "modules")
+"""The fields that come from the install table."""
+
 Part = Callable[[ReaderInput, Targets, Manifest], tuple[dict[str, Any], set[UnknownField]]]
 """Returns some fields of the facts of a package, and which of them are unknown."""
 
@@ -64,9 +67,7 @@ def of_interfaces(reading: ReaderInput, _: Targets, __: Manifest) -> tuple[dict[
 
 def of_install_table(reading: ReaderInput, _: Targets, manifest: Manifest) -> tuple[dict[str, Any], set[UnknownField]]:
     installed = installed_facts(reading, manifest.name)
-    fields = {
-        name: getattr(installed, name) for name in ("executables", "misplaced_executables", "share_files", "modules")
-    }
+    fields = {name: getattr(installed, name) for name in INSTALLED}
     return fields, set(installed.unknown)
 
 
@@ -105,7 +106,7 @@ PARTS: dict[tuple[str, ...], Part] = {
      "is_metapackage"): of_manifest,
     ("interfaces",): of_interfaces,
     ("unlisted_interfaces",): one("unlisted_interfaces", unlisted_interfaces),
-    ("executables", "misplaced_executables", "share_files", "modules"): of_install_table,
+    INSTALLED: of_install_table,
     ("components",): of_components,
     ("may_register_more",): one("may_register_more", may_register_more),
     ("loaders",): of_loaders,

@@ -115,6 +115,8 @@ class PackageFacts:
     """The fields of its messages, services and actions, but for those in .idl files."""
     typed_with: frozenset[str] = frozenset()
     """The packages that its interfaces are generated with, and that so come with them."""
+    other_markers: frozenset[str] = frozenset()
+    """The other names under which it puts itself into the index of packages, where launch and `ros2 run` look."""
     share_files: frozenset[str] = frozenset()
     """The files of share/<name> after the build, relative to it."""
     settled_folders: frozenset[str] = frozenset()

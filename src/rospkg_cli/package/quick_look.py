@@ -48,6 +48,8 @@ class QuickLook:
             return value[0].rpartition("/")[2] in self.names
         if field in ("started_nodes", "handed_yaml"):
             return self.has_in(LAUNCH_ENDINGS, value[0])
+        if field == "other_markers":
+            return self.files.exists(f"resource/{value[0]}") or self.is_named_in_build(value[0])
         if field == "plugins":
             return self.may_describe(value[0])
         return True

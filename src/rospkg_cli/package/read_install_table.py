@@ -13,7 +13,7 @@ from .cmake.cmake_project import CMake
 from .install_table import PYTHON, InstallTable
 from .manifest import Manifest
 from .package_facts import UnknownField
-from .setup.python_install_table import python_table
+from .setup.python_install_table import MARKERS, python_table
 from .setup.setup_py import SetupPy
 
 
@@ -36,6 +36,7 @@ class InstalledFacts(NamedTuple):
 
     executables: frozenset[str] = frozenset()
     misplaced_executables: frozenset[str] = frozenset()
+    other_markers: frozenset[str] = frozenset()
     share_files: frozenset[str] = frozenset()
     modules: frozenset[str] = frozenset()
     unknown: frozenset[UnknownField] = frozenset({"executables", "share_files", "modules"})
@@ -55,6 +56,7 @@ def installed_facts(reading: ReaderInput, name: str) -> InstalledFacts:
         frozenset(PurePosixPath(row.destination).name for row in table.of("executable"))
         - {PurePosixPath(path).name for path, _ in table.below(f"lib/{name}")}
         | uninstalled_executables(reading),
+        frozenset(path for path, _ in table.below(MARKERS)) - {name},
         frozenset(path for path, _ in table.below(f"share/{name}")),
         frozenset(filter(None, (module_name(path) for path, _ in table.below(PYTHON)))),
         frozenset(unknown),

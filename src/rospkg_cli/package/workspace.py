@@ -37,6 +37,7 @@ ValuesField = Literal[
     "included_headers",
     "executables",
     "misplaced_executables",
+    "other_markers",
 ]
 """A field of PackageFacts that is a set of strings, or of tuples of them."""
 
@@ -231,6 +232,10 @@ class Workspace:
     def is_available(self, name: str) -> bool:
         """Return whether a package is around, or installed on this machine."""
         return name in self._by_name or name in self.prefix_names
+
+    def is_marked(self, name: str) -> bool:
+        """Return whether a package is found under a name that is not its own, and none has it: SET401 tells of it."""
+        return not self.is_available(name) and bool(self.having("other_markers", name))
 
     def is_cased(self, name: str) -> bool:
         """Return whether CMake certainly finds a package by no other spelling of the case: ament's `<Name>Config`."""

@@ -85,6 +85,10 @@ class DeclaredDependencies:
         """Return whether one of some names is declared, or is the package itself, or can't be declared."""
         return any(map(self.has_name, names))
 
+    def has_to_run(self, name: str) -> bool:
+        """Return whether a package is declared, or is one here that is found under that name, which is not its own."""
+        return self.has_name(name) or self.workspace.is_marked(name)
+
     def has_name(self, name: str) -> bool:
         if name not in self._had:
             is_own = name in self.names or name == self.facts.name

@@ -79,7 +79,7 @@ class RobotUses:
             reported = self.launch.missing(tests=False)
             named = (*self.references(), *self.found_by_parameters(), *self.named(), *self.typed(), *self.plugins())
             for name, use in named:
-                if name not in reported and not self.declared.has([name]):
+                if name not in reported and not self.declared.has_to_run(name):
                     found.setdefault(name, []).append(use)
         return merged_navigation(found)
 

@@ -151,6 +151,8 @@ class LaunchDependencies:
             return None
         if self.declared.hidden.folder_of(name) or self.fetched.has_cloned(name):
             return None
+        if self.cmake is not None and name == self.cmake.project_name:
+            return self.declared.facts.name
         near = nearest(name, self.known_names)
         is_same = near is not None and (is_misspelt(name, near) or OF_VARIABLES.sub("", name) == near)
         is_meant = near is not None and is_same and begins_alike(name, near)
@@ -174,7 +176,7 @@ class LaunchDependencies:
         found: dict[str, list[PackageReference]] = {}
         for use in self.uses(tests=tests):
             is_told = use.fails == "controller" and use.name in self.configured
-            if self.declared.has([use.name]) or use.name in there or is_told:
+            if self.declared.has_to_run(use.name) or use.name in there or is_told:
                 continue
             if use.name not in LAUNCH or not self.is_brought(use.name, tests=tests):
                 found.setdefault(use.name, []).append(use)

@@ -89,8 +89,9 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     (`simulator.launch.py`) that a page leaves out of a build (`colcon build --packages-up-to arm # without the
     simulator`), what a page or script calls optional by its name or first word (`## MAVROS (optional)`), and what one
     of the named distributions lacks. Left out are computed names, uses that catch PackageNotFoundError or ask first
-    (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, actions that nothing adds, and what a module imports
-    too (DEP101). What needs this one itself is an info, as a circle would follow; nothing, where it declares this one.
+    (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, actions that nothing adds, a name that setup.py marks
+    (SET401), and what modules import (DEP101). What needs this one (a circle) is an info; nothing, where it declares
+    it.
 
     ## Fix safety
     Unsafe where no released package has the name, a named distribution lacks it in format 2 (which has no conditions),
