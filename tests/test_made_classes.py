@@ -100,3 +100,52 @@ def test_what_cmake_registers(lines: str, part: str, other: str, level: str) -> 
 def test_a_program_that_a_page_starts() -> None:
     page = {"README_DOT_md": "ros2 run my_pkg part_node\n"}
     assert told(LIBRARY + ONE.format("parts"), MAKES, CLASS, **page) == ["error"]
+
+
+OTHER_SPACE = SEVERAL.replace("my_pkg::Part", "your_pkg::Part").format("parts")
+
+
+def said(part: str, other: str, lines: str = OTHER_SPACE, **more: str) -> list[tuple[str, str]]:
+    """Return the level, and the name of the class that the macro is to be given."""
+    files = {
+        "CMakeLists.txt": CMAKE.replace(
+            "ament_package", f"find_package(rclcpp_components REQUIRED)\n{LIBRARY}{lines}ament_package"
+        ),
+        "package.xml": manifest("  <depend>rclcpp_components</depend>\n", "ament_cmake"),
+        "src/part.cpp": part,
+        "src/other.cpp": other,
+        **{path.replace("__", "/").replace("_DOT_", "."): text for path, text in more.items()},
+    }
+    found = lint_files(files, ["CMK108"]).findings
+    return [(each.severity.value, each.message.partition("REGISTER_NODE(")[2].partition(")")[0]) for each in found]
+
+
+@pytest.mark.parametrize(
+    ("part", "meant"),
+    [
+        (CLASS, "my_pkg::Part"),
+        ("namespace my_pkg::inner {\nclass Part final : public A<B> {\n};\n}\n", "my_pkg::inner::Part"),
+        ("namespace a {\nint f() {return 0;}\nnamespace b {\nstruct A_PUBLIC Part {};\n}\n}\n", "a::b::Part"),
+        ("class Part {};\n", "Part"),
+        ("// class Part {};\nclass Part;\n", "your_pkg::Part"),
+        ("class Outer {\n  class Part {};\n};\n", "your_pkg::Part"),
+        ("namespace {\nclass Part {};\n}\n", "your_pkg::Part"),
+        (CLASS + CLASS.replace("my_pkg", "more"), "your_pkg::Part"),
+        (CLASS + CLASS.replace("my_pkg", "your_pkg"), "your_pkg::Part"),
+    ],
+)
+def test_the_macro_is_given_a_class_that_there_is(part: str, meant: str) -> None:
+    assert said(part, "int none() {return 0;}\n") == [("error", meant)]
+
+
+@pytest.mark.parametrize(
+    ("lines", "more", "level"),
+    [
+        (OTHER_SPACE, {}, "info"),
+        (OTHER_SPACE, {"config__a_DOT_yaml": "part:\n  plugin: your_pkg::Part\n"}, "error"),
+        (OTHER_SPACE, {"README_DOT_md": "ros2 component load /C my_pkg my_pkg::Part\n"}, "error"),
+        (ONE.replace("my_pkg::Part", "your_pkg::Part").format("parts"), {}, "warning"),
+    ],
+)
+def test_what_code_makes_by_another_name_than_cmake_has(lines: str, more: dict[str, str], level: str) -> None:
+    assert said(CLASS, MAKES, lines, **more) == [(level, "my_pkg::Part")]

@@ -9,6 +9,7 @@ from ..checks.cmake.component_sentences import unknown_class
 from ..checks.cmake.misread_keywords import misread_keywords
 from ..checks.cmake.unloadable_components import unloadable_components
 from ..checks.cpp.components_elsewhere import components_elsewhere
+from ..checks.cpp.defined_classes import defined_as
 from ..checks.cpp.loaded_by_name import LoadedByName
 from ..finding import Hit, Related, Severity
 from ..package.cmake.components import Component
@@ -35,8 +36,10 @@ def of_names(loaded: LoadedByName) -> Iterator[Hit]:
     """Yield a hit for each class that CMake registers and no source does; a slip of a name is one for everybody."""
     components = loaded.registration
     for each in components.without_source():
-        related, message = meant(components, each), unknown_class(components, each)
-        why, level = ("", "error") if related else loaded.of_cmake(each, "error")
+        related = meant(components, each)
+        full = "" if related else defined_as(each.plugin.text, components.sources)
+        why, level = ("", "error") if related else loaded.of_cmake(each, "error", full)
+        message = unknown_class(components, each, full)
         yield Hit(each.plugin.path, each.plugin.span, message + why, Severity(level), related)
 
 

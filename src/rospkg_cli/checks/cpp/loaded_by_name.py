@@ -36,12 +36,14 @@ class LoadedByName:
         why = self.why_unmissed(found.name) if level != "error" else ""
         return f"{found.unregistered}{why}", "info" if why else level
 
-    def of_cmake(self, component: Component, level: Level) -> tuple[str, Level]:
+    def of_cmake(self, component: Component, level: Level, full: str = "") -> tuple[str, Level]:
         """Return why a component that CMake registers and nothing can load is missed by few or none, and the level.
 
-        The program that the command makes does nothing else than load it: it fails for who starts it.
+        The program that the command makes does nothing else than load it: it fails for who starts it. `full` is the
+        name of the class where CMake has it with other namespaces.
         """
-        why = self.why_unmissed(component.plugin.text)
+        is_asked = bool(full) and self.is_named(component.plugin.text)
+        why = "" if is_asked else self.why_unmissed(full or component.plugin.text)
         if not why or level == "info" or self.is_started(component):
             return "", level
         return why, "warning" if component.executable is not None else "info"
