@@ -8,6 +8,7 @@ from ...files import PackageFiles
 from ...finding import Finding, Severity
 from ...light_dataclasses import replace
 from ...package.run_events import RuleCrash
+from ...package.workspace import Workspace
 
 UNREADABLE = "RPK001"
 BUILD_FILES = ("package.xml", "setup.py", "CMakeLists.txt")
@@ -21,7 +22,7 @@ ASKED = ("CMK1", "DEP10", "IDL006", "IDL01", "LCH00", "LCH011", "PLG002", "PRM00
 
 
 def of_unbuilt(
-    results: list[Finding | RuleCrash], files: PackageFiles, folder: str, name: str
+    results: list[Finding | RuleCrash], files: PackageFiles, folder: str, name: str, workspace: Workspace
 ) -> list[Finding | RuleCrash]:
     """Return the results of a package, with infos for what nobody meets in one that is not built as it lies."""
     if any(isinstance(each, Finding) and each.code in STOPS and is_loud(each) for each in results):
@@ -32,7 +33,12 @@ def of_unbuilt(
         from .announced import as_announced  # for packages that lack something
 
         results = as_announced(results, files, name)
-    return behind_unreadable(results, folder)
+    results = behind_unreadable(results, folder)
+    if not any(isinstance(each, Finding) and is_loud(each) for each in results):
+        return results
+    from .planted_faults import with_planted_faults  # for packages with a finding
+
+    return with_planted_faults(results, files, folder, workspace)
 
 
 def behind_unreadable(results: list[Finding | RuleCrash], folder: str) -> list[Finding | RuleCrash]:
