@@ -351,7 +351,7 @@ def test_what_yaml_can_not_read_of_a_robot(comment: str, level: str) -> None:
     ],
 )
 def test_a_name_in_a_branch_stops_only_some(lines: str, level: str) -> None:
-    text = f"{HEAD}x = len(__file__)\ndef generate_launch_description():\n    {lines}\n    return LaunchDescription([])\n"
+    text = f"{HEAD}x = input()\ndef generate_launch_description():\n    {lines}\n    return LaunchDescription([])\n"
     (finding,) = lint_files({"package.xml": manifest(), "launch/a.launch.py": text}, ["LCH013"]).findings
     assert finding.severity.value == level
     assert ("where it gets here" in finding.message) is (level == "warning")
