@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.commented_installs import said_in
+from ...checks.cmake.package_ends import PackageEnds
 from ...checks.cmake.unknown_commands import UnknownCommands
 from ...checks.manifest.manifest_inputs import IDLE
 from ...edits.cmake_commands import add_at_end
@@ -34,7 +35,7 @@ HOLLOW = "all that would build something is commented out: the build is green, a
 @rule(
     "CMK003",
     "missing-ament-package",
-    over=CMakePackage,
+    over=PackageEnds,
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "the package is switched off: the call is commented out, with all that would build something",
@@ -53,7 +54,7 @@ HOLLOW = "all that would build something is commented out: the build is green, a
         ),
     ),
 )
-def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
+def missing_ament_package(ends: PackageEnds) -> Iterator[Hit]:
     """
     ## What it does
     Finds ament_cmake packages whose CMakeLists.txt never calls `ament_package()`.
@@ -66,15 +67,19 @@ def missing_ament_package(package: CMakePackage) -> Iterator[Hit]:
     ## When it is quiet
     Where all that is built is for tests. Where a file that can't be read is included, and where a macro of another
     package whose name has `package` in it is called: both may call `ament_package()`. (`autoware_package()` does not.)
+    Where a macro that no file here defines comes behind all that is built, installed and exported, and may be of a
+    package that is found: it begins like that (`team_finish` of `team_cmake`), or nobody knows what that package has.
     Where its name is misspelt, which CMK114 reports. It is an info where targets are built and nothing is installed,
     exported or registered, as for tests that are run in the build folder. It is a warning where the call is commented
     out, and with it all that would build or install something: the package is switched off on purpose, and is built all
     the same, for those who depend on it.
     """
-    cmake = package.cmake
+    package, cmake = ends.package, ends.package.cmake
     if not package.is_ament or not cmake.is_complete or cmake.ends_a_package or cmake.only_tests:
         return
     if cmake.reads_unknown_files or any(MACRO.fullmatch(call.name) for call in cmake.calls):
+        return
+    if ends.may_be_elsewhere:
         return
     root = cmake.root
     projects = [command for command in root.syntax.commands if command.name == "project"]

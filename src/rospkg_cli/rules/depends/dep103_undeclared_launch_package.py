@@ -90,8 +90,7 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     simulator`), what a page or script calls optional by its name or first word (`## MAVROS (optional)`), and what one
     of the named distributions lacks. Left out are computed names, uses that catch PackageNotFoundError or ask first
     (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, actions that nothing adds, a name that setup.py marks
-    (SET401), and what modules import (DEP101). What needs this one (a circle) is an info; nothing, where it declares
-    it.
+    (SET401), and what modules import (DEP101). What needs this one (a circle) is an info; none, if it declares it.
 
     ## Fix safety
     Unsafe where no released package has the name, a named distribution lacks it in format 2 (which has no conditions),
