@@ -9,6 +9,7 @@ from rospkg_cli.testing import lint_files
 
 PLAIN = existing_files(BACKDROPS["ament_python"])
 LOST = {**PLAIN, "my_pkg/talker.py": "import rowan_of_nobody, numpy\n"}
+ENTRY = "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n"
 NODE = """\
 import rclpy.node
 
@@ -66,12 +67,25 @@ def test_what_a_page_above_says(line: str, expected: str) -> None:
 
 
 def test_the_other_place_lies_in_such_a_package() -> None:
-    setup = PLAIN["setup.py"].replace(
-        "    license=", "    entry_points={'console_scripts': ['talker = my_pkg.talker:main']},\n    license="
-    )
+    setup = PLAIN["setup.py"].replace("    license=", f"{ENTRY}    license=")
     files = {f"a/{path}": text for path, text in {**PLAIN, "setup.py": setup, "my_pkg/talker.py": NODE}.items()}
     files |= {"b/package.xml": manifest("  <exec_depend>my_pkg</exec_depend>\n", "ament_python", "user")}
     files |= {"b/setup.py": PLAIN["setup.py"].replace("my_pkg", "user"), "b/launch/a.launch.py": LAUNCH}
     assert levels(files, "PRM007") == {"warning"}
     assert levels({**files, "a/README.md": "The node has intentional defects in its code.\n"}, "PRM007") == {"info"}
     assert levels({**files, "a/README.md": "A node.\n"}, "PRM007") == {"warning"}
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        ("PARAMETERS = {'min_points': 1}\n", "the tests of `my_pkg` have `min_points` too"),
+        ("PARAMETERS = {'min_points': 1, 'min_point': 2}\n", "did you mean `min_point`?"),
+        ("PARAMETERS = {}\n", "did you mean `min_point`?"),
+    ],
+)
+def test_the_tests_of_the_package_tell_which_name_is_the_slip(text: str, hint: str) -> None:
+    setup = PLAIN["setup.py"].replace("    license=", f"{ENTRY}    license=")
+    files = {"setup.py": setup, "my_pkg/talker.py": NODE, "launch/a.launch.py": LAUNCH, "test/test_talker.py": text}
+    (found,) = lint_files({**PLAIN, **files}, ["PRM007"]).findings
+    assert hint in found.message

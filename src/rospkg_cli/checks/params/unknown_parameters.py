@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from ...files import PackageFiles
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.package_facts import PackageFacts
@@ -42,6 +43,7 @@ class UnknownParameters:
     joints: JointLimits
     distribution: OlderDistribution
     unmet: UnmetReads
+    files: PackageFiles
 
     def unknown_reads(self) -> list[UnknownRead]:
         """Return what code that is compiled, or Python, gets and nothing declares, each place once."""
@@ -93,6 +95,14 @@ class UnknownParameters:
 
         is_own = owner is not None and owner.folder == self.reads.package.folder and bool(meant)
         return MAY if is_own and OpenCode(self.reads).may_read(name, meant) else ""
+
+    def hint(self, owner: PackageFacts | None, name: str, meant: str, path: str) -> str:
+        """Return what may be meant by a name in a file: another one, or itself, by the tests of who declares that."""
+        from .names_in_tests import is_in_tests  # few packages have something to ask it of
+
+        if owner is not None and is_in_tests(self.files, owner, name, meant, path):
+            return f"the tests of `{owner.name}` have `{name}` too, so that its `{meant}` may be the slip"
+        return f"did you mean `{meant}`?"
 
     def repeated_reads(self) -> Iterator[tuple[str, Fault]]:
         """Yield path and fault of what is got twice, the second time in the place of what no code gets."""

@@ -8,10 +8,8 @@ from ...checks.params.idle_nodes import hardest
 from ...checks.params.launched_names import unknown_to_known
 from ...checks.params.unchanged_values import declared_defaults, same_as_default, value_text
 from ...checks.params.unknown_parameters import UnknownParameters, unread
-from ...edits.dropped_values import also, dropped_value
+from ...edits.dropped_values import also, dropped_in_file, dropped_value
 from ...edits.fault_hits import hits
-from ...edits.parameter_names import renamed
-from ...edits.plain_names import only_plain_names
 from ...example import Example, manifest
 from ...finding import Hit, Related, Safety, Severity
 from ...rule import rule
@@ -107,20 +105,16 @@ def unknown_parameter(scope: UnknownParameters) -> Iterator[Hit]:
     otherwise: its name stands there, is made, or differs by a number; and one that changes nothing: it is the default
     of the parameter that is meant, as the code or a table has it (where none is known, false, 0, an empty text and
     list), the code never uses that one, its switch is off, launch files give it, or a comment calls the value unused.
-    So is a limit of a joint in a file that nothing names, and what a plugin gets that no list has.
+    So is a limit of a joint in a file that nothing names, and what a plugin gets that no list has. Like all that two
+    packages must agree on, it is one where a page says that faults are planted on purpose.
 
     ## Fix safety
-    The similar name may not be right. A value of another type stays, a single one for a list is put into brackets.
+    The similar name may not be right; tests of the package that have the other one leave none. A value of another type
+    stays, a single one for a list is put into brackets.
     """
     for group in scope.given.groups():
         for parameter, meant in group.unknown():
-            last, by = meant.rpartition(".")[2], group.owners[0].name
-            same = scope.why_harmless(group, parameter, meant)
-            dropped = f"`{by}` declares no parameter `{parameter.name}`: the value is dropped{same}"
-            is_mild = bool(same) or scope.readers.is_idle(group.file.path, parameter.key.span)
-            fix = only_plain_names(renamed(group, parameter, meant), last)
-            place, level = (group.file.path, parameter.key.span), Severity.INFO if is_mild else None
-            yield Hit(*place, f"{dropped}; did you mean `{last}`?", level, fix=fix)
+            yield dropped_in_file(scope, group, parameter, meant)
     for file, parameter, meant, other in scope.unlike_variants():
         same = same_as_default(value_text(parameter.value), meant, declared_defaults([scope.given.package], meant))
         message = f"`{scope.given.package.name}` declares no parameter `{parameter.name}`: the value is dropped{same}"
