@@ -121,7 +121,8 @@ class ShareLookups:
             why = WHY["never"] if is_in_uncalled(source, span, self.sources) else ""
         else:
             why = self.places.why_seldom(path, span) if self.places is not None else ""
-        return why or self.why_off(path, span)
+        is_named = why not in ("", WHY["branch"])  # which switch it is says more than that there is a condition
+        return why if is_named else self.why_off(path, span) or why
 
     def why_off(self, path: str, span: Span) -> str:
         """Return what is said of a place that only a switch leads to which nothing throws; "" for others."""
