@@ -96,9 +96,11 @@ def parameters_in(test: ast.expr, file: PythonFile, files: tuple[PythonFile, ...
         return frozenset()
     text, last = ast.unparse(test), test.attr if isinstance(test, ast.Attribute) else ""
     given = [each.value for each in nodes_of_kind(file.tree, ast.Assign) if [*map(ast.unparse, each.targets)] == [text]]
-    stores = [each for one in (files if last else (file,)) for each in nodes_of(one.tree) if is_store(each, text, last)]
     names = [parameter_of(each) for each in given]
-    return frozenset(names) if len(stores) == len(given) and all(names) else frozenset()
+    if not all(names) or not names:
+        return frozenset()
+    stores = [each for one in (files if last else (file,)) for each in nodes_of(one.tree) if is_store(each, text, last)]
+    return frozenset(names) if len(stores) == len(given) else frozenset()
 
 
 def is_store(node: ast.AST, text: str, last: str) -> bool:

@@ -64,6 +64,8 @@ class ShareUses:
 
     def may_refer_to(self, text: str, folder: str) -> bool:
         """Return whether a text joins a folder to a share directory, and not only to that of another package."""
+        if not references_folder(text, self.name, folder):
+            return False  # what most texts end at: the search for names takes long
         text = re.sub(NAMED.format(re.escape(folder)), lambda found: " " * len(found[0]), text)
         if not references_folder(text, self.name, folder):
             return False
