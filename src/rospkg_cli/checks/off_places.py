@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from functools import cached_property
 
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import FunctionNode, functions_of, nodes_of_kind
@@ -24,6 +24,16 @@ class OffPlaces:
 
     def has(self, file: PythonFile, span: Span) -> bool:
         """Return whether a switch is around a place, or around all that names the function which it is in."""
+        if (file.path, span) not in self.found:  # several rules ask of one place
+            self.found[file.path, span] = self.is_led_to(file, span)
+        return self.found[file.path, span]
+
+    @cached_property
+    def found(self) -> dict[tuple[str, Span], bool]:
+        return {}
+
+    def is_led_to(self, file: PythonFile, span: Span) -> bool:
+        """Return the same, asked anew."""
         places: list[Place] = [(file, span)]
         for _ in range(MOST):
             places = [place for place in places if not self.switches.why_off(place[0].path, place[1])]
@@ -41,18 +51,19 @@ class OffPlaces:
         if around is None or around.name in ENTRIES or around.name.startswith("__"):
             return []
         own = file.span(around)
-        return [(other, at) for other, at in self.naming(around.name) if other is not file or not own.holds(at)]
+        return [(other, at) for other, at in self.naming.get(around.name, []) if other is not file or not own.holds(at)]
 
     def around(self, file: PythonFile, span: Span) -> FunctionNode | None:
         """Return the outermost function around a place."""
         return next((each for each in functions_of(file.tree) if file.span(each).holds(span)), None)
 
-    def naming(self, name: str) -> Iterator[Place]:
-        """Yield where code of the package has the name of a function, but for where it defines it."""
+    @cached_property
+    def naming(self) -> dict[str, list[Place]]:
+        """By each name that code of the package has, where it stands, but for where a function of it is defined."""
+        found: dict[str, list[Place]] = {}
         for _, file in self.switches.run.files:
             for each in nodes_of_kind(file.tree, ast.Attribute):
-                if each.attr == name:
-                    yield file, file.span(each)
-            for name_node in nodes_of_kind(file.tree, ast.Name):
-                if name_node.id == name:
-                    yield file, file.span(name_node)
+                found.setdefault(each.attr, []).append((file, file.span(each)))
+            for name in nodes_of_kind(file.tree, ast.Name):
+                found.setdefault(name.id, []).append((file, file.span(name)))
+        return found

@@ -26,7 +26,7 @@ WHY = "; a page has people copy these files into a package that `ros2 pkg create
 
 def as_it_lies(results: Results, files: PackageFiles, name: str) -> Results:
     """Return the results of a package with an info for what is missing in a folder that only holds files to copy."""
-    is_missing = any(isinstance(each, Finding) and is_loud(each, OF_MISSING) for each in results)
+    is_missing = any(isinstance(each, Finding) and each.code in OF_MISSING and is_loud(each) for each in results)
     if not is_missing or not is_flat(files, name) or not any(tells(text, name) for text in pages(files)):
         return results
     return as_infos(results, OF_MISSING, lambda _: WHY)

@@ -15,11 +15,11 @@ def as_infos(results: Results, codes: frozenset[str], why: Callable[[Finding], s
     """Return the results; a louder finding of some rules is an info where there is a reason, which it ends with."""
     return [
         replace(each, severity=Severity.INFO, message=each.message + reason)
-        if isinstance(each, Finding) and is_loud(each, codes) and (reason := why(each))
+        if isinstance(each, Finding) and each.code in codes and is_loud(each) and (reason := why(each))
         else each
         for each in results
     ]
 
 
-def is_loud(found: Finding, codes: frozenset[str]) -> bool:
-    return found.code in codes and found.severity is not Severity.INFO
+def is_loud(found: Finding) -> bool:
+    return found.severity is not Severity.INFO

@@ -8,7 +8,7 @@ from ...files import PackageFiles
 from ...finding import Finding
 from ...lazy_regex import regex
 from ...package.workspace import Workspace
-from .milder import Results, as_infos
+from .milder import Results, as_infos, is_loud
 
 PAGES = (".md", ".rst", ".txt")
 TOLD_ABOVE = tuple(f"{name}{end}" for name in ("README", "Readme", "readme") for end in PAGES)
@@ -41,8 +41,8 @@ WHY = "; a page says that faults are planted here on purpose"
 
 def with_planted_faults(results: Results, files: PackageFiles, folder: str, workspace: Workspace) -> Results:
     """Return the results of a package with an info for what is wrong where a page says that it is meant to be."""
-    codes = frozenset(each.code for each in results if isinstance(each, Finding))
-    if is_planted(files, folder):
+    codes = frozenset(each.code for each in results if isinstance(each, Finding) and is_loud(each))
+    if codes and is_planted(files, folder):
         return as_infos(results, codes, lambda _: WHY)
     between = frozenset(code for code in codes if code.startswith(BETWEEN_TWO))
     return as_infos(results, between, lambda found: why_in_another(found, files, folder, workspace))
