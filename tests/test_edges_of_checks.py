@@ -17,7 +17,7 @@ from rospkg_cli.checks.depends.undeclared_includes import IncludeDependencies
 from rospkg_cli.checks.launch.entity_schema import substitution_faults
 from rospkg_cli.checks.manifest.manifest_inputs import ManifestAndFiles
 from rospkg_cli.checks.plugins.plugin_names import is_something_else
-from rospkg_cli.checks.share_references import references_folder
+from rospkg_cli.checks.share.share_references import references_folder
 from rospkg_cli.example import CMAKE, SETUP_PY, manifest
 from rospkg_cli.package.package_facts import PackageFacts
 from rospkg_cli.testing import lint_files

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import pytest
 from reading import package
 
-from rospkg_cli.checks.closest_path import closest_path
+from rospkg_cli.checks.paths.closest_path import closest_path
 from rospkg_cli.example import BACKDROPS, CMAKE, SETUP_PY, manifest
 from rospkg_cli.finding import Edit
 from rospkg_cli.package.launch.launch_file import LaunchFile

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.left_blank import asks_at_the_top, has_task, is_asked_for
+from rospkg_cli.checks.python.left_blank import asks_at_the_top, has_task, is_asked_for
 from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest, scripts, setup_py
 from rospkg_cli.testing import lint_files
 

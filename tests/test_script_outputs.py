@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.script_outputs import outputs
+from rospkg_cli.checks.repository.script_outputs import outputs
 from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest, setup_py
 from rospkg_cli.testing import lint_files
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.spare_files import is_spare
+from rospkg_cli.checks.repository.spare_files import is_spare
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.testing import lint_files

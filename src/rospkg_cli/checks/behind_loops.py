@@ -10,7 +10,7 @@ from ..languages.python.evaluation_order import in_order
 from ..languages.python.file import PythonFile
 from ..languages.python.nodes import FunctionNode, nodes_of
 from ..source import Span
-from .behind_spin import CATCHES, LASTING
+from .python.behind_spin import CATCHES, LASTING
 from .shown.meanings import Meanings, Own
 
 ENDING = frozenset({"shutdown", "try_shutdown", "exit", "_exit", "destroy_node"})

@@ -20,8 +20,8 @@ from ..source import Span
 from ..unreadable import READABLE
 from .launch.missing_references import LaunchContext
 from .launch.unread_values import UnreadValues
+from .python.run_imports import RunImports
 from .reached_places import WHY, ReachedPlaces
-from .run_imports import RunImports
 
 JOINS = frozenset({"os.path.join", "path.join", "osp.join", "posixpath.join"})
 CLASSES = frozenset({"Path", "PurePath", "PosixPath"})

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from ..files import PackageFiles
-from .container_files import OF_CONTAINER, OF_SCRIPT, OF_WORKFLOW, files_called
 from .depends.own_requirements import links_own_folder
-from .told_python_paths import ON_PATH, has_on_python_path
+from .repository.container_files import OF_CONTAINER, OF_SCRIPT, OF_WORKFLOW, files_called
+from .repository.told_python_paths import ON_PATH, has_on_python_path
 
 BY_PIP = "; a text here has pip install the source folder itself, where Python finds it"
 

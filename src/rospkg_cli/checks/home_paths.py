@@ -21,21 +21,7 @@ from ..package.params.parameter_file import ParameterFile
 from ..package.workspace import Workspace
 from ..source import Span
 from ..unreadable import READABLE
-from .bare_paths import names_nothing
 from .cpp.uncalled_members import is_in_uncalled
-from .file_dialogs import begins_dialog
-from .home_accounts import is_of_container, is_of_many
-from .home_path_texts import (
-    ASKS,
-    CPP,
-    IS_SOUGHT,
-    MARKUP,
-    YAML,
-    is_guarded_macro,
-    is_in_handler,
-    patterns,
-    without_comments,
-)
 from .idle_paths import IdlePaths
 from .launch.missing_references import LaunchContext
 from .launch.undeclared_files import is_written_in_vain
@@ -46,14 +32,28 @@ from .params.block_readers import BlockReaders
 from .params.launch_overrides import is_given, is_overridden
 from .params.path_readers import PathReaders
 from .params.replaced_defaults import is_replaced
+from .paths.bare_paths import names_nothing
+from .paths.file_dialogs import begins_dialog
+from .paths.home_path_texts import (
+    ASKS,
+    CPP,
+    IS_SOUGHT,
+    MARKUP,
+    YAML,
+    is_guarded_macro,
+    is_in_handler,
+    patterns,
+    without_comments,
+)
+from .paths.shown_texts import is_only_shown
+from .paths.written_paths import WrittenPaths
 from .reached_definitions import ReachedDefinitions
-from .replaced_launch_files import has_named_twin, is_always_given, is_named
+from .repository.home_accounts import is_of_container, is_of_many
+from .repository.replaced_launch_files import has_named_twin, is_always_given, is_named
+from .repository.told_settings import is_told_by_comment, is_told_by_page
 from .share_lookups import UNOPENED
-from .shown_texts import is_only_shown
-from .told_settings import is_told_by_comment, is_told_by_page
 from .unread_paths import UnreadPaths
 from .unstarted_programs import UnstartedPrograms
-from .written_paths import WrittenPaths
 from .yaml_elsewhere import is_named_yaml, is_of_another
 
 FOR_CODE = ("launch", "src", "scripts", "script", "nodes", "node", "bin")
@@ -157,7 +157,7 @@ class HomePaths:
             is_value = path.endswith((".yaml", ".yml")) and role_of(path) != "launch" and not is_image
             ends = self.is_unread(path, place), written.has(place) or (is_value and self.is_of_written(path, place))
             is_unclaimed = (is_value and not self.readers.has(path, place, bare)) or self.is_given_in_vain(path, place)
-            from .last_resorts import is_last_resort  # few files have such a path
+            from .paths.last_resorts import is_last_resort  # few files have such a path
 
             is_last = is_last_resort(path, bare, place, file)
             is_off = self.idle is not None and self.idle.has(path, place)
@@ -168,8 +168,8 @@ class HomePaths:
 
     def is_for_others(self, file: PythonFile | None, text: str, place: Span) -> bool:
         """Return whether a path is for another machine, or one that is chosen by its name, or each call gives one."""
-        from .chosen_machines import is_for_one_machine, is_on_another_host  # few files have such a path
-        from .given_defaults import is_always_given as is_given_by_calls
+        from .paths.chosen_machines import is_for_one_machine, is_on_another_host  # few files have such a path
+        from .python.given_defaults import is_always_given as is_given_by_calls
 
         if file is None:
             return is_on_another_host(text, place.start)
@@ -235,14 +235,14 @@ class HomePaths:
         return self.blocks is not None and any(self.blocks.is_unread(*each) for each in held)
 
     def is_of_written(self, path: str, place: Span) -> bool:
-        from .written_parameters import is_of_written  # few files have such a path
+        from .paths.written_parameters import is_of_written  # few files have such a path
 
         return is_of_written(path, place, self.parameters, self.files)
 
     def is_given_otherwise(self, path: str, text: str, place: int) -> bool:
         """Return whether the build leaves a place out, or what is run gives another value than the one there."""
         from .cpp.undefined_macros import is_left_out  # few files have such a path
-        from .told_defaults import is_given_otherwise
+        from .repository.told_defaults import is_given_otherwise
 
         is_out = path.endswith(CPP) and is_left_out(text, place, self.files)
         return is_out or is_given_otherwise(path, text, place, self.files)
@@ -270,7 +270,7 @@ class HomePaths:
 
     def is_told_for_all(self, user: str) -> bool:
         if user not in self.told:
-            from .told_homes import is_told_for_all  # few files have such a path
+            from .repository.told_homes import is_told_for_all  # few files have such a path
 
             self.told[user] = is_told_for_all(self.files, user)
         return self.told[user]

@@ -13,7 +13,7 @@ from ..languages.python.nodes import FunctionNode, functions_of, nodes_of_kind
 from ..languages.python.settled_names import bound_otherwise
 from ..light_dataclasses import dataclass
 from .depends.own_classes import Line, OwnClasses
-from .switches import bound_members
+from .python.switches import bound_members
 
 START = "__init__"
 

@@ -12,9 +12,9 @@ from ..package.file_role import role_of
 from ..package.launch.live_text import live_text
 from ..package.package_facts import PackageFacts
 from ..package.params.named_yaml import ANY
-from .opened_elsewhere import CODE
 from .opening_places import OpeningPlaces
-from .pages_and_scripts import pages_and_scripts
+from .repository.pages_and_scripts import pages_and_scripts
+from .share.opened_elsewhere import CODE
 from .urdf.opened_robots import COMMAND
 
 YAML = (".yaml", ".yml")

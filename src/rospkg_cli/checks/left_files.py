@@ -21,14 +21,14 @@ from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
 from ..unreadable import READABLE
 from .depends.compiled_sources import sources_by_use
-from .home_path_texts import CPP, MARKUP, without_comments
 from .launch.left_launch_files import is_given_up
-from .pages_and_scripts import pages_and_scripts
-from .plain_scripts import is_plain_script
+from .paths.home_path_texts import CPP, MARKUP, without_comments
+from .python.plain_scripts import is_plain_script
+from .python.unrun_tests import is_unregistered
 from .reached_definitions import is_collected
 from .reached_modules import NAMING, PAGES, SCRIPTS, ReachedModules
-from .setup.linked_build import build_texts
-from .unrun_tests import is_unregistered
+from .repository.linked_build import build_texts
+from .repository.pages_and_scripts import pages_and_scripts
 
 KINDS: tuple[InstallKind, ...] = ("executable", "share", "module", "other")
 ENTRY = regex(r"(?m)^def generate_launch_description\b")

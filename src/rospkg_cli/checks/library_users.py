@@ -14,8 +14,8 @@ from ..package.cmake.cmake_facts import ANY
 from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
 from ..source import Span
-from .installed_modules import InstalledModules
-from .leading_names import definitions, leading_names
+from .python.installed_modules import InstalledModules
+from .python.leading_names import definitions, leading_names
 from .reached_modules import ReachedModules
 
 LOADED = regex(r"\b\w+_(?:EXPORT|REGISTER|ADD)_\w+|\b(?:PYBIND11|BOOST_PYTHON)_MODULE|\bextern\s+\"C\"")

@@ -9,9 +9,9 @@ from functools import cached_property
 from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..ros.share_layout import LAUNCH
-from .joined_shares import JoinedShares
-from .opened_elsewhere import live, opening, opening_elsewhere
-from .pages_and_scripts import pages_and_scripts
+from .repository.pages_and_scripts import pages_and_scripts
+from .share.joined_shares import JoinedShares
+from .share.opened_elsewhere import live, opening, opening_elsewhere
 from .share_uses import ShareUses
 
 MARKUP = (".urdf", ".xacro", ".sdf", ".world", ".xml")

@@ -17,14 +17,14 @@ from ..package.urdf.robot_words import is_launch, words_of
 from ..package.workspace import Workspace
 from ..source import Span
 from ..unreadable import READABLE
-from .joined_shares import JoinedShares
 from .launch.missing_references import LaunchContext
 from .launch.unread_values import UnreadValues
 from .left_files import LeftFiles
 from .opened_in_share import OpenedInShare
-from .pages_and_scripts import pages_and_scripts
 from .params.launch_overrides import is_overridden
 from .params.path_readers import PathReaders
+from .repository.pages_and_scripts import pages_and_scripts
+from .share.joined_shares import JoinedShares
 from .share_uses import ShareUses
 from .urdf.launched_robots import names
 from .urdf.met_robots import OUTPUT

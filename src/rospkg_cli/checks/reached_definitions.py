@@ -12,12 +12,12 @@ from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..package.install_table import InstallTable
 from ..source import Span
-from .class_families import class_families
-from .named_definitions import Named, closed_classes, definitions, takes_no_object
-from .own_names import SELF, own_names
-from .run_imports import RunImports
+from .python.class_families import class_families
+from .python.named_definitions import Named, closed_classes, definitions, takes_no_object
+from .python.own_names import SELF, own_names
+from .python.run_imports import RunImports
+from .python.switches import Switches
 from .started_by_path import StartedByPath
-from .switches import Switches
 
 OF_MODULES = ("__getattr__", "__dir__")
 """Functions of a module that Python calls; `super().__init__` means no function outside of a class."""

@@ -13,10 +13,10 @@ from ..package.cmake.cmake_project import CMake
 from ..package.file_role import Role, role_of
 from ..package.install_table import InstallTable
 from ..package.launch.live_text import live_text
-from .home_path_texts import without_comments
-from .installed_modules import InstalledModules
-from .plain_scripts import is_run_by_path
-from .run_imports import RunImports
+from .paths.home_path_texts import without_comments
+from .python.installed_modules import InstalledModules
+from .python.plain_scripts import is_run_by_path
+from .python.run_imports import RunImports
 
 PAGES = (".md", ".rst", ".sh")
 """Files that may tell how a module is started by its path."""

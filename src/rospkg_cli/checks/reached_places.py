@@ -16,15 +16,15 @@ from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..package.install_table import InstallTable
 from ..source import Span
-from .behind_spin import called_behind_spin, is_behind_spin, is_called_late
-from .installed_modules import InstalledModules
 from .interfaces.seldom_run import is_in_handler
 from .interfaces.uncalled_methods import UncalledMethods
 from .off_places import OffPlaces
-from .path_starts import is_started_by_path
+from .python.behind_spin import called_behind_spin, is_behind_spin, is_called_late
+from .python.installed_modules import InstalledModules
+from .python.run_imports import RunImports
 from .reached_definitions import ReachedDefinitions
 from .reached_modules import ReachedModules
-from .run_imports import RunImports
+from .repository.path_starts import is_started_by_path
 from .shown.units import is_in_function
 from .shown.ways import ShownWays
 from .unimported_modules import UnimportedModules

@@ -13,10 +13,10 @@ from ..light_dataclasses import dataclass
 from ..ros.rclpy_names import members_of_nodes
 from ..source import Span
 from .depends.own_classes import Line, OwnClasses
-from .installed_modules import InstalledModules
 from .kept_objects import START, KeptObjects
-from .refused_arguments import why_refused
-from .run_imports import RunImports
+from .python.installed_modules import InstalledModules
+from .python.refused_arguments import why_refused
+from .python.run_imports import RunImports
 
 
 @dataclass(frozen=True)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import posixpath
 
 from ..lazy_regex import regex
-from .home_path_texts import CPP
 from .home_paths import HomePath, HomePaths, is_installed
+from .paths.home_path_texts import CPP
 
 ARGUMENT = r"\bDeclareLaunchArgument\([^()]*default_value\s*=\s*[\"']\Z|<arg\s[^<>]*\bdefault\s*=\s*[\"']\Z"
 PARAMETER = r"\bdeclare_parameter(?:<[^<>]*(?:<[^<>]*>)?[^<>]*>)?\([^()]*,\s*[\"']\Z"

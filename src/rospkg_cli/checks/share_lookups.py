@@ -28,19 +28,19 @@ from ..package.workspace import Workspace
 from ..ros.names import NameKind
 from ..source import Span
 from ..suggest import near_names, nearest, slips
-from .closest_path import closest_path
 from .cpp.share_file_paths import share_file_paths
 from .cpp.share_names import all_share_names
 from .cpp.uncalled_members import is_in_uncalled
 from .depends.compiled_sources import harm_in
 from .install_faults import InstallFaults
+from .paths.closest_path import closest_path
+from .python.run_imports import RunImports
+from .python.unrun_tests import is_never_run
+from .python.wrong_calls import wrong_lookup
 from .reached_modules import ReachedModules
 from .reached_places import WHY, ReachedPlaces
-from .run_imports import RunImports
 from .unread_paths import UnreadPaths
-from .unrun_tests import is_never_run
 from .unset_switches import UnsetSwitches
-from .wrong_calls import wrong_lookup
 
 LOOKUPS = SHARE | {"get_package_prefix"}
 CATCHES = frozenset({"PackageNotFoundError", "KeyError", "LookupError", "Exception", "BaseException"})

@@ -13,10 +13,10 @@ from ..package.file_role import role_of
 from ..package.launch.launch_file import LaunchFile
 from ..package.launch.live_text import live_text
 from ..package.workspace import Workspace
-from .joined_shares import JoinedShares
-from .opened_elsewhere import CODE, CPP, is_opened_elsewhere, opening_elsewhere
-from .pages_and_scripts import pages_and_scripts
-from .share_references import references_folder
+from .repository.pages_and_scripts import pages_and_scripts
+from .share.joined_shares import JoinedShares
+from .share.opened_elsewhere import CODE, CPP, is_opened_elsewhere, opening_elsewhere
+from .share.share_references import references_folder
 
 EXAMPLE = regex(r"(?i)(?<![a-z])(?:examples?|samples?|templates?)(?![a-z])")
 """A word in the name of a file that people copy into a package of their own."""
@@ -73,7 +73,7 @@ class ShareUses:
 
     def makes(self, folder: str, paths: Sequence[str]) -> bool:
         """Return whether code makes a folder in the share directory that some text opens, and all files in it."""
-        from .made_in_share import is_made_in_share  # what findings alone need
+        from .paths.made_in_share import is_made_in_share  # what findings alone need
 
         return self.opens(folder) and is_made_in_share(self.files, self.name, folder, paths)
 
@@ -102,7 +102,7 @@ class ShareUses:
         written = re.compile(rf"(?:{source})(?![^\s`\"']*/share/)[^\s`]{{0,{REACH}}}\b{place}/")
         if any(written.search(text) for text in (*self.readmes, *self.code)):
             return True
-        from .started_by_place import is_started_by_place  # what findings alone need
+        from .repository.started_by_place import is_started_by_place  # what findings alone need
 
         return folder == "launch" and is_started_by_place(self.files, self.name, folder)
 
@@ -137,7 +137,7 @@ class ShareUses:
         return None if needed and not (self.opens_in_source(folder) or self.is_put_there(folder)) else "info"
 
     def is_put_there(self, folder: str) -> bool:
-        from .put_in_share import is_put_in_share  # what findings alone need
+        from .repository.put_in_share import is_put_in_share  # what findings alone need
 
         return is_put_in_share(self.files, self.name, folder)
 

@@ -11,7 +11,7 @@ from ..languages.python.nodes import nodes_of
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..package.install_table import InstallTable
-from .installed_modules import InstalledModules
+from .python.installed_modules import InstalledModules
 
 NAMING = (".py", ".md", ".rst", ".sh", ".txt", ".cfg", ".toml", ".xml", ".launch", ".yaml", ".yml")
 """Files that may tell or do how a module is started by its path."""

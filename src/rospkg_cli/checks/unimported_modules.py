@@ -7,7 +7,7 @@ from functools import cached_property
 from ..light_dataclasses import dataclass
 from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
-from .installed_modules import InstalledModules
+from .python.installed_modules import InstalledModules
 from .reached_modules import PAGES, ReachedModules
 
 

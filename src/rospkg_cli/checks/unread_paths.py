@@ -16,8 +16,8 @@ from ..package.install_table import InstallTable
 from ..package.python.share_paths import SHARE
 from ..package.workspace import Workspace
 from ..source import Span
-from .named_definitions import is_open
-from .run_imports import RunImports
+from .python.named_definitions import is_open
+from .python.run_imports import RunImports
 
 OPENS_NOTHING = SHARE | frozenset(
     {"join", "joinpath", "Path", "PurePath", "str", "expanduser", "abspath", "normpath", "dirname", "format"}

@@ -17,7 +17,7 @@ from ..unreadable import Unreadable
 from .fault import Level
 from .led_to import YAML, LedTo
 from .opening_places import OpeningPlaces
-from .started_texts import StartedTexts
+from .repository.started_texts import StartedTexts
 from .urdf.met_robots import MetRobots
 from .urdf.opened_robots import XACRO, OpenedRobots
 

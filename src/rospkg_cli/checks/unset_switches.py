@@ -15,8 +15,8 @@ from ..light_dataclasses import dataclass
 from ..package.file_role import role_of
 from ..source import Span
 from ..tree import READABLE
-from .run_imports import RunImports
-from .switch import Switch
+from .python.run_imports import RunImports
+from .python.switch import Switch
 
 TELLING = (".md", ".rst", ".txt", ".sh", ".bash", ".service", ".env", ".toml", ".json", "Makefile", "Dockerfile")
 """Files of pages and scripts: that one names a parameter is enough, for people may set it."""
@@ -46,7 +46,7 @@ class UnsetSwitches:
         file = self.run.modules.at(path) if path.endswith(".py") else None
         source = next((each for each in self.sources if each.path == path), None)
         if file is not None:
-            from .python_switches import python_switches  # few packages lack what they look for
+            from .python.python_switches import python_switches  # few packages lack what they look for
 
             yield from python_switches(file, span, [each for _, each in self.run.files])
         elif source is not None:

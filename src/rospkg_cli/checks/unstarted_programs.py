@@ -14,9 +14,9 @@ from ..package.install_table import InstallTable
 from ..package.launch.live_text import live_text
 from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
-from .opened_elsewhere import opening_elsewhere
-from .pages_and_scripts import pages_and_scripts
 from .reached_modules import ReachedModules
+from .repository.pages_and_scripts import pages_and_scripts
+from .share.opened_elsewhere import opening_elsewhere
 
 UNSTARTED = "; nothing here starts this program, as it does others of the package"
 STARTING = (".xml", ".launch", ".yaml", ".yml", ".json", ".service", ".desktop", ".conf")

@@ -12,8 +12,8 @@ from ..languages.python.unreached_places import is_unreached
 from ..light_dataclasses import dataclass
 from ..ros.python_calls import INDEX
 from ..source import Span
+from .python.wrong_calls import CATCHES, wrong_lookup
 from .share_lookups import ShareLookups
-from .wrong_calls import CATCHES, wrong_lookup
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,9 +10,9 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
 from ...package.cmake.referenced_paths import Use
-from ..left_to_people import UNTIL_MADE
-from ..pages_and_scripts import FetchedFiles, pages_and_scripts
-from ..script_outputs import ScriptOutputs
+from ..repository.left_to_people import UNTIL_MADE
+from ..repository.pages_and_scripts import FetchedFiles, pages_and_scripts
+from ..repository.script_outputs import ScriptOutputs
 from .folders_of_people import FoldersOfPeople
 
 LISTS = (".repos", ".rosinstall")

@@ -10,7 +10,7 @@ from ...languages.cmake.syntax import CommandInvocation
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from ..pages_and_scripts import pages_and_scripts
+from ..repository.pages_and_scripts import pages_and_scripts
 from .dead_branches import ASKING
 
 SWITCH = regex(r"[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)+")

@@ -13,8 +13,8 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.aliases import keys_for_cmake
 from ...ros.manifest import BUILDS
-from ..pages_and_scripts import pages_and_scripts
-from ..released import Release
+from ..repository.pages_and_scripts import pages_and_scripts
+from ..repository.released import Release
 from .found_with import built_against, found_with
 from .known_packages import is_known_package
 

@@ -8,8 +8,8 @@ from functools import cached_property
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
-from ..left_to_people import is_of_people
-from ..pages_and_scripts import own_pages, pages_above, texts_above
+from ..repository.left_to_people import is_of_people
+from ..repository.pages_and_scripts import own_pages, pages_above, texts_above
 
 MAKES = r"(?im)^.*\bmkdir\b[^\n]*[ \t\"'{1}]{0}(?![\w.-])"
 BRINGS = (

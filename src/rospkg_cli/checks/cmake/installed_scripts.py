@@ -17,7 +17,7 @@ from ...package.cmake.install_rules import InstallRule
 from ...package.launch.live_text import live_text
 from ...package.workspace import Workspace
 from ...ros.share_layout import LAUNCH
-from ..pages_and_scripts import pages_and_scripts
+from ..repository.pages_and_scripts import pages_and_scripts
 from .left_out_nodes import USES_ROS, is_last, is_left_out, is_node
 from .module_imports import dotted_imports, is_only_imported
 

@@ -12,8 +12,8 @@ from ...lazy_regex import regex
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of
 from ...package.launch.live_text import live_text
-from ..pages_and_scripts import pages_and_scripts
-from ..scripts_above import scripts_above
+from ..repository.pages_and_scripts import pages_and_scripts
+from ..repository.scripts_above import scripts_above
 from .commented_installs import said_in
 
 INSTALLS = regex(r"\binstall\s*\(\s*(?:PROGRAMS|FILES)\b([^()]*)", re.IGNORECASE)

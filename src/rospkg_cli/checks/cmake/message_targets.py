@@ -14,7 +14,7 @@ from ...ros.core_messages import CORE_MESSAGES
 from ...ros.distros import Targets
 from ...ros.link_targets import link_targets
 from ..fault import Level
-from ..older_distribution import OlderDistribution
+from ..repository.older_distribution import OlderDistribution
 from .consumers import Consumers
 from .mistyped_links import MistypedLinks
 

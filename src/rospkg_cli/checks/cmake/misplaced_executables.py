@@ -16,7 +16,7 @@ from ...package.cmake.copied_files import CopiedFile, copied_files
 from ...package.cmake.install_rules import InstallRule
 from ...package.file_role import role_of
 from ...ros.share_layout import LAUNCH
-from ..path_starts import is_started_by_path_alone, texts_of
+from ..repository.path_starts import is_started_by_path_alone, texts_of
 from .left_out_nodes import is_node
 from .node_programs import NodePrograms
 from .side_programs import has_side_name

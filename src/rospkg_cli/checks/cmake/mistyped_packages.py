@@ -19,7 +19,7 @@ from ...ros.config_files import in_other_case
 from ...ros.link_targets import ROS_NAME
 from ...ros.names import NameKind
 from ...suggest import slips
-from ..foreign_images import foreign_image
+from ..repository.foreign_images import foreign_image
 from .consumers import Consumers
 from .foreign_targets import TAKING, ForeignTargets, foreign_targets
 from .found_elsewhere import looks_outside, may_be_found_elsewhere

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Literal
 
-from ..path_starts import is_started_by_path_alone
-from ..spare_files import is_spare
+from ..repository.path_starts import is_started_by_path_alone
+from ..repository.spare_files import is_spare
 from .installed_scripts import BrokenScript, InstalledScripts
 from .left_out_nodes import is_node
 from .script_sentences import BY_PATH, KEPT, LOST

@@ -9,7 +9,7 @@ from ...lazy_regex import regex
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.target_folders import folders_of
 from ...package.workspace import Workspace
-from ..pages_and_scripts import pages_and_scripts
+from ..repository.pages_and_scripts import pages_and_scripts
 from .node_programs import NodePrograms
 
 SIDE = frozenset(

@@ -10,7 +10,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.cmake_project import CMake
 from ...ros.manifest import DEPENDENCY_TAGS
-from ..told_kinds import ToldKinds
+from ..repository.told_kinds import ToldKinds
 from .distro_guards import guarded_commands
 
 TEST_PACKAGES = frozenset("""

@@ -11,9 +11,9 @@ from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.install_table import InstalledFile
 from ...package.launch.live_text import live_text
-from ..pages_and_scripts import pages_and_scripts
+from ..python.ros1_import import ros1_import
 from ..reached_definitions import ReachedDefinitions
-from ..ros1_import import ros1_import
+from ..repository.pages_and_scripts import pages_and_scripts
 
 NAMING = (".py", ".xml", ".launch", ".yaml", ".yml")
 

@@ -8,7 +8,7 @@ from ...files import PackageFiles
 from ...languages.cmake.targets import Target
 from ..cmake.commented_installs import CommentedInstalls
 from ..cmake.node_programs import NodePrograms
-from ..path_starts import texts_of
+from ..repository.path_starts import texts_of
 
 REACH = 200
 """The most characters of the path before a program's name."""

@@ -68,7 +68,7 @@ class MainlessPrograms:
                     yield MainlessProgram(target, lost, is_component, is_whole and not is_asked, is_left)
 
     def is_left_to_write(self, path: str) -> bool:
-        from ..left_blank import asks_at_the_top, has_task, is_asked_for
+        from ..python.left_blank import asks_at_the_top, has_task, is_asked_for
 
         text = self.text(path)
         return asks_at_the_top(text) or is_asked_for(text, "main") or (not CODE.search(text) and has_task(text))

@@ -9,8 +9,8 @@ from ...languages.cpp.enclosing import END, openings
 from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...source import Span
-from ..home_path_texts import without_comments
-from ..switch import Switch
+from ..paths.home_path_texts import without_comments
+from ..python.switch import Switch
 from .given_variables import given_to
 
 IF = regex(r"\s*if\s*(?:constexpr\s*)?\((.*)\)[^()]*$")

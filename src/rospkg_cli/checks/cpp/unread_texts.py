@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from ...lazy_regex import regex
 from ...source import Span
-from ..home_path_texts import without_comments
+from ..paths.home_path_texts import without_comments
 
 GIVEN = regex(
     r"\b(?:string|string_view|path|auto|char)[ \t]*(?:const)?[ \t*&]+(\w+)[ \t]*(?:\[\s*\])?"

@@ -11,7 +11,7 @@ from ...languages.python.called_modules import is_bound
 from ...languages.python.file import Import, PythonFile
 from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
-from ..foreign_images import foreign_image
+from ..repository.foreign_images import foreign_image
 from .hand_installs import HandInstalls
 from .own_imports import OwnImports
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from ...languages.python.file import Import, PythonFile
 from ...languages.python.nodes import last_name, nodes_of_kind
 from ...lazy_regex import regex
-from ..own_environments import REFUSES
+from ..repository.own_environments import REFUSES
 from .pip_installs import names_in
 
 CHECKS = regex(

@@ -18,8 +18,8 @@ from ...ros.manifest import BUILD_TYPES, CONDITIONAL_TAGS, DEPENDENCY_TAGS, EXPO
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
-from ..older_distribution import OlderDistribution
-from ..released import Release
+from ..repository.older_distribution import OlderDistribution
+from ..repository.released import Release
 from .brought_dependencies import (
     COLCON,
     WITH_COLCON,

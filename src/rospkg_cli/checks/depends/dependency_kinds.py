@@ -15,7 +15,7 @@ from ...unreadable import READABLE
 from ..cmake.unguarded_tests import TEST_PACKAGES
 from ..interfaces.package_interfaces import InterfaceGeneration
 from ..launch.absent_package import ends_with
-from ..told_kinds import ToldKinds
+from ..repository.told_kinds import ToldKinds
 from .brought_dependencies import Bringer
 from .declared_dependencies import DeclaredDependencies
 from .interface_needs import interface_needs

@@ -10,7 +10,7 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
 from ...ros.imports import STANDARD
 from ...ros.names import BUILT_IN
-from ..installed_modules import InstalledModules
+from ..python.installed_modules import InstalledModules
 from .own_classes import OwnClass
 
 FILLING = frozenset({"setupUi", "setup_ui", "loadUi", "load_ui"})

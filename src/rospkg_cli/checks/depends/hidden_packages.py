@@ -11,7 +11,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.workspace import Workspace
 from ...tree import READABLE
-from ..container_files import OF_CONTAINER, OF_SCRIPT, OF_WORKFLOW, files_called
+from ..repository.container_files import OF_CONTAINER, OF_SCRIPT, OF_WORKFLOW, files_called
 
 NAME = regex(r"<name>\s*([\w-]+)\s*</name>")
 BUILDS = (

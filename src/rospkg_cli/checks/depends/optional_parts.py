@@ -11,7 +11,7 @@ from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.missing_repositories import COMMON
-from ..container_files import files_called
+from ..repository.container_files import files_called
 
 TELLING = regex(r"(?i)(?:\.(?:md|rst|sh|bash)|(?:^|/)(?:makefile|[^/]*dockerfile[^/]*))$")
 SAYS_SO = regex(

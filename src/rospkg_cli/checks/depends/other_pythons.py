@@ -9,8 +9,8 @@ from ...files import PackageFiles
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.python.python_imports import PackageImports
-from ..other_interpreters import host_of, is_for_another_interpreter
-from ..own_environments import environment_told
+from ..python.other_interpreters import host_of, is_for_another_interpreter
+from ..repository.own_environments import environment_told
 from ..unstarted_programs import UnstartedPrograms
 
 HOSTED = "; another interpreter than that of ROS runs this file"

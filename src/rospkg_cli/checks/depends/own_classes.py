@@ -10,9 +10,9 @@ from functools import cached_property
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
-from ..installed_modules import InstalledModules
-from ..node_bases import is_of_rclpy, origins
-from ..run_imports import RunImports
+from ..python.installed_modules import InstalledModules
+from ..python.node_bases import is_of_rclpy, origins
+from ..python.run_imports import RunImports
 
 EMPTY = frozenset({"object", "ABC"})
 DEPTH = 8

@@ -18,11 +18,11 @@ from ...ros.imports import STANDARD
 from ...ros.interfaces import KINDS
 from ...source import Span
 from ...suggest import nearest, slips
-from ..installed_modules import MADE, InstalledModules
+from ..python.installed_modules import MADE, InstalledModules
+from ..python.run_imports import PATHS, RunImports
+from ..python.unwritten_modules import why_left_to_write
 from ..reached_modules import ReachedModules
 from ..reached_places import ReachedPlaces
-from ..run_imports import PATHS, RunImports
-from ..unwritten_modules import why_left_to_write
 from .pip_installs import PipInstalls, normalized
 
 LEFT = "; nothing starts or imports this module"

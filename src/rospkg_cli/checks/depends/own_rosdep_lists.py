@@ -9,7 +9,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.manifest import Dependency
 from ...source import Span
-from ..container_files import files_called
+from ..repository.container_files import files_called
 from .declared_dependencies import DeclaredDependencies
 from .skipped_keys import told_texts
 from .unavailable_on_target import NO_PACKAGE

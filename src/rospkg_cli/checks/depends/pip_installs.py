@@ -13,7 +13,7 @@ from ...light_dataclasses import dataclass
 from ...ros.aliases import key_for_pip
 from ...ros.names import Names
 from ...tree import READABLE
-from ..container_files import BARE, OF_CONTAINER, SHELL, files_called
+from ..repository.container_files import BARE, OF_CONTAINER, SHELL, files_called
 from .locked_names import locked_names, may_lock
 from .own_requirements import own_requirements
 from .pip_requirements import distributions_of, required_by

@@ -11,7 +11,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.workspace import Workspace
 from ...tree import READABLE
-from ..pages_and_scripts import pages_and_scripts
+from ..repository.pages_and_scripts import pages_and_scripts
 from .brought_dependencies import brought_by
 from .declared_beside import repository_of
 from .hand_installs import plain

@@ -10,7 +10,7 @@ from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...package.cmake.cmake_project import CMake
 from ...package.launch.live_text import live_text
-from ..pages_and_scripts import pages_and_scripts
+from ..repository.pages_and_scripts import pages_and_scripts
 
 ROOT = "CMakeLists.txt"
 ADDS = regex(r"(?i)\b(?:add_subdirectory|subdirs|externalproject_add|fetchcontent_\w+|ament_vendor)\s*\(([^)]*)\)")

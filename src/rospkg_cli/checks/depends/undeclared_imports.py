@@ -13,12 +13,12 @@ from ...package.file_role import Role
 from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_TESTS, LAUNCH, implied_by
 from ...source import Span
-from ..foreign_images import foreign_image
+from ..python.ros1_import import ROS1, ros1_import
+from ..python.run_imports import RunImports
+from ..python.unrun_tests import is_never_run
 from ..reached_modules import ReachedModules
 from ..reached_places import AT_TIMES, ReachedPlaces
-from ..ros1_import import ROS1, ros1_import
-from ..run_imports import RunImports
-from ..unrun_tests import is_never_run
+from ..repository.foreign_images import foreign_image
 from ..unstarted_programs import UnstartedPrograms
 from .before_imports import (
     BY_PIP_HERE,

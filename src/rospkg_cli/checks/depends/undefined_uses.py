@@ -16,11 +16,11 @@ from ...light_dataclasses import dataclass
 from ...package.file_role import Role, is_set_aside, role_of
 from ...ros.module_attributes import IN_FOXY
 from ...source import Span
-from ..installed_modules import InstalledModules
-from ..module_attributes import AbsentAttribute, absent_attributes
-from ..older_distribution import OlderDistribution
+from ..python.installed_modules import InstalledModules
+from ..python.module_attributes import AbsentAttribute, absent_attributes
+from ..python.run_imports import RunImports
 from ..reached_places import ReachedPlaces
-from ..run_imports import RunImports
+from ..repository.older_distribution import OlderDistribution
 
 When = Literal["certainly", "maybe", "branch", "late", "ended", "unspun", "seldom", "unshown", "never", "aside"]
 """When a name is used: at every start or import, in some runs, under a condition or after another failure, behind a

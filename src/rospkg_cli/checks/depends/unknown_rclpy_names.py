@@ -18,7 +18,7 @@ from ...package.file_role import Role
 from ...ros.rclpy_names import OF_ROSPY, members_of_nodes, names_of_rclpy
 from ...source import Span
 from ...suggest import near_names
-from ..node_bases import is_of_rclpy
+from ..python.node_bases import is_of_rclpy
 from .own_members import members
 from .undefined_uses import UndefinedUses, When
 

@@ -20,7 +20,7 @@ from ...ros.private_links import KEPT_FROM_JAZZY
 from ...source import Span
 from ..cmake.missing_export_dependencies import BY_MACRO
 from ..cmake.unknown_commands import UnknownCommands
-from ..older_distribution import OlderDistribution
+from ..repository.older_distribution import OlderDistribution
 from .brought_by_links import BEFORE_JAZZY, SOMEWHERE, BroughtByLinks, is_of_interfaces
 from .compiled_sources import Inclusions, sources_by_use
 from .header_folders import HeaderFolders

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..older_distribution import OlderDistribution
+from ..repository.older_distribution import OlderDistribution
 from .unlinked_includes import UnlinkedInclude
 
 ON_DEMAND = "; it is built on demand alone"

@@ -23,7 +23,7 @@ def why_unwritten(use: UndefinedUse) -> str:
 
 def why_open(file: PythonFile, name: str, span: Span) -> str:
     """Return what is said of a use of a name that is a blank, or that a comment asks for; "" for any other."""
-    from ..left_blank import announces, is_asked_for, is_blank  # what few files need
+    from ..python.left_blank import announces, is_asked_for, is_blank  # what few files need
 
     text = file.source.text
     if is_blank(name):
@@ -33,7 +33,7 @@ def why_open(file: PythonFile, name: str, span: Span) -> str:
 
 def is_member_unwritten(file: PythonFile, owner: ast.ClassDef, name: str, places: Iterable[Span]) -> bool:
     """Return whether a comment where a member is read, or in the constructor, says that it is still to be written."""
-    from ..left_blank import announces, is_asked_for
+    from ..python.left_blank import announces, is_asked_for
 
     text = file.source.text
     if is_asked_for(text, name):

@@ -12,9 +12,9 @@ from ...languages.python.own_reads import own_calls
 from ...languages.python.unreached_places import is_unreached
 from ...light_dataclasses import dataclass
 from ...ros.python_calls import OF_NODES, OF_RCLPY
-from ..older_distribution import OlderDistribution
+from ..python.wrong_calls import CATCHES, wrong_call
 from ..refused_own_calls import RefusedOwnCalls
-from ..wrong_calls import CATCHES, wrong_call
+from ..repository.older_distribution import OlderDistribution
 from .unknown_rclpy_names import UnknownName, UnknownRclpyNames, name_of, rebinds
 
 Called = ast.Attribute | ast.Name

@@ -13,7 +13,7 @@ from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.interfaces import header_name
-from ..pages_and_scripts import pages_and_scripts
+from ..repository.pages_and_scripts import pages_and_scripts
 from .rosidl_targets import RosidlTargets
 
 CODE = (".py", ".yaml", ".yml", ".xml", ".launch", ".rviz")

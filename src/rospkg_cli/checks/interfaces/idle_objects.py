@@ -11,7 +11,7 @@ from ...languages.python.nodes import FunctionNode, nodes_below, nodes_of_kind
 from ...languages.python.unread_values import never_added
 from ...light_dataclasses import dataclass
 from ...source import Span
-from ..run_imports import RunImports
+from ..python.run_imports import RunImports
 
 PLAIN = frozenset({"object", "ABC", "abc.ABC"})
 """Base classes that call no method by themselves."""

@@ -11,8 +11,8 @@ from ...light_dataclasses import dataclass
 from ...package.file_role import is_set_aside, role_of
 from ...ros.interfaces import KINDS
 from ..fault import WORST_FIRST, Level
-from ..pages_and_scripts import pages_and_scripts
 from ..reached_places import ReachedPlaces
+from ..repository.pages_and_scripts import pages_and_scripts
 from ..unstarted_programs import UnstartedPrograms
 from .facts_and_files import FactsAndFiles
 

@@ -11,10 +11,10 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.interfaces import KINDS
 from ...source import Span
-from ..older_distribution import OlderDistribution
+from ..python.run_imports import RunImports
 from ..reached_modules import ReachedModules
 from ..reached_places import ReachedPlaces
-from ..run_imports import RunImports
+from ..repository.older_distribution import OlderDistribution
 from .known_interfaces import KnownInterfaces
 
 OLDER = "; the older distribution that this is for may have it"

@@ -11,10 +11,10 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import FunctionNode, nodes_of, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...source import Span
-from ..class_families import class_families
-from ..logged_texts import logged_texts
-from ..node_bases import is_of_rclpy
-from ..run_imports import RunImports
+from ..paths.logged_texts import logged_texts
+from ..python.class_families import class_families
+from ..python.node_bases import is_of_rclpy
+from ..python.run_imports import RunImports
 
 FOR_ROS = frozenset({"destroy_node"})
 """Methods that rclpy calls by itself, with those of a life cycle (`on_configure`)."""

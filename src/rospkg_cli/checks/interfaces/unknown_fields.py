@@ -15,12 +15,12 @@ from ...ros.interfaces import CONSTANT_NAME, KINDS
 from ...source import Span
 from ...suggest import near_names, nearest
 from ..fault import Level
-from ..older_distribution import OlderDistribution
+from ..python.run_imports import RunImports
+from ..python.wrong_calls import CATCHES as TYPE_ERROR
 from ..reached_definitions import ReachedDefinitions
 from ..reached_modules import ReachedModules
 from ..reached_places import ReachedPlaces
-from ..run_imports import RunImports
-from ..wrong_calls import CATCHES as TYPE_ERROR
+from ..repository.older_distribution import OlderDistribution
 from .idle_objects import IdleObjects
 from .known_interfaces import KnownInterfaces
 from .message_classes import MessageClasses, changed_messages, names_interfaces

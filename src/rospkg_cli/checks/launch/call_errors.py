@@ -17,8 +17,8 @@ from ...source import Span
 from ...suggest import nearest
 from ...unreadable import READABLE
 from ..fault import Fault, softer, softer_advice
-from ..logged_texts import logged_spans
-from ..older_distribution import OlderDistribution
+from ..paths.logged_texts import logged_spans
+from ..repository.older_distribution import OlderDistribution
 from .argument_types import TYPE_CHECKS, action_list_faults
 from .idle_actions import NEVER_CALLED, UNUSED, is_uncalled
 from .include_sources import source_faults

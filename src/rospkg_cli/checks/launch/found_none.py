@@ -10,7 +10,7 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import last_name, nodes_of, nodes_of_kind
 from ...package.launch.default_branches import bound_once
 from ...source import Span
-from ..logged_texts import is_log
+from ..paths.logged_texts import is_log
 from .searched_folders import Names, parts_of, searched_in
 
 FOUND_NONE = "but only where a search finds none like it, as the launch then says"

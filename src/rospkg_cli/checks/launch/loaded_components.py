@@ -17,7 +17,7 @@ from ...suggest import nearest, slips
 from ...unreadable import READABLE
 from ..cmake.component_registration import ComponentRegistration
 from ..fault import Level
-from ..older_distribution import OlderDistribution
+from ..repository.older_distribution import OlderDistribution
 from .forked_packages import is_of_fork
 from .one_cause import CausedPlace, told_at
 from .who_meets import level_met

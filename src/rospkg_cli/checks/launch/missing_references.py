@@ -22,7 +22,7 @@ from ...ros.well_known import other_launch_file
 from ...source import Span
 from ...suggest import slips
 from ...unreadable import UnreadableError
-from ..closest_path import closest_path
+from ..paths.closest_path import closest_path
 from .open_paths import fits_nothing, meant
 
 DOUBLED = regex(r"((?:\.[a-z][a-z0-9]*)+)\1(?=(?:\.[a-z]+)?$)")

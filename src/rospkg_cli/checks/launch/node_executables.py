@@ -15,9 +15,9 @@ from ...ros.well_known import WrongName, removed, wrong_name
 from ...source import Span
 from ...suggest import nearest, slips
 from ...unreadable import READABLE
-from ..closest_path import is_like
 from ..fault import Level
-from ..older_distribution import OlderDistribution
+from ..paths.closest_path import is_like
+from ..repository.older_distribution import OlderDistribution
 from .forked_packages import is_of_fork
 from .idle_actions import level_at
 from .missing_references import LaunchContext
@@ -171,7 +171,7 @@ class NodeExecutables:
 
     def unless_blank(self, node: ExecutableUse) -> ExecutableUse:
         """Return a use, as an info where people are to fill its name in (`TODO`, `<your_node>`) or to replace it."""
-        from ..left_blank import is_blank, is_to_be_replaced  # what few launch files need
+        from ..python.left_blank import is_blank, is_to_be_replaced  # what few launch files need
 
         is_open = is_blank(node.executable) or is_to_be_replaced(self.scope.file.source.text, node.span.start)
         return replace(node, level="info", why="until people fill the name in") if is_open else node

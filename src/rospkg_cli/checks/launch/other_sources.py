@@ -10,8 +10,8 @@ from ...lazy_regex import regex
 from ...package.missing_repositories import is_called
 from ...package.workspace import Workspace
 from ...ros.core_packages import core_packages
-from ..container_files import OF_CONTAINER, OF_WORKFLOW, files_called
-from ..pages_and_scripts import pages_and_scripts
+from ..repository.container_files import OF_CONTAINER, OF_WORKFLOW, files_called
+from ..repository.pages_and_scripts import pages_and_scripts
 
 CLONES = regex(r"\bgit[ \t]+clone\b[^\n]*?[/:]([\w.-]+?)(?:\.git)?/?(?=[\s'\"`)]|$)", re.MULTILINE)
 FETCHES = regex(r"\b(?:vcs[ \t]+import|wstool[ \t]+(?:init|merge|update|up)|rosinstall[ \t]+\S)")

@@ -9,7 +9,7 @@ from ...package.launch.collect_texts import READERS
 from ...package.launch.file_references import OPEN
 from ...package.launch.launch_file import LaunchFile
 from ..fault import Level
-from ..left_to_people import UNTIL_NAMED, files_of, why_left
+from ..repository.left_to_people import UNTIL_NAMED, files_of, why_left
 from .given_arguments import why_given
 from .idle_actions import NEVER_CALLED, NO_ENTRY, OFF, level_at, level_read
 from .include_arguments import IncludeContext
@@ -105,7 +105,7 @@ def lacked_by_search(scope: LaunchContext, each: MissingReference) -> str:
 
 def is_template(scope: LaunchContext, each: MissingReference) -> bool:
     """Return whether people are to write another name: a comment says so, or the name does (`YOUR_ROBOT.urdf`)."""
-    from ..left_blank import is_blank, is_to_be_replaced  # few packages miss a file
+    from ..python.left_blank import is_blank, is_to_be_replaced  # few packages miss a file
 
     name = posixpath.basename(each.path).partition(".")[0]
     return is_blank(name) or is_to_be_replaced(scope.file.source.text, each.span.start)
@@ -113,7 +113,7 @@ def is_template(scope: LaunchContext, each: MissingReference) -> bool:
 
 def written_by_program(scope: LaunchContext, each: MissingReference) -> str:
     """Return that the code of a program writes a missing file; what tests write is there for other tests alone."""
-    from ..written_by_programs import UNTIL_WRITTEN, writer_of  # few packages miss a file
+    from ..paths.written_by_programs import UNTIL_WRITTEN, writer_of  # few packages miss a file
 
     if each.state != "absent":
         return ""

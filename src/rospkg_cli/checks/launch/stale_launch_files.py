@@ -11,9 +11,9 @@ from ...package.file_role import role_of
 from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
-from ..opened_elsewhere import opening_elsewhere
-from ..pages_and_scripts import pages_and_scripts
-from ..spare_files import HEAD, SAYS
+from ..repository.pages_and_scripts import pages_and_scripts
+from ..repository.spare_files import HEAD, SAYS
+from ..share.opened_elsewhere import opening_elsewhere
 from ..unmeant_starts import UNDONE, UNFINISHED
 from ..unstarted_programs import SENTENCES, STALE
 

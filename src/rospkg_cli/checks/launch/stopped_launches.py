@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable
 
 from ...files import PackageFiles
 from ...package.launch.launch_file import LaunchFile
-from ..older_distribution import OlderDistribution
+from ..repository.older_distribution import OlderDistribution
 from .removed_arguments import is_taken_by_old_launch_alone
 
 

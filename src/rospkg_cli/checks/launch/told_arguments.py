@@ -11,7 +11,7 @@ from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
-from ..pages_and_scripts import pages_and_scripts
+from ..repository.pages_and_scripts import pages_and_scripts
 from .unset_configurations import LaunchConfigurations
 
 COMMAND = regex(r"\b(?:ros2[ \t]+launch|roslaunch)[ \t](?:[^\n\\]|\\\n?)*")

@@ -14,8 +14,8 @@ from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
-from ..container_files import OF_CONTAINER, OF_SCRIPT, OF_WORKFLOW, files_called
 from ..left_files import LeftFiles
+from ..repository.container_files import OF_CONTAINER, OF_SCRIPT, OF_WORKFLOW, files_called
 
 UNSTARTED = "nothing installs this file, or starts it by its path"
 PROSE = (".md", ".rst")

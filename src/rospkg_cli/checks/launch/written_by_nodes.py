@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from ...lazy_regex import regex
 from ...package.file_role import role_of
 from ...source import Span
-from ..written_paths import WORD
+from ..paths.written_paths import WORD
 from .missing_references import LaunchContext, MissingReference
 from .undeclared_files import names_at
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
 from ...package.manifest import Manifest
-from ..released import Release
+from ..repository.released import Release
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from ...package.rule_settings import RuleSettings
 from ...ros.distros import Targets
 from ...ros.interfaces import KINDS
 from ...ros.manifest import BUILD_TYPES, OTHER_BUILD_TYPES
-from ..released import Release
+from ..repository.released import Release
 from .schema_tests import SchemaTests
 
 IDLE = frozenset(

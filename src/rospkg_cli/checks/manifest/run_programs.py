@@ -10,7 +10,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.cmake.target_folders import ASIDE, EXAMPLES, parts_of
 from ...package.cmake.target_links import TargetLinks
 from ...package.cmake.uninstalled_targets import UninstalledTargets
-from ..pages_and_scripts import pages_and_scripts
+from ..repository.pages_and_scripts import pages_and_scripts
 
 TESTS = ASIDE - EXAMPLES
 """Folders whose programs nobody runs by their names, though some packages install them."""

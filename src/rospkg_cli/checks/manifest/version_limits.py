@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...light_dataclasses import dataclass
-from ..released import Release
+from ..repository.released import Release
 from .schema_tests import SchemaTests
 
 

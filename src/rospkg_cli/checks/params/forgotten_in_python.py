@@ -12,7 +12,7 @@ from ...light_dataclasses import dataclass
 from ...package.params.declared_parameter import DeclaredParameter
 from ...package.params.python_parameters import has_computed_names, read_in
 from ...ros.known_nodes import known_parameters
-from ..node_bases import is_of_rclpy
+from ..python.node_bases import is_of_rclpy
 from .declaring_packages import is_its_own
 from .own_python_reads import hands_itself, modules_of
 from .unknown_reads import MILD, ParameterReads, UnknownRead, allows_any

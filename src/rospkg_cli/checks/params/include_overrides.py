@@ -10,7 +10,7 @@ from ...package.launch.file_references import first_in
 from ...package.launch.launch_file import Include, LaunchFile
 from ...package.launch.text import LaunchText
 from ...ros.replaced_parameters import replaces_for, replacing_argument
-from ..home_path_texts import without_comments
+from ..paths.home_path_texts import without_comments
 from .parameter_file_use import REWRITES
 
 

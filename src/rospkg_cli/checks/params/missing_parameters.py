@@ -8,8 +8,8 @@ from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...source import Span
 from ..fault import Level
-from ..older_distribution import UNSUPPORTED, OlderDistribution, names_in
-from ..pages_and_scripts import own_pages
+from ..repository.older_distribution import UNSUPPORTED, OlderDistribution, names_in
+from ..repository.pages_and_scripts import own_pages
 from .block_readers import BlockReaders
 from .declaring_packages import ParameterContext
 from .launch_parameters import LaunchParameters

@@ -8,7 +8,7 @@ from ...light_dataclasses import dataclass
 from ...package.params.parameter_file import ParameterFile
 from ...ros.known_nodes import newer_parameters
 from ...source import Span
-from ..older_distribution import OlderDistribution
+from ..repository.older_distribution import OlderDistribution
 from .block_readers import BlockReaders
 from .declaring_packages import ParameterContext
 from .idle_nodes import Start, hardest

@@ -18,10 +18,10 @@ from ...package.params.parameter_file import ParameterFile
 from ...package.workspace import Workspace
 from ...source import Span
 from ...unreadable import READABLE
-from ..closest_path import closest_path
 from ..fault import Fault, softer_advice
-from ..left_to_people import UNTIL_NAMED, files_of, why_left
 from ..opening_places import OpeningPlaces
+from ..paths.closest_path import closest_path
+from ..repository.left_to_people import UNTIL_NAMED, files_of, why_left
 from ..yaml_elsewhere import is_named_yaml
 from .launch_overrides import is_overridden
 from .opened_maps import OpenedMaps
@@ -148,7 +148,7 @@ class NamedFiles:
 
 def why_replaced(text: str, place: int) -> str:
     """Return that a comment beside a name has people write another one; "" where none does."""
-    from ..left_blank import is_to_be_replaced  # few packages miss a file
+    from ..python.left_blank import is_to_be_replaced  # few packages miss a file
 
     return UNTIL_NAMED if is_to_be_replaced(text, place) else ""
 

@@ -7,7 +7,7 @@ import re
 from ...files import PackageFiles
 from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts
-from ..left_to_people import files_of
+from ..repository.left_to_people import files_of
 
 CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h", ".yaml", ".yml")
 

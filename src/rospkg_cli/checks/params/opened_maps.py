@@ -10,7 +10,7 @@ from functools import cached_property
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ..opening_places import OpeningPlaces, whole
-from ..pages_and_scripts import pages_and_scripts
+from ..repository.pages_and_scripts import pages_and_scripts
 
 READS_MAPS = regex(r"map_server|yaml_filename|nav2_bringup|bringup_launch|localization_launch|navigation2?[._]launch")
 """What a text has that starts a map server, itself or by nav2, which people give one of the maps beside each other."""

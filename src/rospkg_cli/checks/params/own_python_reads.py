@@ -10,7 +10,7 @@ from functools import cached_property
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import last_name, nodes_of_kind
 from ...light_dataclasses import dataclass
-from ..named_definitions import closed_classes, is_open
+from ..python.named_definitions import closed_classes, is_open
 from .own_reads import CLIENT, NODE
 
 DECLARES = ("declare_parameter", "declare_parameters")

@@ -13,7 +13,7 @@ from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
 from ...ros.known_nodes import known_nodes, known_parameters, removed_parameters
 from ...source import Span
-from ..older_distribution import OLDER, OlderDistribution
+from ..repository.older_distribution import OLDER, OlderDistribution
 from .idle_declarations import is_idle
 from .mistyped_blocks import last
 

@@ -12,7 +12,7 @@ from ...package.file_role import role_of
 from ...package.params.node_texts import of_cpp, of_python
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...ros.known_nodes import known_nodes
-from ..pages_and_scripts import pages_and_scripts
+from ..repository.pages_and_scripts import pages_and_scripts
 from .inner_nodes import SINGLE
 from .launch_parameters import LaunchParameters, NodeArguments, is_near
 from .mistyped_blocks import WILD, last

@@ -11,7 +11,7 @@ from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import Parameter, ParameterFile
 from ..depends.compiled_sources import HEADERS, own_compiled
 from ..fault import Fault, Level
-from ..older_distribution import OlderDistribution
+from ..repository.older_distribution import OlderDistribution
 from .block_readers import BlockReaders
 from .declaring_packages import ParameterContext, ParameterGroup
 from .forgotten_declarations import ForgottenDeclarations

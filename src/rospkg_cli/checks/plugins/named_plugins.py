@@ -17,7 +17,7 @@ from ...package.workspace import Workspace
 from ...ros.plugins import LOADED_WHOLE, OFFERED
 from ..fault import WORST_FIRST, Level
 from ..made_classes import MadeClasses
-from ..pages_and_scripts import pages_and_scripts
+from ..repository.pages_and_scripts import pages_and_scripts
 
 COMPILED = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 TEXTS = (".py", ".launch", ".xml", ".yaml", ".yml", ".json", ".urdf", ".xacro", ".srdf", ".rviz", ".perspective")

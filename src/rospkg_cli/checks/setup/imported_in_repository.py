@@ -6,7 +6,7 @@ import posixpath
 import re
 
 from ...files import PackageFiles
-from ..opened_elsewhere import live, opening
+from ..share.opened_elsewhere import live, opening
 
 REACH = 1000
 """The most characters of the names that one statement imports."""

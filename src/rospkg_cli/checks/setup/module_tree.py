@@ -12,7 +12,7 @@ from ...package.file_role import is_set_aside, role_of
 from ...package.setup.entry_points import EntryPoint
 from ...package.setup.setup_py import SetupPy
 from ...package.setup.setup_text import SetupText
-from .linked_build import is_always_linked, linking_file
+from ..repository.linked_build import is_always_linked, linking_file
 from .module_exports import absolute
 from .python_package import PythonPackage
 

@@ -18,7 +18,7 @@ from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...ros.imports import STANDARD
 from ...suggest import nearest, slips
-from ..ros1_import import ros1_import
+from ..python.ros1_import import ros1_import
 from .module_exports import offers
 
 

@@ -14,7 +14,7 @@ from ...package.setup.setup_cfg import SetupCfg
 from ...package.setup.setup_py import SetupPy
 from ...package.setup.setup_text import SetupText
 from ...package.workspace import Workspace
-from .linked_build import linking_file
+from ..repository.linked_build import linking_file
 from .python_package import PythonPackage
 
 SCRIPT_OPTIONS = (("develop", "script_dir"), ("install", "install_scripts"))

@@ -19,7 +19,7 @@ from ...ros.share_layout import FOLDERS, LAUNCH
 from ...suggest import nearest
 from ...unreadable import READABLE
 from ..opened_in_share import OpenedInShare
-from ..pages_and_scripts import FetchedFiles
+from ..repository.pages_and_scripts import FetchedFiles
 from ..share_uses import ShareUses
 from ..started_files import is_started, launches_nothing
 from .python_package import PythonPackage

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.setup.entry_points import EntryPoint
-from ..older_distribution import OlderDistribution
+from ..repository.linked_build import build_texts
+from ..repository.older_distribution import OlderDistribution
 from ..unstarted_programs import UnstartedPrograms
-from .linked_build import build_texts
 from .module_tree import ModuleTree
 from .python_package import PythonPackage
 

@@ -7,7 +7,7 @@ from functools import cached_property
 
 from ...light_dataclasses import dataclass
 from ...package.setup.entry_points import EntryPoint
-from ..ros1_import import ros1_import
+from ..python.ros1_import import ros1_import
 from .module_exports import absolute
 from .python_package import PythonPackage
 from .replaced_imports import is_replaced

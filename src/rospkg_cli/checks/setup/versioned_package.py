@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...light_dataclasses import dataclass
-from ..released import CHANGES, Release
+from ..repository.released import CHANGES, Release
 from .python_package import PythonPackage
 
 

@@ -11,8 +11,8 @@ from ...languages.python.file import Import, PythonFile, bindings
 from ...languages.python.nodes import FunctionNode, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...source import Span
-from ..installed_modules import InstalledModules
-from ..run_imports import RunImports
+from ..python.installed_modules import InstalledModules
+from ..python.run_imports import RunImports
 
 DEPTH = 6
 

@@ -19,11 +19,11 @@ from ...package.launch.launch_evaluator import ENTRIES
 from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
-from ..installed_modules import InstalledModules
+from ..python.installed_modules import InstalledModules
+from ..python.run_imports import RunImports
+from ..python.unrun_tests import SOUGHT, is_never_run
 from ..reached_modules import ReachedModules
-from ..run_imports import RunImports
 from ..started_by_path import python_files_in
-from ..unrun_tests import SOUGHT, is_never_run
 from .meanings import Meanings, Own
 
 STARTING = (".sh", ".bash", ".launch", ".xml", ".service", ".yaml", ".yml", ".py")

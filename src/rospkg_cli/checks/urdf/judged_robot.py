@@ -14,7 +14,7 @@ from ...package.urdf.robot_file import RobotFile
 from ...source import Span
 from ...unreadable import READABLE
 from ..fault import Fault, once_each, softer
-from ..older_distribution import OlderDistribution
+from ..repository.older_distribution import OlderDistribution
 from .control_readers import ControlReaders
 from .expanded_robots import ExpandedRobots
 from .given_prefixes import gives_text

@@ -16,7 +16,7 @@ from ...package.urdf.robot_words import LAUNCH, is_launch, may_be_made, words_of
 from ...package.workspace import Workspace
 from ...unreadable import READABLE
 from ..left_files import LeftFiles
-from ..pages_and_scripts import pages_and_scripts
+from ..repository.pages_and_scripts import pages_and_scripts
 from .named_with_folder import means_inner_copy
 from .opened_robots import OpenedRobots, has_folders
 from .opening_texts import ROBOTS
@@ -43,7 +43,7 @@ class LaunchedRobots:
     def by_default(self) -> frozenset[str]:
         """The robots that a plain launch comes to."""
         from ..launch.plain_launch import plain_texts  # what findings alone need
-        from ..opened_elsewhere import opening_elsewhere
+        from ..share.opened_elsewhere import opening_elsewhere
 
         others = (*pages_and_scripts(self.files), *opening_elsewhere(self.files, self.package.name, self.workspace))
         plain = plain_texts(self.launch_files, (*self.opened.texts, *(("", text) for text in others)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...languages.xml.parser import Element
-from ..left_blank import is_blank
+from ..python.left_blank import is_blank
 
 STILL = "; it is still to be filled in"
 

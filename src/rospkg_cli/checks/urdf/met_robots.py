@@ -8,7 +8,7 @@ from functools import cached_property
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
-from ..pages_and_scripts import own_pages, pages_above
+from ..repository.pages_and_scripts import own_pages, pages_above
 from .launched_robots import LaunchedRobots
 from .opened_robots import COMMAND, ENDS, OpenedRobots
 

@@ -17,10 +17,10 @@ from ...package.workspace import Workspace
 from ...ros.share_layout import FOLDERS
 from ...source import Span
 from ...suggest import nearest
-from ..closest_path import closest_path
 from ..fault import Fault, softer
 from ..install_faults import InstallFaults
-from ..pages_and_scripts import ARCHIVES, FetchedFiles
+from ..paths.closest_path import closest_path
+from ..repository.pages_and_scripts import ARCHIVES, FetchedFiles
 from .bare_meshes import is_relative
 from .control_readers import ControlReaders
 from .emptied_folders import emptied_folders

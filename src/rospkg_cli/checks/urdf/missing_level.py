@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from ...light_dataclasses import replace
 from ..fault import Fault, softer
-from ..left_blank import is_to_be_replaced
-from ..left_to_people import UNTIL_NAMED, why_left
+from ..python.left_blank import is_to_be_replaced
+from ..repository.left_to_people import UNTIL_NAMED, why_left
 from .met_robots import OPENED_WHEN_ON
 from .missing_files import RobotInWorkspace
 from .missing_resource import MissingResource, wrong

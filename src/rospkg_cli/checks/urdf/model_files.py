@@ -11,7 +11,7 @@ from ...package.urdf.references import text_spans
 from ...package.urdf.robot_file import RobotFile
 from ...package.workspace import Workspace
 from ...source import Span
-from ..closest_path import closest_path
+from ..paths.closest_path import closest_path
 from .missing_resource import MissingResource
 
 MODEL = regex(r"\s*model://(?P<model>[\w-]+)/+(?P<path>[^\s$<>{}\"']*[^\s$<>{}\"'/])\s*")

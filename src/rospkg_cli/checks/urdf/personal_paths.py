@@ -9,8 +9,8 @@ from ...languages.xml.parser import Document
 from ...lazy_regex import regex
 from ...package.urdf.references import text_spans
 from ...source import Span
-from ..container_folders import is_of_containers
 from ..fault import Level
+from ..repository.container_folders import is_of_containers
 
 HOME = regex(
     r"\s*(?:file://)?(?:/home/[^/${}<>\s]+/|/root/|/Users/[^/${}<>\s]+/|[A-Za-z]:[\\/]Users[\\/])[^\s${}<>]+\s*"

@@ -15,7 +15,7 @@ from ...package.urdf.expansion.expansion import Expansion
 from ...package.urdf.expansion.values import Value, XacroUnknown, literal
 from ...package.urdf.robot_words import ANY, LAUNCH
 from ...source import Span
-from ..pages_and_scripts import TEXTS, pages_above
+from ..repository.pages_and_scripts import TEXTS, pages_above
 from .opened_robots import OpenedRobots
 from .reached_files import ROBOTS, ReachedFiles
 from .xacro_calls import CONDITIONS, ancestors

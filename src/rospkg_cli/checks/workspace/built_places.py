@@ -8,8 +8,8 @@ from collections.abc import Iterator
 
 from ...files import PackageFiles
 from ...lazy_regex import regex
-from ..container_files import OF_CONTAINER, files_called
-from ..setup.linked_build import build_texts
+from ..repository.container_files import OF_CONTAINER, files_called
+from ..repository.linked_build import build_texts
 
 STEP = regex(
     r"""(?:\b(?:cd|pushd|WORKDIR)|\bworking-directory:|"cwd"[ \t]*:)[ \t]+["']?(?:\$\([^)\n]*\)["']?)?([\w./~${}-]+)"""

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...files import PackageFiles
 from ...lazy_regex import regex
-from ..setup.linked_build import TEXTS, build_texts
+from ..repository.linked_build import TEXTS, build_texts
 
 CARRIES = regex(r"\b(?:ln|cp|mv|rsync|robocopy|xcopy|COPY|ADD)\s+([^\n#;&|]*)")
 """A command that puts a folder elsewhere, with its words."""

@@ -11,7 +11,7 @@ from ...light_dataclasses import dataclass
 from ...package.launch.live_text import live_text
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
-from ..setup.linked_build import build_texts
+from ..repository.linked_build import build_texts
 from .carried_folders import CONTINUED, is_page
 
 COMPILED = (".cpp", ".cc", ".cxx", ".hpp", ".h")

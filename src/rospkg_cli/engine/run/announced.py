@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import PurePosixPath
 
-from ...checks.home_path_texts import without_comments
-from ...checks.left_blank import asks_to, is_asked_at, is_asked_for
-from ...checks.pages_and_scripts import own_pages, pages_above
-from ...checks.told_settings import comments_at
+from ...checks.paths.home_path_texts import without_comments
+from ...checks.python.left_blank import asks_to, is_asked_at, is_asked_for
+from ...checks.repository.pages_and_scripts import own_pages, pages_above
+from ...checks.repository.told_settings import comments_at
 from ...files import PackageFiles
 from ...finding import Finding
 from ...lazy_regex import regex

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 
-from ...checks.installed_modules import InstalledModules
+from ...checks.python.installed_modules import InstalledModules
 from ...checks.refused_own_calls import RefusedOwnCalls
 from ...files import PackageFiles
 from ...finding import Finding, Location, Severity

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from ...checks.installed_modules import InstalledModules
+from ...checks.python.installed_modules import InstalledModules
 from ...languages.python.file import Import, PythonFile
 from ...languages.python.stopped_places import StoppedPlaces
 from ...light_dataclasses import dataclass

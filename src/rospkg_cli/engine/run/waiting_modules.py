@@ -6,8 +6,8 @@ import ast
 from collections.abc import Iterator
 from functools import cached_property
 
-from ...checks.endless_waits import endless_waits
-from ...checks.installed_modules import InstalledModules
+from ...checks.python.endless_waits import endless_waits
+from ...checks.python.installed_modules import InstalledModules
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.cmake.branches_for_ros1 import only_for_ros1
 from ...checks.cmake.unknown_commands import UnknownCommands
-from ...checks.older_distribution import OlderDistribution
+from ...checks.repository.older_distribution import OlderDistribution
 from ...edits.cmake_commands import literal_span
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity

@@ -8,7 +8,7 @@ from ...checks.cmake.empty_operands import EmptyOperand, EmptyOperands
 from ...checks.cmake.refused_arguments import refused_calls
 from ...checks.cmake.source_includes import source_includes
 from ...checks.cmake.written_slips import WrittenSlips
-from ...checks.setup.linked_build import is_always_linked
+from ...checks.repository.linked_build import is_always_linked
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
 from ...package.cmake.cmake_package import CMakePackage

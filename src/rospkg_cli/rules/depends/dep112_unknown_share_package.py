@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.foreign_images import foreign_image
+from ...checks.repository.foreign_images import foreign_image
 from ...checks.share_lookups import ShareLookups
 from ...checks.wrong_lookups import wrong_lookups
 from ...example import CMAKE, Example, manifest

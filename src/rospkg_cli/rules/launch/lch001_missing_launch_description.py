@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from ...checks.launch.launch_modules import describes_nothing, is_imported, makes_its_own
 from ...checks.launch.missing_references import LaunchContext
-from ...checks.unwritten_modules import why_left_to_write
+from ...checks.python.unwritten_modules import why_left_to_write
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...lazy_regex import regex

@@ -8,7 +8,7 @@ from ...checks.depends.unwritten_parts import why_open
 from ...checks.launch.late_names import late_names
 from ...checks.launch.meant_names import hint
 from ...checks.launch.wrong_imports import wrong_attributes, wrong_imports
-from ...checks.module_attributes import absent_attributes
+from ...checks.python.module_attributes import absent_attributes
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...languages.python.file import PythonFile

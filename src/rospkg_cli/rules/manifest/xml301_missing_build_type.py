@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.manifest.foreign_build import foreign_maker
 from ...checks.manifest.manifest_inputs import ManifestAndCMake
-from ...checks.setup.linked_build import merging_file
+from ...checks.repository.linked_build import merging_file
 from ...edits.manifest import add_export
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity

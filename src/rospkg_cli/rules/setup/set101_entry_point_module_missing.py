@@ -73,7 +73,7 @@ def entry_point_module_missing(started: StartedEntryPoints) -> Iterator[Hit]:
 
 def is_made(package: PythonPackage, entry: EntryPoint) -> bool:
     """Return whether a command of a page or a script fetches or writes the file of a module, by its name."""
-    from ...checks.pages_and_scripts import FetchedFiles  # what findings alone need
+    from ...checks.repository.pages_and_scripts import FetchedFiles  # what findings alone need
 
     return FetchedFiles(package.files).has_by_command(f"{entry.module.replace('.', '/')}.py")
 

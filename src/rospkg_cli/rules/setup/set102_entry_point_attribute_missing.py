@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.python.unwritten_modules import why_left_to_write
 from ...checks.setup.started_entry_points import StartedEntryPoints
-from ...checks.unwritten_modules import why_left_to_write
 from ...example import Example, scripts, setup_py
 from ...finding import Hit, Severity
 from ...rule import rule

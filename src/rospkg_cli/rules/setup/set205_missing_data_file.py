@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.left_to_people import UNTIL_MADE
+from ...checks.repository.left_to_people import UNTIL_MADE
 from ...checks.setup.dead_links import dead_links
 from ...checks.setup.share_files import ShareFiles
 from ...example import Example, setup_py

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.module_attributes import absent_attributes
+from ...checks.python.module_attributes import absent_attributes
 from ...edits.setup_py import import_name, import_standard
 from ...example import SETUP_PY, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
