@@ -17,14 +17,14 @@ Start = tuple[LaunchFile, Span, Workspace]
 MILDER: tuple[Level | None, ...] = (None, "warning", "info")
 
 
-class Given(Protocol):
-    """What a node is given."""
+class NodeSetting(Protocol):
+    """What a launch file or a parameter file sets for a node, with the place that starts this node."""
 
     @property
     def start(self) -> Start | None: ...
 
 
-GivenT = TypeVar("GivenT", bound=Given)
+NodeSettingT = TypeVar("NodeSettingT", bound=NodeSetting)
 
 
 def start_of(launch: LaunchFile, node: LaunchedNode, workspace: Workspace) -> Start:
@@ -44,9 +44,9 @@ def may_start(start: Start | None) -> bool:
     return level != "info" or why.endswith(OFF)
 
 
-def hardest(found: Iterable[tuple[Hashable, GivenT]]) -> Iterable[GivenT]:
+def hardest(found: Iterable[tuple[Hashable, NodeSettingT]]) -> Iterable[NodeSettingT]:
     """Return one for each place: of nodes that share a value, that which is started most certainly."""
-    kept: dict[Hashable, GivenT] = {}
+    kept: dict[Hashable, NodeSettingT] = {}
     for place, each in found:
         before = kept.setdefault(place, each)
         if before is not each and rank(each.start) < rank(before.start):

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 from ...light_dataclasses import dataclass, replace
-from ...package.urdf.expansion.expansion import Expansion, Given, Node
+from ...package.urdf.expansion.expansion import ExpandedAttribute, Expansion, Node
 from ...package.urdf.expansion.values import XacroUnknown, shown
 from ...suggest import near_names, nearest
 from ..fault import Fault, Level
@@ -124,7 +124,13 @@ class ExpandedTree:
             yield path, one_fault(faults)
 
     def unknown(
-        self, node: Node, given: Given, names: frozenset[str], kind: str, harm: str, level: Level | None = None
+        self,
+        node: Node,
+        given: ExpandedAttribute,
+        names: frozenset[str],
+        kind: str,
+        harm: str,
+        level: Level | None = None,
     ) -> Iterator[Found]:
         name, is_known = shown(given.value), not (isinstance(given.value, XacroUnknown) or self.has_unknown_names)
         if not name or name in names:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...lazy_regex import regex
-from ...package.urdf.expansion.expansion import Given, Node
+from ...package.urdf.expansion.expansion import ExpandedAttribute, Node
 from ...package.urdf.expansion.values import XacroUnknown, shown
 from ..fault import Fault
 from .expanded_places import Found, own_place
@@ -17,7 +17,7 @@ UNLESS_EMPTY, EMPTY = " is empty: ", " is empty, as it is in each call here: "
 """What is said of a prefix that may be empty, and of one that is."""
 
 
-def lost_prefix(given: Given, names: frozenset[str], taken: frozenset[str]) -> str:
+def lost_prefix(given: ExpandedAttribute, names: frozenset[str], taken: frozenset[str]) -> str:
     """Return the one name that a literal one is without the `${…}` before it; "" for none, or for one in use."""
     name = shown(given.value)
     if not name or name in names or isinstance(given.value, XacroUnknown):
@@ -26,7 +26,7 @@ def lost_prefix(given: Given, names: frozenset[str], taken: frozenset[str]) -> s
     return found[0] if len(found) == 1 and found[0] not in taken else ""
 
 
-def without_prefix(node: Node, given: Given, meant: str, kind: str) -> Iterator[Found]:
+def without_prefix(node: Node, given: ExpandedAttribute, meant: str, kind: str) -> Iterator[Found]:
     """Yield a name without the prefix that all names of its macro have."""
     name = shown(given.value)
     place = own_place(node, given.span, name)

@@ -17,7 +17,7 @@ Definition = FunctionNode | ast.ClassDef
 
 
 @dataclass(frozen=True, slots=True)
-class Mention:
+class NameUse:
     name: str
     place: int
     unit: int
@@ -177,19 +177,19 @@ class StoppedPlaces:
         return any("super(" not in text and f"{owner.name}.__init__" not in text for text in texts)
 
     @cached_property
-    def mentions(self) -> Sequence[Mention]:
+    def mentions(self) -> Sequence[NameUse]:
         calls = {id(each.func) for each in nodes_of_kind(self.file.tree, ast.Call)}
         calls |= {id(each.value) for each in nodes_of_kind(self.file.tree, ast.keyword) if each.arg == "target"}
         return [
             self.mention(each, calls) for each in nodes_of(self.file.tree) if isinstance(each, ast.Name | ast.Attribute)
         ]
 
-    def mention(self, node: ast.Name | ast.Attribute, calls: set[int]) -> Mention:
+    def mention(self, node: ast.Name | ast.Attribute, calls: set[int]) -> NameUse:
         span = self.file.span(node)
         place = span.start if isinstance(node, ast.Name) else span.end - len(node.attr)
         is_own = isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "self"
         name = node.id if isinstance(node, ast.Name) else node.attr
-        return Mention(name, place, self.unit(place), is_own and id(node) in calls)
+        return NameUse(name, place, self.unit(place), is_own and id(node) in calls)
 
 
 def called_name(call: ast.Call) -> str:
@@ -204,7 +204,7 @@ def starts_of(owner: ast.ClassDef) -> Iterator[FunctionNode]:
     return (each for each in owner.body if isinstance(each, FunctionNode) and each.name == "__init__")
 
 
-def may_lead(mention: Mention, to: Definition, unborn: dict[int, frozenset[int]]) -> bool:
+def may_lead(mention: NameUse, to: Definition, unborn: dict[int, frozenset[int]]) -> bool:
     """Return whether a mention leads to a definition: to a method of an object that is never finished, its own call."""
     own = unborn.get(id(to))
     return own is None or (mention.is_own_call and mention.unit in own)

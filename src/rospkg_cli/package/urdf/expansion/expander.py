@@ -9,7 +9,7 @@ from ....lazy_regex import regex
 from ....light_dataclasses import dataclass, field, replace
 from ....source import Span
 from ..references import text_spans
-from .expansion import Expansion, Given, Node, XacroProblem
+from .expansion import ExpandedAttribute, Expansion, Node, XacroProblem
 from .expansion_state import Context, ExpansionState
 from .macro_calls import bound_scope
 from .macros import Macro, macro_name, parameters_of
@@ -78,7 +78,9 @@ class Expander(ExpansionState):
         node = Node(element.tag, element, context.source, context.is_certain, context.calls)
         for name, attribute in element.attributes.items():
             if not name.startswith("xacro:"):
-                node.attributes[name] = Given(self.evaluate(attribute.value_span, context), attribute.value_span)
+                node.attributes[name] = ExpandedAttribute(
+                    self.evaluate(attribute.value_span, context), attribute.value_span
+                )
         self.inside(element, node.children, context)
         return node
 

@@ -38,7 +38,7 @@ class FoundProblem:
 
 
 @dataclass(frozen=True, slots=True)
-class Given:
+class ExpandedAttribute:
     """The value of an attribute, and where it is written."""
 
     value: Value
@@ -55,7 +55,7 @@ class Node:
     is_certain: bool
     calls: tuple[tuple[Source, Element], ...] = ()
     """The calls of macros that made it, the outermost first."""
-    attributes: dict[str, Given] = field(default_factory=dict)
+    attributes: dict[str, ExpandedAttribute] = field(default_factory=dict)
     children: list[Node] = field(default_factory=list)
 
     def first(self, tag: str) -> Node | None:
