@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ...checks.home_paths import HomePath, HomePaths
-from ...checks.share_advice import WHY, advice, giver
+from ...checks.home_paths.home_path import HomePath
+from ...checks.home_paths.home_paths import HomePaths
+from ...checks.home_paths.share_advice import WHY, advice, giver
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...rule import rule

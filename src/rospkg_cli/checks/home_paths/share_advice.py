@@ -1,12 +1,14 @@
-"""How everybody names a file of the workspace that somebody named by the path it has on their machine."""
+"""Advice on how to name a file of the workspace, in place of the absolute path that it has on one machine."""
 
 from __future__ import annotations
 
 import posixpath
 
-from ..lazy_regex import regex
-from .home_paths import HomePath, HomePaths, is_installed
-from .paths.home_path_texts import CPP
+from ...lazy_regex import regex
+from ..paths.home_path_texts import CPP
+from .home_path import HomePath
+from .home_paths import HomePaths
+from .target_package import is_installed
 
 ARGUMENT = r"\bDeclareLaunchArgument\([^()]*default_value\s*=\s*[\"']\Z|<arg\s[^<>]*\bdefault\s*=\s*[\"']\Z"
 PARAMETER = r"\bdeclare_parameter(?:<[^<>]*(?:<[^<>]*>)?[^<>]*>)?\([^()]*,\s*[\"']\Z"
@@ -21,11 +23,11 @@ WHY = {
     "is_off": "; it is switched off, or not chosen by default",
     "is_last_resort": "; it is tried only where something else failed before",
 }
-"""By what is known of a path in a home folder, why nobody misses the file today."""
+"""By the field of HomePath: why a missing file does no harm today."""
 
 
 def advice(paths: HomePaths, found: HomePath) -> str:
-    """Return how everybody can name a file of the workspace, in the language of the file that names it."""
+    """Return how to name a file of the workspace on every machine, in the language of the file that names it."""
     package, below = found.of_package, found.below
     if is_included(paths, found):
         return "include it by its path below a folder of headers, and tell the target of that folder"
@@ -46,7 +48,7 @@ def advice(paths: HomePaths, found: HomePath) -> str:
 
 
 def giver(paths: HomePaths, found: HomePath) -> str:
-    """Return who is to give a path that is everybody's own, as advice: it may be the default of what gives it."""
+    """Return the advice what should give a path that differs by machine; it may be the default of a parameter here."""
     before = paths.files.source(found.path).text[: found.span.start]
     for begins, what in DEFAULTS.items():
         if begins.search(before):

@@ -20,7 +20,7 @@ HOME = r"/(?:home|Users)/{0}(?![\w.-])"
 MOUNTS = r"(?:(?:-v|--volume)[ \t=]+[^\s:]+:|\b(?:target|dst|destination)=){0}"
 
 
-def is_told_for_all(files: PackageFiles, user: str) -> bool:
+def is_home_replaced(files: PackageFiles, user: str) -> bool:
     """Return whether a page or a script has people replace the home of an account, or all paths that are written out.
 
     One in which a container is started with a folder mounted below that home shows that everybody has it there.
