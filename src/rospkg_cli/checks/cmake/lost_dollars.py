@@ -12,7 +12,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...source import Span
 from .lost_values import LostValues
-from .unset_variables import SET_BY_CMAKE
+from .set_by_cmake import SET_BY_CMAKE
 
 LOST = regex(
     r"(?<![\w$@{\\])\{\$?([A-Za-z_]\w*)\}(?!\})"  # {NAME} and {$NAME}
@@ -31,7 +31,7 @@ OF_LOADER = frozenset({"ORIGIN", "LIB", "PLATFORM"})
 OF_INSTALL = frozenset({"CODE", "SCRIPT"})
 EXPORTS = "ament_export_"
 SHORTEST = 3
-"""Letters of a variable of the package's own that is told."""
+"""Letters of a variable of the package's own that is reported."""
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from .needed_places import FOR_HEADERS, FOR_LIBRARIES, NeededPlaces
 
 OF_SOURCE = frozenset({"PROJECT_SOURCE_DIR", "CMAKE_SOURCE_DIR"})
 HERE = frozenset({"CMAKE_CURRENT_SOURCE_DIR", "CMAKE_CURRENT_LIST_DIR"})
-TOLD = "the build itself tells where the folder is needed"
+SHOWN = "the build itself shows where the folder is needed"
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class LostValues:
             return self.places.why_unread(call)
         home = "" if name in OF_SOURCE else call.folder if name in HERE else None
         if home is None or "$" in rest or "{" in rest:
-            return TOLD
+            return SHOWN
         return self.places.why_not(call, posixpath.normpath(posixpath.join(home, rest.lstrip("/"))))
 
     @cached_property

@@ -1,4 +1,4 @@
-"""Variables that targets are given and nothing sets, beside one that nothing reads and that differs by one word."""
+"""Unset variables in the commands of targets, where a variable that differs by one word is set and never read."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ from functools import cached_property
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from .unset_variables import FEW_WORDS, OF_TARGETS, REFERENCE, UnsetVariable, UnsetVariables, lacks_one
+from .intended_variables import FEW_WORDS, lacks_one
+from .unset_variable import UnsetVariable
+from .unset_variables import OF_TARGETS, REFERENCE, UnsetVariables
 
 WHOLE = regex(r"\$\{([A-Za-z_]\w*)\}")
 NESTED = regex(r"\$\{((?:\w|\$\{\w+\})+)\}")
@@ -20,7 +22,7 @@ class UnreadTwins:
     unset: UnsetVariables
 
     def all(self) -> Iterator[UnsetVariable]:
-        """Yield each place; a file that can't be read does not matter: what is set here was meant to be read."""
+        """Yield each place, also where a file can't be read: what is set here is intended to be read."""
         for call in self.unset.cmake.named(*OF_TARGETS):
             for argument in call.command.arguments[1:] if not call.maybe and not call.function else ():
                 name = WHOLE.fullmatch(argument.text) if argument.kind != "bracket" else None
@@ -29,13 +31,13 @@ class UnreadTwins:
                     yield UnsetVariable(name[1], twin, call, argument.inner, name[0], "")
 
     def twin_of(self, name: str) -> str | None:
-        """Return the one variable that is set, read nowhere, and called as an unset one, but for one word."""
-        variables, words = self.unset.variables, name.split("_")
+        """Return the one variable that is set, read nowhere, and has a word more or less than an unset one."""
+        variables, words = self.unset.intended.variables, name.split("_")
         if name in variables.mentioned or name.startswith(variables.prefixes) or not variables.is_own(name):
             return None
-        unread = [(each, each.split("_")) for each in self.unset.assigned - self.read]
+        unread = [(each, each.split("_")) for each in self.unset.intended.assigned - self.read]
         alike = [each for each, whole in unread if lacks_one(words, whole) or lacks_one(whole, words)]
-        is_one = len(alike) == 1 and len(words) > FEW_WORDS and not self.unset.near_own(name)
+        is_one = len(alike) == 1 and len(words) > FEW_WORDS and not self.unset.intended.near_own(name)
         return alike[0] if is_one and not self.may_be_made_up(alike[0]) else None
 
     def may_be_made_up(self, name: str) -> bool:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.dead_branches import DeadBranches
-from ...checks.cmake.harmless_variables import why_harmless
+from ...checks.cmake.harmless_variables import is_package_used_anyway, keeps_no_flags, why_harmless
 from ...checks.cmake.switched_off import SwitchedOff
 from ...checks.cmake.unread_lists import UnreadLists
 from ...checks.cmake.unread_twins import UnreadTwins
-from ...checks.cmake.unset_variables import UnsetVariable, UnsetVariables
+from ...checks.cmake.unset_variable import UnsetVariable
+from ...checks.cmake.unset_variables import UnsetVariables
 from ...example import CMAKE, Example
 from ...finding import Hit, Severity
 from ...rule import rule
@@ -36,8 +37,8 @@ def cmake(lines: str) -> str:
     levels={
         Severity.ERROR: "it says what is installed, or where",
         Severity.INFO: "another package may set it, as it is more than one letter off, differs in case, or is like one "
-        "that a package sets; or it would name targets to install, and no other variable is near; or the intended one "
-        "stands beside it, or a target is given a folder or a library by it, which the build itself tells where it is "
+        "that a package sets; or it would name targets to install, and no other variable is near; or the command has "
+        "the intended one as well, or a target is given a folder or a library by it, and the build fails where that is "
         "needed; or a branch reads it that is not taken, or it is a part of the name that a target has everywhere, or "
         "nothing reads what is set by it, or a list is appended to that nothing reads",
     },
@@ -72,11 +73,11 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
     `cmake_parse_arguments()` sets; those like the package's own where they begin like a package that is found, or where
     a macro of another one is called; where `find_library()` and its like look for something below them, or the file
     reads `$ENV{…}` of the same name: the user gives them. In `message()`. Under an unknown condition only names near to
-    those of CMake are told, as warnings; where a file is included that can't be read, those near to PROJECT_NAME in
-    `install()`, and those beside a variable that nothing reads, as infos. A name is an info, too, that is more than one
+    those of CMake are reported, as warnings; where a file is included that can't be read, those near to PROJECT_NAME in
+    `install()`, and those near a variable that nothing reads, as infos. A name is an info, too, that is more than one
     letter off, differs in case alone, or is like one that a package sets, and one like the package's own where a
-    package is found that nobody knows, or that has nothing but CMake files for others. So it is where the right one
-    stands in the same command, as nothing is lost; where targets get a folder or a library by it, for the build tells
+    package is found that is not known, or that has nothing but CMake files for others. So it is where the right one
+    stands in the same command, as nothing is lost; where targets get a folder or a library by it, for the build fails
     where they need it; where flags are kept that nothing sets before; and what is read where a package is found
     (`if(OpenMP_FOUND)`) that nothing looks for, a part of the name of a target that is called so everywhere, and
     the value of what nothing reads. What packages set that are not built with ament (`octomap`) is known of none.
@@ -87,9 +88,9 @@ def unset_variable(variables: UnsetVariables) -> Iterator[Hit]:
         is_mild = (
             (not each.near and each.call.name == "install") or bool(dead.package_of(each.call)) or off.has(each.call)
         )
-        is_mild = is_mild or bool(each.beside) or each.is_told_by_build
+        is_mild = is_mild or bool(each.given_anyway) or each.is_shown_by_build
         why = why_harmless(variables.cmake, each)
-        is_mild = is_mild or variables.brings(each) or variables.is_harmless(each)
+        is_mild = is_mild or is_package_used_anyway(variables.cmake, each) or keeps_no_flags(variables.cmake, each)
         is_certain = variables.is_certain(each)
         level = Severity.INFO if is_mild or why or not is_certain else Severity.ERROR if is_sure else None
         text = message(each, is_certain or is_mild) + why
@@ -105,8 +106,8 @@ def message(each: UnsetVariable, is_certain: bool) -> str:
         return f"`{each.name}` is set nowhere: {empty}, and `{each.call.name}` stops CMake; set it, or remove the call"
     if not each.near:
         return f"`{each.name}` is set nowhere: it is empty, and no target is installed by it; set it, or remove it"
-    if each.beside:
-        return f"`{each.name}` is set nowhere: it is empty, and `{each.beside}` stands beside it; remove it"
+    if each.given_anyway:
+        return f"`{each.name}` is set nowhere: it is empty, and `{each.given_anyway}` stands next to it; remove it"
     shown = len(each.before) <= LONGEST and "\n" not in each.before
     result = f"`{each.after}`" if each.after else "nothing"
     becomes = f", and `{each.before}` becomes {result}" if shown else ""
