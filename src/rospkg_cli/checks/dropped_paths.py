@@ -1,4 +1,4 @@
-"""Paths that Python joins to one that begins at the root: what stands before it is dropped."""
+"""Paths that Python joins to an absolute one: `os.path.join` drops what is before that."""
 
 from __future__ import annotations
 
@@ -21,14 +21,13 @@ from ..unreadable import READABLE
 from .launch.missing_references import LaunchContext
 from .launch.unread_values import UnreadValues
 from .python.run_imports import RunImports
-from .reached_places import WHY, ReachedPlaces
+from .reached_places import ReachedPlaces
+from .why_seldom import WHY
 
 JOINS = frozenset({"os.path.join", "path.join", "osp.join", "posixpath.join"})
 CLASSES = frozenset({"Path", "PurePath", "PosixPath"})
 OF_SYSTEM = regex(r"/(bin|dev|etc|home|lib|media|mnt|opt|proc|root|run|srv|sys|tmp|usr|var|Users|Volumes)(/.*|$)")
-"""Paths that many machines have, and that are meant as they stand."""
-
-
+"""Paths that exist on most machines, and that are intended as they are."""
 SUFFIX = regex(r"\w\.\w+$")
 FOLDER = regex(
     r"(?i)share|dir|path|folder|home|root|cwd|file|data|config|maps?|model|mesh|pkg|package|(?<![^\W_])ws(?![^\W_])"
@@ -50,9 +49,9 @@ class DroppedPath:
     dropped: str
     """What stands before it, in the source."""
     why_unmet: str = ""
-    """Why no program is shown to come there: the end of a sentence; "" where one is."""
+    """The end of a message that says why no program is known to reach it; "" where one does."""
     is_for_nothing: bool = False
-    """Whether only an argument of a launch file has it that nothing reads."""
+    """Whether it is only in an argument of a launch file that nothing reads."""
 
     @property
     def is_of_system(self) -> bool:
@@ -60,7 +59,7 @@ class DroppedPath:
 
     @property
     def is_of_files(self) -> bool:
-        """Whether a folder or a file is plainly meant, and no name of a topic or a frame."""
+        """Whether it is clearly the path of a folder or file, and no name of a topic or a frame."""
         return SUFFIX.search(self.text) is not None or FOLDER.search(self.dropped) is not None
 
     @property
@@ -87,7 +86,7 @@ class DroppedPaths:
         )
 
     def why_unmet(self, dropped: DroppedPath) -> str:
-        """Return why no program is shown to come to a place in code that is no launch file."""
+        """Return why no program is known to reach a place, in code that is no launch file."""
         if self.places is None or dropped.role != "run":
             return ""
         return WHY.get(self.places.met(dropped.file, dropped.span), "")

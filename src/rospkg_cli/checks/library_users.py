@@ -63,7 +63,12 @@ class LibraryUsers:
         if any(entry.search(files.readable_text(each)) for each in SETUPS if files.exists(each)):
             return False
         outer = (file for role, file in self.reached.run.files if role == "launch")
-        names = (name for file in outer for each in file.imports for name in self.reached.imported_by(each, file.path))
+        names = (
+            name
+            for file in outer
+            for each in file.imports
+            for name in self.reached.imports.imported_by(each, file.path)
+        )
         return self.installed.sources.keys().isdisjoint(names)
 
     @cached_property

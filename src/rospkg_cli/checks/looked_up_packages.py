@@ -19,7 +19,8 @@ from .depends.declared_dependencies import DeclaredDependencies
 from .depends.undeclared_imports import ImportDependencies
 from .depends.undeclared_launch_packages import LaunchDependencies
 from .lookups_for_users import LookupsForUsers
-from .share_lookups import CATCHES, LOOKUPS, ShareLookups, literal_of
+from .share_lookup_calls import CATCHES, LOOKUPS, literal_of
+from .share_lookups import ShareLookups
 from .unstarted_programs import UNSTARTED
 
 NAME = regex(r"[a-z][a-z0-9_]+")

@@ -91,7 +91,7 @@ class UnmeantStarts:
     def is_taken(self, file: PythonFile, module: str, name: str) -> bool:
         """Return whether another file imports a function of a module, or reads it of the module."""
         last = module.rpartition(".")[2]
-        for other, each in self.programs.reached.uses.get(module, []):
+        for other, each in self.programs.reached.imports.uses.get(module, []):
             if other is not file and (name in each.names or "*" in each.names or reads(other, last, name)):
                 return True
         return False

@@ -80,14 +80,16 @@ class UnstartedPrograms:
         for row in self.table.of("executable"):
             name = row.destination.rpartition("/")[2]
             modules = [row.entry.partition(":")[0]] if row.entry else self.imported_by(row.source)
-            paths = {self.reached.installed.sources.get(each, "") for each in self.reached.imported_from(modules)}
+            paths = {
+                self.reached.installed.sources.get(each, "") for each in self.reached.imports.imported_from(modules)
+            }
             found[name] = found.get(name, frozenset()) | paths | {row.source}
         return found
 
     def imported_by(self, path: str) -> list[str]:
         file = self.reached.run.modules.at(path) if path.endswith(".py") else None
         imports = file.imports if file is not None else ()
-        return [name for each in imports for name in self.reached.imported_by(each, path)]
+        return [name for each in imports for name in self.reached.imports.imported_by(each, path)]
 
     def is_started(self, name: str) -> bool:
         """Return whether a launch file of the workspace starts a program, or a text here or above names it."""

@@ -29,7 +29,7 @@ def why_unmet(imports: ImportDependencies, place: ImportUse) -> str:
     from ..checks.repository.run_under_ros1 import why_for_ros1  # few packages have such a file
 
     why = unneeded(imports, [place]) or imports.why_unstarted([place]) or why_for_ros1(imports.files, place.path)
-    is_beside = imports.places is not None and imports.places.unimported.is_beside_imported(place.path)
+    is_beside = imports.places is not None and imports.places.unimported.is_skipped_by_importers(place.path)
     return why or (LEFT if is_beside else "")
 
 

@@ -53,7 +53,7 @@ class OtherPythons:
     def importing(self, path: str) -> list[frozenset[str]]:
         """Return each file that imports the module of a file, with that file."""
         reached = self.programs.reached if self.programs is not None else None
-        uses = reached.uses.get(reached.installed.names.get(path, ""), []) if reached is not None else []
+        uses = reached.imports.uses.get(reached.installed.names.get(path, ""), []) if reached is not None else []
         return [frozenset({file.path, path}) for file, _ in uses]
 
     @cached_property

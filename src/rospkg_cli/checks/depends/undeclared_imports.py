@@ -17,9 +17,10 @@ from ..python.ros1_import import ROS1, ros1_import
 from ..python.run_imports import RunImports
 from ..python.unrun_tests import is_never_run
 from ..reached_modules import ReachedModules
-from ..reached_places import AT_TIMES, ReachedPlaces
+from ..reached_places import ReachedPlaces
 from ..repository.foreign_images import foreign_image
 from ..unstarted_programs import UnstartedPrograms
+from ..why_seldom import AT_TIMES
 from .before_imports import (
     BY_PIP_HERE,
     PIP_BEFORE,

@@ -85,7 +85,7 @@ class UndefinedUses:
             for each in absent_attributes(file, self.local):
                 found = UndefinedName(each.name, each.root, frozenset())
                 if not is_unreached(file, found.span):
-                    yield file, each, self.when_in(role, file, found, self.places.certain_spans(file))
+                    yield file, each, self.when_in(role, file, found, self.places.certain.spans(file))
 
     def is_for_older(self, file: PythonFile, each: AbsentAttribute) -> bool:
         """Return whether a name is meant for distributions alone whose Python still has it."""
@@ -99,7 +99,7 @@ class UndefinedUses:
                 uses.setdefault(found.name, []).append(found)
         if not uses or BUILD_TOOL in uses:
             return
-        certain = self.places.certain_spans(file)
+        certain = self.places.certain.spans(file)
         for name, places in uses.items():
             if not self.may_come_by_star(file, name):
                 times = [self.when_in(role, file, each, certain) for each in places]

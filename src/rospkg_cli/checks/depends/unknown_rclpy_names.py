@@ -65,7 +65,7 @@ class UnknownRclpyNames:
     ) -> UnknownName:
         span = attribute_span(file, node) if isinstance(node, ast.Attribute) else file.span(node)
         read = file.span(node.value) if isinstance(node, ast.Attribute) else span
-        is_certain = not is_test and read in self.uses.places.certain_spans(file) and not is_type(file, span)
+        is_certain = not is_test and read in self.uses.places.certain.spans(file) and not is_type(file, span)
         when: When = "certainly" if is_certain else self.uses.places.met(file, span)
         when = "branch" if when == "maybe" and is_under_condition(file, span) else when
         return UnknownName(file, span, name_of(node), owner, better, when)

@@ -73,7 +73,7 @@ class UnsetMembers:
             if not is_known and not is_unreached(file, file.span(each.value)):
                 is_of_node = not line.is_node and each.attr in members_of_nodes()
                 places.setdefault("" if is_of_node else each.attr, []).append(each)
-        certain = self.uses.places.certain_spans(file) if places else ()
+        certain = self.uses.places.certain.spans(file) if places else ()
         for name, found in places.items():
             first = next((each for each in found if file.span(each.value) in certain), found[0])
             span = attribute_span(file, first)

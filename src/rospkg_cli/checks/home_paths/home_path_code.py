@@ -14,7 +14,7 @@ from ..cpp.uncalled_members import is_in_uncalled
 from ..left_files import LeftFiles
 from ..paths.home_path_texts import CPP, is_in_handler, without_comments
 from ..reached_definitions import ReachedDefinitions
-from ..share_lookups import UNOPENED
+from ..share_lookup_calls import UNOPENED
 from ..unread_paths import UnreadPaths
 from .home_mention import HomeMention
 

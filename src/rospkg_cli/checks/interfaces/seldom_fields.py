@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...package.file_role import role_of
-from ..reached_places import AT_TIMES, IN_TEST, WHY, Met
+from ..why_seldom import AT_TIMES, IN_TEST, WHY, Met
 from .unknown_fields import FieldUses, UnknownField
 
 LEFT = "; nothing starts or imports this module"

@@ -103,7 +103,7 @@ class Starts:
 
     def is_imported(self, file: PythonFile) -> bool:
         """Return whether another module imports a file; a test may import a program."""
-        uses = self.reached.uses.get(self.installed.names.get(file.path, ""), [])
+        uses = self.reached.imports.uses.get(self.installed.names.get(file.path, ""), [])
         return any(other is not file and role_of(other.path) != "test" for other, _ in uses)
 
     @cached_property

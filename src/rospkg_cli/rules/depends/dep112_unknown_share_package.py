@@ -84,7 +84,7 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     ## Fix safety
     The intended package is a guess.
     """
-    for found in lookups.unknown_packages():
+    for found in lookups.unknown.found():
         image = foreign_image(lookups.files)
         brought = image.may_bring if image is not None else ""
         harm = "the code goes on without it" if found.is_caught else "this raises PackageNotFoundError"

@@ -63,7 +63,7 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
     given, as the value of a parameter or an option, is a warning, like what is in a branch or in a `try` that goes on
     without the file.
     """
-    for found in lookups.missing_files():
+    for found in lookups.missing.found():
         if found.goes_to:
             start, hint = (tell(found.package, found.file, found.goes_to) for tell in (goes_elsewhere, how_to_find_it))
             message = f"{start}: this does not find it; {hint}"
