@@ -1,4 +1,4 @@
-"""Rule input: who meets a fault in what a package exports: a package here that stops at it, or others elsewhere."""
+"""Rule input: which packages a fault in the exports of a package breaks: packages here, or others elsewhere."""
 
 from __future__ import annotations
 
@@ -60,9 +60,9 @@ class Consumers:
         yield from (each for each in self.including if self.lacks(each, wanted))
 
     def lacks(self, user: PackageFacts, names: Collection[str]) -> bool:
-        """Return whether a package certainly finds none of some others by what it declares or looks for beside this.
+        """Return whether a package certainly finds none of `names`, in whatever else it declares or looks for.
 
-        A package that nobody here knows may find anything. One of the workspace that looks for them itself may do so
+        An unknown package may find anything. One of the workspace that looks for them itself may do so
         for others, too, unless it certainly keeps them for itself: it may write its own config.
         """
         declared = {need.name for need in user.dependencies if need.tag in BUILDS}
@@ -73,7 +73,7 @@ class Consumers:
         return known and is_all and there.isdisjoint(names) and not self.may_hand_on(there, names)
 
     def may_hand_on(self, found: Collection[str], names: Collection[str]) -> bool:
-        """Return whether a package of the workspace, other than this one, may find some for those that find it."""
+        """Return whether a package of the workspace, other than this one, may find some of `names` for its users."""
         others = (self.workspace.named(name) for name in found if name != self.facts.name)
         sought = (each.sought_packages - each.kept_links for each in others if each is not None and each.is_ament)
         return any(not each.isdisjoint((*names, ANY)) for each in sought)
@@ -84,8 +84,8 @@ class Consumers:
 
     @cached_property
     def are_elsewhere(self) -> bool:
-        """Whether nobody here is built against the package, and others are told to be: it is a library without
-        programs, it is released, and its pages say how to use it."""
+        """Whether no package here is built against this one, but others are: it is a library without programs, it is
+        released, and its pages say how to use it."""
         return not self.builders and self.is_library(self.facts) and self.release.is_made and self.is_shown
 
     def is_library(self, facts: PackageFacts) -> bool:
@@ -94,7 +94,7 @@ class Consumers:
 
     @property
     def is_shown(self) -> bool:
-        """Whether a page tells others how to use the package."""
+        """Whether a page shows how to use the package."""
         name = re.escape(self.facts.name)
         use = re.compile(rf"find_package\(\s*{name}\b|#include\s*[<\"]{name}/|depend>\s*{name}\s*<")
         return any(use.search(text) for text in pages_and_scripts(self.files))

@@ -15,7 +15,7 @@ FETCHING = ("fetchcontent_declare", "externalproject_add", "cpmaddpackage", "cpm
 
 
 def may_be_found_elsewhere(name: str, cmake: CMake, workspace: Workspace) -> bool:
-    """Return whether a package that nobody here knows may be there all the same, where the build has all its parts."""
+    """Return whether an unknown package may exist: CMake fetches it, or looks in places that are not here."""
     is_open = not workspace.is_complete or any(True for _ in looks_outside(cmake))
     return is_open or is_fetched(name, cmake) or any(sets_place(call, name) for call in cmake.named("set"))
 

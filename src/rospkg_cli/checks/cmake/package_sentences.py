@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from .mistyped_packages import MistypedPackage
+from .mistyped_package import MistypedPackage
 
 EXPORT = "ament_export_dependencies"
 STOPS = {
     "ament_target_dependencies": '`ament_target_dependencies` stops CMake with "the passed package name … was not '
     'found before"',
-    EXPORT: "packages that build against this one stop, since they look for it in vain",
+    EXPORT: "packages that build against this one stop, since they do not find it",
 }
 
 ELSEWHERE = ", unless what is not here brings it"
-"""What is added where a package that nobody here knows may be there all the same."""
-
+"""What is added where a package may exist that is neither here nor in the index."""
 
 DOUBTS = {
     "variable": ", unless it is empty",
     "imported": ", though without REQUIRED CMake goes on",
 }
-"""What is added where nobody certainly meets a fault of some kind."""
+"""Kind → what is added where it is not certain that CMake stops."""
 
 
 def with_doubt(each: MistypedPackage, is_open: bool) -> str:

@@ -72,10 +72,10 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages that CMake looks for, links or exports and that are one or two letters off.
-    Where a target is given a library in other letters than CMake found it by (`pcl` for `PCL`), that is told, too.
+    Where a target is given a library in other letters than CMake found it by (`pcl` for `PCL`), it reports that, too.
     It reads `find_package(… REQUIRED)`, `ament_target_dependencies()` and `ament_export_dependencies()`. In the last
     two it also finds targets of the package itself, which are no packages, in the last one libraries
-    (`${OpenCV_LIBRARIES}`), in both packages that nobody knows and that are neither found nor declared, and in the
+    (`${OpenCV_LIBRARIES}`), in both packages that are not known and neither found nor declared, and in the
     first one the package itself and names of targets (`Eigen3::Eigen`), required or not; in the second one keywords
     that it does not take (PRIVATE); in the last two targets of packages (`rclcpp::rclcpp`), which are no packages.
 
@@ -92,7 +92,7 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     that are not found otherwise. Under a condition that can't be evaluated. What is exported is an info where no
     package of the workspace looks for this one. So is a name near to another one where a list names repositories that
     are not here, where CMake looks in folders outside of the package (`CMAKE_MODULE_PATH`), or fetches a project of
-    that name. What rests on other packages is one, too: names that nobody knows and none is near to, those in other
+    that name. What rests on other packages is one, too: unknown names to which none is near, those in other
     letters or with a word less where the right one is not of ament, a name near to a package that package.xml does not
     declare (but for swapped letters), one of less than eight letters that is two letters off, variables that hold no
     packages (`${OpenCV_LIBRARIES}`, maybe empty), and targets that are looked for without REQUIRED and not linked.
@@ -102,9 +102,9 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
     ## Fix safety
     The nearest name may not be the one that was intended.
     """
-    told = set()
+    reported = set()
     for each in packages.all():
-        told.add((each.word.path, each.word.span))
+        reported.add((each.word.path, each.word.span))
         fix = None
         if each.near and packages.package.cmake.source_text(each.word).strip('"') == each.word.text:
             edit = Edit(each.word.path, each.word.span, each.near)
@@ -116,7 +116,7 @@ def unknown_package(packages: MistypedPackages) -> Iterator[Hit]:
         text = by_whom(with_doubt(each, is_open) + (brought if is_sure else ""), is_met)
         yield Hit(each.word.path, each.word.span, text, level if is_sure else Severity.INFO, fix=fix)
     for given in packages.foreign():
-        if (given.words[0].path, given.words[0].span) not in told:
+        if (given.words[0].path, given.words[0].span) not in reported:
             yield given_targets(packages, given)
 
 
@@ -127,8 +127,8 @@ def given_targets(packages: MistypedPackages, each: ForeignTargets) -> Hit:
     advice = f"name the {'packages' if others[1:] else 'package'} {in_ticks(others)} here" if others else "remove it"
     text = f"{each.names} {are}, and no {them}: {STOPS[each.call.name]}; {advice}"
     fix = None
-    if own is not None and each.packages[0] in packages.found and packages.package.cmake.source_text(own) == own.text:
-        name = each.packages[0]
+    name = each.packages[0]
+    if own is not None and name in packages.names.found and packages.package.cmake.source_text(own) == own.text:
         fix = Fix(f"write `{name}`", (Edit(own.path, own.span, name),), Safety.UNSAFE)
     is_met = each.call.name != EXPORT or bool(packages.consumers.finders)
     return Hit(word.path, word.span, by_whom(text, is_met), None if is_met else Severity.INFO, fix=fix)
