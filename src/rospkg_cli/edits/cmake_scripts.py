@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ..checks.cmake.installed_scripts import BrokenScript, InstalledScripts
+from ..checks.cmake.broken_scripts import BrokenScript
+from ..checks.cmake.installed_scripts import InstalledScripts
 from ..finding import Chmod, Edit, Operation
 from ..package.cmake.cmake_project import CMake
 from ..source import Span
@@ -31,7 +32,7 @@ def use_programs(cmake: CMake, scripts: InstalledScripts, script: BrokenScript) 
     """Write PROGRAMS where all that the rule installs are scripts."""
     call = script.copy.rule.call
     ours = [copy.source for copy in scripts.copies if copy.rule is script.copy.rule]
-    if not all(scripts.has_shebang(path) for path in ours) or not call.command.arguments:
+    if not all(scripts.script_files.has_shebang(path) for path in ours) or not call.command.arguments:
         return ()
     first = call.command.arguments[0]
     return (Edit(call.path, first.span, "PROGRAMS"),) if first.text == "FILES" else ()

@@ -7,14 +7,16 @@ import re
 
 from ...light_dataclasses import dataclass
 from ...package.cmake.foreign_commands import foreign_commands
-from .installed_scripts import FOR_ROS1, InstalledScripts, is_readme
+from .installed_scripts import InstalledScripts
 from .left_out_nodes import MAIN, is_node, is_python
+from .script_files import FOR_ROS1
+from .script_starts import is_readme
 
 FOLDERS = ("scripts", "script", "nodes")
 AUTO = ("ament_auto_add_executable", "ament_auto_add_library")
 """Commands whose targets `ament_auto_package()` installs."""
 SHORTEST = 8
-"""Letters of a name that a page means by it."""
+"""Letters that a name needs so that the same word in a README stands for the program."""
 
 
 @dataclass(frozen=True)
@@ -22,7 +24,7 @@ class IdleScripts:
     scripts: InstalledScripts
 
     def first(self) -> tuple[str, ...]:
-        """Return the programs of the first such folder of which one is a node, or told to users by a README."""
+        """Return the programs of the first such folder of which one is a node, or named in a README."""
         cmake = self.scripts.package.cmake
         rules = (rule for rule in cmake.installs if rule.kind != "TARGETS")
         is_open = any(rule.kind == "CODE" or rule.destination is None or rule.call.maybe for rule in rules)
@@ -32,7 +34,7 @@ class IdleScripts:
             return ()
         for folder in FOLDERS:
             found = () if self.is_named(folder) else self.programs(folder)
-            if any(is_node(path, cmake.package_files) or self.is_told(path) for path in found):
+            if any(is_node(path, cmake.package_files) or self.is_in_readme(path) for path in found):
                 return found
         return ()
 
@@ -51,9 +53,9 @@ class IdleScripts:
         text = self.scripts.package.cmake.package_files.readable_text(path)
         is_main = MAIN.search(text) is not None and FOR_ROS1.search(text) is None
         is_program = is_python(path, self.scripts.package.cmake.package_files) and is_main
-        return is_program and self.scripts.has_shebang(path) and self.scripts.has_bit(path)
+        return is_program and self.scripts.script_files.has_shebang(path) and self.scripts.script_files.has_bit(path)
 
-    def is_told(self, path: str) -> bool:
+    def is_in_readme(self, path: str) -> bool:
         """Return whether a README has the name of a program, with its suffix or without, and not its folder."""
         files, name = self.scripts.package.cmake.package_files, posixpath.basename(path)
         stem = name.removesuffix(".py")

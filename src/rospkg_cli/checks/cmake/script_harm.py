@@ -1,4 +1,4 @@
-"""How bad it is that a script can't be executed where it is installed (CMK105): who is shown to run it."""
+"""How bad it is that a script can't be executed where it is installed (CMK105): what starts it."""
 
 from __future__ import annotations
 
@@ -6,41 +6,42 @@ from typing import Literal
 
 from ..repository.path_starts import is_started_by_path_alone
 from ..repository.spare_files import is_spare
-from .installed_scripts import BrokenScript, InstalledScripts
+from .broken_scripts import BrokenScript, is_module, is_tool
+from .installed_scripts import InstalledScripts
 from .left_out_nodes import is_node
 from .script_sentences import BY_PATH, KEPT, LOST
 from .swept_scripts import is_swept_along
 
 Harm = Literal["error", "warning", "info"]
 ONLY_THE_BIT = ("no bit", "directory, no bit")
-"""What a copy of the repository may have lost, such as an archive or a share of Windows."""
+"""What a copy of the repository may have lost: an archive, or a folder shared with Windows."""
 MILD = ("directory", "neither")
-"""What is a lesser fault beside scripts that are installed as programs."""
+"""What is a lesser fault where other scripts are installed with PROGRAMS."""
 
 
 def harm(scripts: InstalledScripts, script: BrokenScript) -> Harm:
     """Return an error where the script is started, or where `ros2 run` never finds a node, whoever builds it."""
-    if scripts.is_module(script) or is_swept_along(scripts, script) or why_mild(scripts, script):
+    if is_module(scripts, script) or is_swept_along(scripts, script) or why_mild(scripts, script):
         return "info"
-    is_started = scripts.is_wanted(script.copy.source)
-    is_mild = script.wrong == "no bit" or (script.wrong in MILD and scripts.uses_programs) or scripts.is_tool(script)
+    is_started = scripts.starts.is_wanted(script.copy.source)
+    is_mild = script.wrong == "no bit" or (script.wrong in MILD and scripts.uses_programs) or is_tool(scripts, script)
     return "warning" if is_mild or not (is_started or is_program(scripts, script)) else "error"
 
 
 def why_mild(scripts: InstalledScripts, script: BrokenScript) -> str:
     """Return what is said of a script that nothing of the repository starts as a program; "" for others."""
     path, files = script.copy.source, scripts.package.cmake.package_files
-    if scripts.is_wanted(path):
+    if scripts.starts.is_wanted(path):
         return ""
     if script.wrong in ONLY_THE_BIT:
         return LOST
-    if is_spare(files, path) and not scripts.is_run(path):
+    if is_spare(files, path) and not scripts.starts.is_run(path):
         return KEPT
     return BY_PATH if is_started_by_path_alone(files, scripts.package.facts.name, path) else ""
 
 
 def is_program(scripts: InstalledScripts, script: BrokenScript) -> bool:
-    """Return whether a rule makes a script no program by its own words, and it is a node, or has no first line."""
+    """Return whether a script is a node whose install rule makes it not executable, or has no `#!` line."""
     if script.wrong == "no shebang":
         return True
     return script.wrong in ("files", "directory") and is_node(script.copy.source, scripts.package.cmake.package_files)

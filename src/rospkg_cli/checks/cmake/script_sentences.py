@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..enumeration import in_ticks
-from .installed_scripts import BrokenScript, InstalledScripts
+from .broken_scripts import BrokenScript
+from .installed_scripts import InstalledScripts
 
 FEW = 3
-"""So many scripts are named one by one."""
+"""From this many on, only the first script is named."""
 LOST = " (nothing here starts it, and a copy of files may lose the bit)"
 """What is added where only the bit of a script is missing."""
-KEPT = " (nothing here starts it, and its name or its own text says that nobody uses it)"
+KEPT = " (nothing here starts it, and its name or its own text says that it is not used)"
 BY_PATH = " (the pages and scripts here start it by its path alone, with Python)"
 SHEBANG = "#!/usr/bin/env python3"
 

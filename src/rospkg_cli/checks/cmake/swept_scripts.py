@@ -1,11 +1,12 @@
-"""Scripts that a rule takes along with their folder, and that nobody is shown to run (CMK105)."""
+"""Scripts that are installed only because a rule takes their whole folder, and that nothing starts (CMK105)."""
 
 from __future__ import annotations
 
 import posixpath
 import re
 
-from .installed_scripts import BrokenScript, InstalledScripts
+from .broken_scripts import BrokenScript
+from .installed_scripts import InstalledScripts
 from .left_out_nodes import USES_ROS
 from .module_imports import dotted_imports
 
@@ -16,13 +17,12 @@ COMMENT = r"^[ \t]*#[^\n]*(?<![\w.-])"
 def is_swept_along(scripts: InstalledScripts, script: BrokenScript) -> bool:
     """Return whether a script only came with its folder, or by a pattern (`file(GLOB …)`).
 
-    It is imported, has no word of ROS, or a comment names it.
-
-    What a launch file, a page or a rule names by itself is meant to be run.
+    It is imported, has no word of ROS, or a comment names it. What a launch file, a README or a rule names by itself
+    is intended to be run.
     """
     path, cmake = script.copy.source, scripts.package.cmake
     is_globbed = "*" in cmake.source_text(script.copy.item)
-    if not (script.copy.rule.kind == "DIRECTORY" or is_globbed) or scripts.is_wanted(path):
+    if not (script.copy.rule.kind == "DIRECTORY" or is_globbed) or scripts.starts.is_wanted(path):
         return False
     text = cmake.package_files.readable_text(path)
     return USES_ROS.search(text) is None or is_imported(scripts, path) or is_left_out(scripts, path)

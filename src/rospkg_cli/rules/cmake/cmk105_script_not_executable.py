@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import chain
 
-from ...checks.cmake.installed_scripts import BrokenScript, InstalledScripts
+from ...checks.cmake.broken_scripts import BrokenScript, BrokenScripts
+from ...checks.cmake.installed_scripts import InstalledScripts
 from ...checks.cmake.script_harm import harm, why_mild
 from ...checks.cmake.script_sentences import message, title
 from ...edits.cmake_scripts import make_executable
@@ -74,10 +75,10 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
 
     ## When it is quiet
     For files that another installed script imports, or any Python file by a dotted name (`my_pkg.moves.turn`) where
-    they don't start themselves; that hold only definitions, or are launch files; that a launch file hands to `python3`,
-    or a macro in a .cmake file of the package to whom it calls, and that CMake gives to `chmod` by name. For what is
-    installed under a condition that can't be evaluated, or for tests. A file without the bit that another Python file
-    of its folder imports may be a module: an info, unless a launch file names it or a README starts it.
+    they don't start themselves; that hold only definitions, or are launch files; that a launch file passes to
+    `python3`, or a macro in a .cmake file of the package to its caller, and that CMake gives to `chmod` by name. For
+    what is installed under a condition that can't be evaluated, or for tests. A file without the bit that another Python
+    file of its folder imports may be a module: an info, unless a launch file names it or a README starts it.
     What only lacks its bit here is an info where neither does so: archives and some file systems lose it. A file
     without `#!` that has no word of ROS, and a script that is no node (it uses rclpy and asks for `__name__`), are
     warnings there. What a rule takes along with its folder, or by a pattern (`file(GLOB scripts scripts/*.py)`), is an
@@ -98,7 +99,7 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
 def together(scripts: InstalledScripts) -> Iterable[list[BrokenScript]]:
     """Return the scripts of one install() that are broken in the same way and as badly, which is one fault."""
     calls: dict[tuple[str, int, str, str, str], list[BrokenScript]] = {}
-    for script in scripts.broken():
+    for script in BrokenScripts(scripts).all():
         call = script.copy.rule.call
         place, how = (call.path, call.command.span.start), (harm(scripts, script), why_mild(scripts, script))
         calls.setdefault((*place, script.wrong, *how), []).append(script)

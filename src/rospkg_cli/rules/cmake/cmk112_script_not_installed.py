@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.cmake.idle_scripts import IdleScripts
 from ...checks.cmake.installed_scripts import InstalledScripts
+from ...checks.cmake.uninstalled_scripts import UninstalledScripts
 from ...checks.enumeration import in_ticks
 from ...edits.cmake_install import install_script
 from ...edits.plain_names import only_plain_names
@@ -56,12 +57,12 @@ def script_not_installed(scripts: InstalledScripts) -> Iterator[Hit]:
     """
     if not scripts.package.is_ament:
         return
-    for path, neighbour in scripts.uninstalled():
+    for path, neighbour in UninstalledScripts(scripts).all():
         message = (
             f"`{path}` is not installed, but `{neighbour.source}` is: `ros2 run {scripts.package.facts.name} "
             f"{path.rpartition('/')[2]}` does not find it; add it to `install(PROGRAMS …)`"
         )
-        level = None if scripts.is_wanted(path) else Severity.INFO
+        level = None if scripts.starts.is_wanted(path) else Severity.INFO
         fix = only_plain_names(Fix(f"install `{path}`", (install_script(scripts.package.cmake, path),)), path)
         yield Hit(neighbour.item.path, neighbour.item.span, message, level, fix=fix)
     if idle := IdleScripts(scripts).first():
