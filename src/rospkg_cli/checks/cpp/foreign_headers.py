@@ -36,13 +36,13 @@ class ForeignHeader:
     span: Span
     header: str
     kind: Literal["folder", "ros1", "both", "unsure"]
-    """A name of no package, a header of ROS 1, one in a package that looks for ROS 1 too, or one that is called so."""
-    meant: str
+    """A folder of no package, a header of ROS 1 (in a package that looks for ROS 1 too), or a name that may be one."""
+    instead: str
     """The header that is intended, or that ROS 2 has; "" where there is none."""
     level: Level
     """How bad it is, by who compiles the file."""
     behind: Ros1Use | None = None
-    """What of ROS 1 ends the build of all targets with the file before it is met."""
+    """What of ROS 1 ends the build of all targets with the file before this include."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +53,8 @@ class ForeignHeaders:
     def all(self) -> Iterator[ForeignHeader]:
         """Yield each include in what is compiled or installed whose header is certainly somewhere else.
 
-        Headers of ROS 1 are told where the build meets them, one a file: what is left aside was not yet ported. Where
-        CMake looks for ROS 1 itself, and package.xml declares it, all is meant so.
+        Headers of ROS 1 are reported in files that the build compiles, one a file: others were not yet ported. Where
+        CMake looks for ROS 1 itself, and package.xml declares it, they are intended.
         """
         package = self.headers.package
         if not package.is_ament or (self.is_for_both and not ROS_1.isdisjoint(self.declared)):
@@ -72,7 +72,7 @@ class ForeignHeaders:
                 for each in source.includes
                 if not each.is_conditional and "/" in each.path
                 for foreign in self.judged(source, each)
-                if not self.headers.is_there(each.path)  # last, as it looks into all packages
+                if not self.headers.known.is_there(each.path)  # last, as it looks into all packages
             ]
             old = sorted((each for each in found if each.kind != "folder"), key=lambda each: each.kind == "unsure")
             yield from (each for each in found if each.kind == "folder")
@@ -87,18 +87,19 @@ class ForeignHeaders:
         return is_found or any(text in ROS_1 or PREFIX.match(text) for text in texts)
 
     def judged(self, source: CppFile, each: IncludeDirective) -> Iterator[ForeignHeader]:
+        """Yield what is wrong with one include: a header of ROS 1, or a folder that no package has."""
         level = self.headers.harm_in(source.path)
         if (old := self.headers.ros1.headers.find(each.path)) is not None:
             kind: Literal["ros1", "both", "unsure"] = "both" if self.is_for_both else "ros1"
             kind = kind if old.is_certain else "unsure"
             yield ForeignHeader(source.path, each.span, each.path, kind, old.meant, level if kind == "ros1" else "info")
             return
-        meant = self.headers.ros1.headers.with_kind(each.path) or self.in_right_folder(each.path)
-        if meant:
-            is_other = digits(folder_of(meant)) != digits(folder_of(each.path))
+        near = self.headers.ros1.headers.with_kind(each.path) or self.in_right_folder(each.path)
+        if near:
+            is_other = digits(folder_of(near)) != digits(folder_of(each.path))
             level = "warning" if is_other and level == "error" else level
             behind = self.headers.ros1.stopping_all([source.path])
-            yield ForeignHeader(source.path, each.span, each.path, "folder", meant, level, behind)
+            yield ForeignHeader(source.path, each.span, each.path, "folder", near, level, behind)
 
     def in_right_folder(self, header: str) -> str | None:
         """Return the header in the folder of the one package that is near and has it; None where there is none."""
@@ -129,7 +130,7 @@ class ForeignHeaders:
         kind, _, name = rest.partition("/")
         if kind in KINDS and (known := self.interfaces.of(package)) is not None:
             return name.partition(".")[0] in map(header_name, known.get(kind, ()))
-        return self.headers.is_there(f"{package}/{rest}") or package in self.used
+        return self.headers.known.is_there(f"{package}/{rest}") or package in self.used
 
     @cached_property
     def packages(self) -> frozenset[str]:

@@ -1,4 +1,4 @@
-"""Headers of the package that are there, in a folder of which its target is not told (CMK201)."""
+"""Headers of the package that exist, in a folder that is no include directory of the target (CMK201)."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ OTHERWISE = regex(
     r"\b(?:INTERFACE_(?:SYSTEM_)?|CMAKE_\w+_STANDARD_)?INCLUDE_DIRECTORIES\b|INCLUDE_CURRENT_DIR|FILE_SET|ament_auto_"
     r"|(?<!\w)-I|isystem|(?i:(?<![a-z_])link_libraries\s*\()"
 )
-"""What a CMake file holds that tells the compiler of a folder in another way, or may do so."""
+"""What in a CMake file adds an include directory in another way, or may do so."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,11 +33,11 @@ class UnreachedHeader:
     folder: str
     """Where it lies, below the package."""
     target: str = ""
-    """What is not told of the folder; "" where nothing is told of any."""
+    """The target without the include directory; "" where no command adds one."""
     behind: Ros1Use | None = None
     """What of ROS 1 ends the build of all targets with the file."""
     is_off: bool = False
-    """Whether only a switch that nothing turns on, or a target that nobody asks for, has the file compiled."""
+    """Whether the file is compiled only with a switch that nothing turns on, or in a target that nothing needs."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class UnreachedHeaders:
     headers: MissingHeaders
 
     def first(self) -> Iterator[UnreachedHeader]:
-        """Yield the first include of a header that no compiler finds, one that the build comes to before others."""
+        """Yield the first include that the compiler does not find, if possible in a file surely compiled."""
         yield from sorted(self.all(), key=lambda each: each.is_off or each.behind is not None)[:1]
 
     def all(self) -> Iterator[UnreachedHeader]:
@@ -62,9 +62,9 @@ class UnreachedHeaders:
     def within(self, source: CppFile) -> Iterator[UnreachedHeader]:
         workspace, name = self.headers.workspace, self.headers.package.facts.name
         for each in source.includes:
-            beside = posixpath.normpath(posixpath.join(posixpath.dirname(source.path), each.path))
-            paths = self.headers.by_name.get(posixpath.basename(each.path), ())
-            if each.is_conditional or "/" not in each.path or (beside in paths and not each.is_angled):
+            neighbour = posixpath.normpath(posixpath.join(posixpath.dirname(source.path), each.path))
+            paths = self.headers.known.by_name.get(posixpath.basename(each.path), ())
+            if each.is_conditional or "/" not in each.path or (neighbour in paths and not each.is_angled):
                 continue
             owners = {facts.name for facts in workspace.having("header_files", each.path)} - {name}
             folders = [path.removesuffix(f"/{each.path}") for path in paths if path.endswith(f"/{each.path}")]
@@ -75,7 +75,7 @@ class UnreachedHeaders:
                 yield UnreachedHeader(source.path, each.span, each.path, folders[0], target, behind, is_off)
 
     def without(self, source: str, folder: str) -> str | None:
-        """Return a target that compiles a source without a folder; "" where no folder is named, None for nobody."""
+        """Return a target that compiles a source without a folder; "" where none has any, None where all may."""
         if not self.folders.are_named:
             return ""
         cmake = self.headers.package.cmake

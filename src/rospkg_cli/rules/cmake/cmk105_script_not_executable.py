@@ -77,8 +77,8 @@ def script_not_executable(scripts: InstalledScripts) -> Iterator[Hit]:
     For files that another installed script imports, or any Python file by a dotted name (`my_pkg.moves.turn`) where
     they don't start themselves; that hold only definitions, or are launch files; that a launch file passes to
     `python3`, or a macro in a .cmake file of the package to its caller, and that CMake gives to `chmod` by name. For
-    what is installed under a condition that can't be evaluated, or for tests. A file without the bit that another Python
-    file of its folder imports may be a module: an info, unless a launch file names it or a README starts it.
+    what is installed under a condition that can't be evaluated, or for tests. A file without the bit that another
+    Python file of its folder imports may be a module: an info, unless a launch file names it or a README starts it.
     What only lacks its bit here is an info where neither does so: archives and some file systems lose it. A file
     without `#!` that has no word of ROS, and a script that is no node (it uses rclpy and asks for `__name__`), are
     warnings there. What a rule takes along with its folder, or by a pattern (`file(GLOB scripts scripts/*.py)`), is an

@@ -68,7 +68,7 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     folder. So are headers in a folder whose name is one or two letters, or a digit at its end, off that of a package
     that has them, and headers of ROS 1 (`ros/ros.h`, `std_msgs/String.h`), the first of each file that the build
     compiles, and of messages without their kind (`std_msgs/string.hpp`). Of headers that are there it finds the
-    first, where no command of CMake tells its target of the folder.
+    first whose folder no command of CMake adds to the include directories of its target.
 
     ## Why is this bad?
     The compiler stops with "No such file or directory". This is what is left when a header was renamed or moved.
@@ -79,7 +79,7 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     well-known library has a folder of that name (`pcl/`). Inside of `#if`, in headers that others include there alone,
     in files with `__has_include`, for the path that an install or an export gives a header, where git ignores the
     header or a submodule is not checked out, and in files that nothing compiles or installs. A header that the build
-    does not open, beside sources that it compiles, or that no test of a package of headers alone includes, while no
+    does not open, though it compiles other sources, or that no test of a package of headers alone includes, while no
     other package here is built with it, may be a leftover: an info. So is what lies below a CMakeLists.txt
     that no other one adds and no page or script builds, one in a package that has no target and installs nothing, one
     in a target that stops at a source of ROS 1 anyway, a name as ROS 1 would have it of an interface that is not known
@@ -90,15 +90,15 @@ def missing_header(headers: MissingHeaders) -> Iterator[Hit]:
     The intended header is a guess.
     """
     for first, *others in by_header(headers.all()):
-        edits = tuple(Edit(each.path, each.span, each.meant) for each in (first, *others))
-        fix = Fix(f"include `{first.meant}`", edits, Safety.UNSAFE) if first.meant else None
+        edits = tuple(Edit(each.path, each.span, each.near) for each in (first, *others))
+        fix = Fix(f"include `{first.near}`", edits, Safety.UNSAFE) if first.near else None
         related = tuple(Related(each.path, each.span, "and here") for each in others)
         yield Hit(first.path, first.span, *said(message(first), Severity(first.level), first.behind), related, fix)
     for lost in UnreachedHeaders(headers).first():
         level = Severity.INFO if lost.is_off else Severity.WARNING
         yield Hit(lost.path, lost.span, *said(unreached(lost), level, lost.behind))
     for other in ForeignHeaders(headers).all():
-        yield Hit(other.path, other.span, *said(of_nobody(other), Severity(other.level), other.behind))
+        yield Hit(other.path, other.span, *said(of_no_package(other), Severity(other.level), other.behind))
 
 
 def said(text: str, level: Severity, behind: Ros1Use | None) -> tuple[str, Severity]:
@@ -107,33 +107,33 @@ def said(text: str, level: Severity, behind: Ros1Use | None) -> tuple[str, Sever
 
 
 def unreached(each: UnreachedHeader) -> str:
-    told = f"`{each.target}`" if each.target else "the compiler"
-    start = f"no command tells {told} of `{each.folder}/`, where `{each.header}` is"
+    of = f" of `{each.target}`" if each.target else ""
+    start = f"no command adds `{each.folder}/`, where `{each.header}` is, to the include directories{of}"
     advice = f"add `target_include_directories({each.target or '…'} PUBLIC {each.folder})`"
-    return f'{start}: {"the compiler" if each.target else "it"} stops with "No such file"; {advice}'
+    return f'{start}: the compiler stops with "No such file"; {advice}'
 
 
 def by_header(found: Iterable[MissingHeader]) -> Iterable[list[MissingHeader]]:
     """Return the includes of each header together, those that the build certainly compiles first: one cause."""
     same: dict[tuple[str, str], list[MissingHeader]] = {}
     for each in sorted(found, key=lambda each: WORST_FIRST.index(each.level)):
-        same.setdefault((each.header, each.meant), []).append(each)
+        same.setdefault((each.header, each.near), []).append(each)
     return same.values()
 
 
-def of_nobody(each: ForeignHeader) -> str:
+def of_no_package(each: ForeignHeader) -> str:
     stops = 'the compiler stops with "No such file"'
     if each.kind == "folder":
-        return f"no package has a header `{each.header}` (did you mean `{each.meant}`?): {stops}; correct the name"
+        return f"no package has a header `{each.header}` (did you mean `{each.instead}`?): {stops}; correct the name"
     if each.kind == "unsure":
         return f"`{each.header}` is called like a header of ROS 1: rosidl makes `pkg/msg/name.hpp` of an interface"
     if each.kind == "both":
         return f"`{each.header}` is a header of ROS 1: it compiles only where that, which CMake looks for, is there too"
-    instead = f"include `{each.meant}`" if each.meant else "nothing took its place, remove it"
+    instead = f"include `{each.instead}`" if each.instead else "nothing took its place, remove it"
     return f"`{each.header}` is a header of ROS 1: {stops}; {instead}"
 
 
 def message(each: MissingHeader) -> str:
-    near = f" (did you mean `{each.meant}`?)" if each.meant else ""
-    advice = "correct the name" if each.meant else "add it, or remove the line"
+    near = f" (did you mean `{each.near}`?)" if each.near else ""
+    advice = "correct the name" if each.near else "add it, or remove the line"
     return f'`{each.owner}` has no header `{each.header}`{near}: the compiler stops with "No such file"; {advice}'
