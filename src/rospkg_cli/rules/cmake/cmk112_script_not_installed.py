@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.cmake.idle_scripts import IdleScripts
 from ...checks.cmake.installed_scripts import InstalledScripts
-from ...checks.cmake.uninstalled_scripts import UninstalledScripts
+from ...checks.cmake.unlisted_scripts import UnlistedScripts
 from ...checks.enumeration import in_ticks
 from ...edits.cmake_install import install_script
 from ...edits.plain_names import only_plain_names
@@ -57,7 +57,7 @@ def script_not_installed(scripts: InstalledScripts) -> Iterator[Hit]:
     """
     if not scripts.package.is_ament:
         return
-    for path, neighbour in UninstalledScripts(scripts).all():
+    for path, neighbour in UnlistedScripts(scripts).all():
         message = (
             f"`{path}` is not installed, but `{neighbour.source}` is: `ros2 run {scripts.package.facts.name} "
             f"{path.rpartition('/')[2]}` does not find it; add it to `install(PROGRAMS …)`"

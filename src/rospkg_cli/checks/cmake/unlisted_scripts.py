@@ -1,4 +1,4 @@
-"""Scripts that no rule installs, next to others of the same folder that are installed (CMK112)."""
+"""Scripts in no install rule, next to others of the same folder that are installed (CMK112)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ASIDE = frozenset({"test", "tests"})
 
 
 @dataclass(frozen=True)
-class UninstalledScripts:
+class UnlistedScripts:
     scripts: InstalledScripts
 
     def all(self) -> Iterator[tuple[str, CopiedFile]]:
