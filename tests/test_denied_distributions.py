@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.checks.repository.denied_distributions import without_denied
-from rospkg_cli.checks.repository.older_distribution import names_in
+from rospkg_cli.checks.repository.distribution_names import names_in
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.testing import lint_files
 

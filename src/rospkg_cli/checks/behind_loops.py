@@ -1,4 +1,4 @@
-"""Places behind the loop of a constructor, in which the program does its work until somebody ends it."""
+"""Places that run only after a loop in a constructor, in which the program does its work until it is stopped."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ BLOCKS = ("body", "orelse", "finalbody")
 
 
 def is_behind_loop(meanings: Meanings, file: PythonFile, span: Span) -> bool:
-    """Return whether a place is come to once a loop has ended that makes up the work of an object's constructor."""
+    """Return whether a place runs only after the endless loop in the constructor of an object has ended."""
     for block in blocks_of(file.tree):
         at = next((number for number, each in enumerate(block) if file.span(each).holds(span)), None)
         if at is None:
@@ -48,8 +48,8 @@ def stays(meanings: Meanings, file: PythonFile, node: ast.AST) -> bool:
 
 
 def makes_looping(meanings: Meanings, file: PythonFile, call: ast.Call) -> bool:
-    meant = meanings.of(file, call.func)
-    return meant is not None and isinstance(meant.node, ast.ClassDef) and is_looping(meant)
+    definition = meanings.of(file, call.func)
+    return definition is not None and isinstance(definition.node, ast.ClassDef) and is_looping(definition)
 
 
 def is_looping(owner: Own) -> bool:

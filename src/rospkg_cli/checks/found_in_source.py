@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..files import PackageFiles
 from .depends.own_requirements import links_own_folder
 from .repository.container_files import OF_CONTAINER, OF_SCRIPT, OF_WORKFLOW, files_called
-from .repository.told_python_paths import ON_PATH, has_on_python_path
+from .repository.python_path_settings import ON_PATH, has_on_python_path
 
 BY_PIP = "; a text here has pip install the source folder itself, where Python finds it"
 

@@ -1,4 +1,4 @@
-"""Rule input: places that no run and no build comes to as things are: switched off, or not taken by default."""
+"""Rule input: places that neither a build nor a run uses by default: they are switched off, or not chosen."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class IdlePaths:
     launches: Annotated[tuple[LaunchFile, ...], READABLE] = ()
 
     def has(self, path: str, span: Span) -> bool:
-        """Return whether a switch keeps a place from running, or the defaults of a launch file choose another one."""
+        """Return whether a switch keeps a place from running, or a launch file does not choose it by default."""
         if path.endswith("CMakeLists.txt"):
             return self.is_out_of_build(path, span)
         file = self.switches.run.modules.at(path) if path.endswith(".py") else None
@@ -44,7 +44,7 @@ class IdlePaths:
         return any(part.span.holds(span) for each in own for part in off_by_default(each))
 
     def is_out_of_build(self, path: str, span: Span) -> bool:
-        """Return whether a place of CMake is in commands alone that nobody asks for."""
+        """Return whether a place of CMake is only in commands that are off by default or never run."""
         every = (*self.cmake.calls, *self.cmake.unreachable) if self.cmake is not None else ()
         around = [call for call in every if call.path == path and call.command.span.holds(span)]
         return bool(around) and all(self.off.has(call) or self.off.is_never_run(call) for call in around)
@@ -55,7 +55,9 @@ class IdlePaths:
         return SwitchedOff(self.cmake)
 
     def is_of_idle_program(self, path: str) -> bool:
-        """Return whether a source is compiled on demand alone, or into programs that nothing starts, beside others."""
+        """Return whether a source is compiled only on demand, or only into programs that nothing starts while others
+        are started.
+        """
         if self.cmake is None or all(each.path != path for each in self.sources):
             return False
         own = [each for each in self.cmake.targets if self.compiles(each, path)]

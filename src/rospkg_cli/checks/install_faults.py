@@ -1,4 +1,4 @@
-"""What the rules on install rules report: who looks for these files need not say it again."""
+"""Files that rules on install rules report, so that rules on their use need not report them again."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ class InstallFaults:
     def setup(self) -> SetupPy | None:
         return self.shared.package.setup if self.shared is not None and self.cmake is None else None
 
-    def is_told(self, package: str, path: str) -> bool:
+    def is_reported(self, package: str, path: str) -> bool:
         """Return whether a rule reports that a package does not install a file of its share directory."""
         top = path.partition("/")[0]
         if package == self.package.name:
-            return any(path.startswith(f"{folder}/") for folder in self.told_folders) or path in self.told_files
+            return any(path.startswith(f"{folder}/") for folder in self.reported_folders) or path in self.reported_files
         facts = self.workspace.named(package)
         given = facts is not None and facts.folder in self.workspace.selected
         return given and facts is not None and not any(each.startswith(f"{top}/") for each in facts.share_files)
 
-    def is_told_at_its_destination(self, package: str, place: str) -> bool:
+    def is_reported_at_destination(self, package: str, place: str) -> bool:
         """Return whether SET208 reports what setup.py installs to a place, or CMK111 that CMake's is absolute."""
         if place.startswith("/"):
             return self.cmake is not None and package == self.package.name
@@ -45,23 +45,23 @@ class InstallFaults:
         return any(place.startswith(f"{entry.folder}/") for entry, _, _ in entries)
 
     @cached_property
-    def told_folders(self) -> frozenset[str]:
-        """The folders of which nothing is installed, and those of globs that match nothing, as written and as meant."""
+    def reported_folders(self) -> frozenset[str]:
+        """The folders of which nothing is installed, and those of globs without a match, as written and corrected."""
         found = set(self.folders.uninstalled()) if self.folders is not None and self.cmake is not None else set()
         if self.setup is not None and self.shared is not None:
             empty = {folder_of(glob.pattern) for glob in self.shared.empty_globs}
-            meant = (self.shared.suggestion(folder) for folder in empty)
-            found |= {*self.shared.uninstalled_runtime_folders, *empty, *filter(None, meant)}
+            corrected = (self.shared.suggestion(folder) for folder in empty)
+            found |= {*self.shared.uninstalled_runtime_folders, *empty, *filter(None, corrected)}
         return frozenset(found)
 
     @cached_property
-    def told_files(self) -> frozenset[str]:
+    def reported_files(self) -> frozenset[str]:
         """The files next to those that a glob finds or that are listed, and all in the folders next to them."""
         if self.folders is not None and self.cmake is not None:
             return frozenset(path for path, _ in self.folders.left_out())
         if self.setup is None or self.shared is None:
             return frozenset()
-        beside = {each.path for each in self.shared.uninstalled_neighbours}
-        beside |= {path for path, _ in left_out(self.shared)}
-        inside = (path for folder in beside for path in self.shared.package.files.below(folder))
-        return frozenset(beside.union(inside))
+        next_to = {each.path for each in self.shared.uninstalled_neighbours}
+        next_to |= {path for path, _ in left_out(self.shared)}
+        inside = (path for folder in next_to for path in self.shared.package.files.below(folder))
+        return frozenset(next_to.union(inside))

@@ -1,4 +1,4 @@
-"""Whether anything leads to a file by its name: another file, a page or a script, or a package that needs this one."""
+"""Whether anything names a file: another file, a page or a script, or a package that depends on this one."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ class LedTo:
     opening: OpeningPlaces
 
     def has(self, path: str) -> bool:
-        """Return whether something leads to a launch file or a YAML file; what installs it does not.
+        """Return whether something names a launch file or a YAML file; the rule that installs it does not count.
 
-        A package has one launch file to start it, so its only one is led to. YAML is opened by what is typed, not by
-        what a page tells of it; where a name is put together, the part before the suffix stands in quotes.
+        The only launch file of a package always counts as started. YAML counts as opened where a command of a page
+        names it, but not by its description; where code puts a name together, its part before the suffix is in quotes.
         """
         is_launch = role_of(path) == "launch"
         if is_launch and not path.endswith(YAML) and self.is_only_launch_file(path):

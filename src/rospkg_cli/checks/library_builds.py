@@ -12,7 +12,7 @@ from .workspace.wanted_packages import BUILDS, WantedPackages
 
 IMPORTS = r"(?m)\bfrom[ \t]+{0}[\w.]*[ \t]+import\b|^[ \t>]*import[ \t]+{0}\b"
 SCRIPTS = "scripts"
-"""The folder of programs that lie beside packages."""
+"""The folder of programs next to packages."""
 
 
 @dataclass(frozen=True)
@@ -20,13 +20,13 @@ class LibraryBuilds:
     wanted: WantedPackages
 
     def has(self, name: str) -> bool:
-        """Return whether a page builds a package by its name, or a page or a script beside packages imports it."""
-        told, scripts = self.wanted.is_told, tuple(scripts_above(self.wanted.files))
-        return told(BUILDS, name) or told(IMPORTS, name) or self.wanted.is_in(IMPORTS, name, scripts)
+        """Return whether a page builds a package by its name, or a page or a script next to packages imports it."""
+        in_pages, scripts = self.wanted.is_told, tuple(scripts_above(self.wanted.files))
+        return in_pages(BUILDS, name) or in_pages(IMPORTS, name) or self.wanted.is_in(IMPORTS, name, scripts)
 
 
 def scripts_above(files: PackageFiles) -> Iterator[str]:
-    """Yield the text of each Python file in a folder of scripts beside or above a package."""
+    """Yield the text of each Python file in a folder `scripts` next to a package or above it."""
     if files.whole is None:
         return
     whole, above = PackageFiles(files.whole), files.folder

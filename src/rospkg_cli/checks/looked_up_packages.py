@@ -34,8 +34,9 @@ class LookUp:
     is_chosen: bool = False
     """Whether an `else` looks for another package in its place."""
     why_seldom: str = ""
-    """What is said of a place that seldom or never runs, is for those who have the package, or that no target
-    compiles; "" for others."""
+    """The end of a message that says why a place matters less: it seldom runs, only those who have the package run it,
+    or no target compiles it; "" for others.
+    """
 
 
 @dataclass(frozen=True)
@@ -50,13 +51,13 @@ class LookedUpPackages:
         return self.imports.declared
 
     def is_unstarted(self, path: str) -> bool:
-        """Return whether a file is of programs that nothing starts, beside others that are started."""
+        """Return whether a file is only of programs that nothing starts, while others are started."""
         return self.imports.programs is not None and self.imports.programs.has(path)
 
     def undeclared(self) -> dict[str, list[LookUp]]:
         """Return each package with its places, but for what is imported, included or launched as well.
 
-        One that nobody knows counts where a repository that is listed is not here: it is probably one of that.
+        An unknown package counts where a listed repository is not here, as that may hold it.
         """
         workspace = self.declared.workspace
         found: dict[str, list[LookUp]] = {}
@@ -68,11 +69,11 @@ class LookedUpPackages:
         if not found:
             return found
         found = {name: self.met_first(places) for name, places in found.items()}
-        told = self.imports.undeclared("run").keys() | self.launch.missing(tests=False).keys() | self.included
-        return {name: places for name, places in found.items() if name not in told}
+        others = self.imports.undeclared("run").keys() | self.launch.missing(tests=False).keys() | self.included
+        return {name: places for name, places in found.items() if name not in others}
 
     def met_first(self, places: list[LookUp]) -> list[LookUp]:
-        """Return places with those first that somebody comes to; a switch that nothing throws keeps people away."""
+        """Return places, first those that run; one under a switch that is off does not."""
         off = ((each, each.why_seldom or self.lookups.why_off(each.path, each.span)) for each in places)
         places = [replace(each, why_seldom=why) for each, why in off]
         return sorted(places, key=lambda each: bool(each.why_seldom))
@@ -96,7 +97,7 @@ class LookedUpPackages:
                 yield text, LookUp(source.path, span, why_seldom=why or self.why_mild(source.path, span, text))
 
     def why_mild(self, path: str, span: Span, name: str) -> str:
-        """Return what is said of a look-up by who comes to it; "" where somebody lacks what is looked for."""
+        """Return the end of a message that says why those who run a look-up have the package; "" where they may not."""
         return self.users.why_mild(path, span, name) if self.users else ""
 
     @property

@@ -92,13 +92,13 @@ class MissingShareFiles:
         below = (*facts.share_files, *facts.uninstalled, *facts.run_time_files) if is_here else ()
         if path in facts.run_time_files or any(each.startswith(f"{path}/") for each in below):
             return None
-        if path in facts.uninstalled and (not is_read or self.faults.is_told(facts.name, path)):
+        if path in facts.uninstalled and (not is_read or self.faults.is_reported(facts.name, path)):
             return None
         near = None if is_here else closest_path(path, facts.share_files)
         if not is_here and (not near or (facts is self.facts and self.files.absent.is_expected(path))):
             return None
         goes_to = self.table.destination_of(path) if is_here and self.table is not None else None
-        if goes_to and self.faults.is_told_at_its_destination(facts.name, goes_to):
+        if goes_to and self.faults.is_reported_at_destination(facts.name, goes_to):
             return None
         return MissingShareFile(where, span, facts.name, path, near, is_here, goes_to)
 

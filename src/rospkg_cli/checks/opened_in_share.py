@@ -1,4 +1,4 @@
-"""Whether live text of a workspace opens a file in the share directory of a package, or starts it there."""
+"""Whether anything in a workspace opens a file in the share directory of a package, or starts it there."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from .share.opened_elsewhere import live, opening, opening_elsewhere
 from .share_uses import ShareUses
 
 MARKUP = (".urdf", ".xacro", ".sdf", ".world", ".xml")
-"""Files that name others by their places beside them."""
+"""Files that name others by paths relative to themselves."""
 IMAGE = r"(?m:^[ \t]*image[ \t]*:[ \t]*)[\"']?"
-"""Before the picture of a map, beside its YAML."""
+"""What precedes the image of a map in its YAML file, which names it by a relative path."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class OpenedInShare:
             return True
         word = rf"{re.escape(name)}(?![\w.-])"
         texts = (text for own, text in self.texts if own != path and name in text)
-        return any(self.shares_of(text).join(word) for text in texts) or self.is_named_beside(path, name)
+        return any(self.shares_of(text).join(word) for text in texts) or self.is_named_relatively(path, name)
 
     def opens_folder(self, folder: str) -> bool:
         """Return whether a folder is opened as a whole; the name of a file behind it opens that file."""
@@ -55,15 +55,15 @@ class OpenedInShare:
         launches = (text for own, text in self.texts if own != path and (role_of(own) == "launch" if own else False))
         return any(self.shares_of(text).may_join(word) for text in launches if name in text)
 
-    def is_named_beside(self, path: str, name: str) -> bool:
-        """Return whether a robot, a world or a map names a file by its place beside it."""
-        beside = re.compile(rf"(?:[\"'>]|{IMAGE})([\w./-]*{re.escape(name)})(?![\w.-])")
+    def is_named_relatively(self, path: str, name: str) -> bool:
+        """Return whether a robot, a world or a map names a file by a path relative to itself."""
+        relative = re.compile(rf"(?:[\"'>]|{IMAGE})([\w./-]*{re.escape(name)})(?![\w.-])")
         own = ((each, text) for each, text in self.texts if each.endswith((*MARKUP, ".yaml", ".yml")) and name in text)
         places = (
             posixpath.normpath(posixpath.join(posixpath.dirname(each), found[1]))
             for each, text in own
             if each != path and role_of(each) != "launch"
-            for found in beside.finditer(text)
+            for found in relative.finditer(text)
             if each.endswith(MARKUP) or found[0].lstrip().startswith("image")
         )
         return path in places

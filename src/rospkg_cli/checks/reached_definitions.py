@@ -1,4 +1,4 @@
-"""Rule input: the functions, methods and classes of a package that its programs lead to, by their names."""
+"""Rule input: the functions, methods and classes of a package that its programs use, as far as names show."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from .python.switches import Switches
 from .started_by_path import StartedByPath
 
 OF_MODULES = ("__getattr__", "__dir__")
-"""Functions of a module that Python calls; `super().__init__` means no function outside of a class."""
+"""Functions of a module that Python calls; other names with `__` count only in classes."""
 SHAPING = frozenset(
     "staticmethod classmethod property setter getter deleter cached_property cache lru_cache abstractmethod final "
     "override overload dataclass total_ordering contextmanager no_type_check typechecked jit njit".split()
 )
-"""Decorators by which nobody calls a definition."""
+"""Decorators that neither call what they decorate nor register it for a call."""
 
 
 @dataclass(frozen=True)
@@ -72,12 +72,12 @@ class ReachedDefinitions:
         return (path, name) in entries or ("", name) in entries
 
     def unrun(self, file: PythonFile) -> frozenset[int]:
-        """Return the identity of what never runs: under a switch, or where nobody starts a module by its path."""
+        """Return the identities of nodes that never run: under a switch, or in a `__main__` block of a module."""
         return self.switches.turned_off(file) | self.by_path.in_vain(file)
 
     @cached_property
     def reached(self) -> frozenset[int]:
-        """The identity of each definition that is led to."""
+        """The identities of the definitions that programs use."""
         every: dict[str, list[Named]] = {}
         for each in (one for found in self.of_files.values() for one in found):
             if each.owner or not each.node.name.startswith("__") or each.node.name in OF_MODULES:
@@ -96,7 +96,7 @@ class ReachedDefinitions:
 
     def led_to_by(self, file: PythonFile, name: str, every: Mapping[str, Sequence[Named]]) -> Iterable[Named]:
         """Return the definitions that a name means at the top level of a file: `main` is its own one, if it has one."""
-        found = meant(name.removeprefix(SELF), every)
+        found = definitions_named(name.removeprefix(SELF), every)
         own = self.of_files[file.path] if name in file.functions else ()
         return [each for each in own if each.node.name == name] or found
 
@@ -104,7 +104,7 @@ class ReachedDefinitions:
         """Yield the definitions that a name means where it stands: `self.go` is a member of the class or its kin."""
         bare = name.removeprefix(SELF)
         is_own = bare != name and each.around in self.families
-        for one in meant(bare, every):
+        for one in definitions_named(bare, every):
             if not is_own or self.families.get(one.owner) == self.families[each.around]:
                 yield one
 
@@ -138,8 +138,8 @@ def is_collected(path: str) -> bool:
     return role_of(path) == "test" or name.startswith("test_") or name.endswith("_test.py")
 
 
-def meant(name: str, every: Mapping[str, Sequence[Named]]) -> Iterator[Named]:
-    """Yield the definitions that a name or text may mean: `do_` is the beginning of one that is put together."""
+def definitions_named(name: str, every: Mapping[str, Sequence[Named]]) -> Iterator[Named]:
+    """Yield the definitions that a name may refer to; one with `_` at its end may be the beginning of a longer name."""
     yield from every.get(name, ())
     if name.endswith("_") and name.strip("_"):
         yield from (each for full, found in every.items() if full.startswith(name) for each in found)

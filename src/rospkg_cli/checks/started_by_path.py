@@ -1,4 +1,4 @@
-"""Rule input: the modules of a package that nobody starts by their path, and what they keep for who does so."""
+"""Rule input: the modules of a package that are never started by their path, and their `__main__` blocks."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ..package.install_table import InstallTable
 from .python.installed_modules import InstalledModules
 
 NAMING = (".py", ".md", ".rst", ".sh", ".txt", ".cfg", ".toml", ".xml", ".launch", ".yaml", ".yml")
-"""Files that may tell or do how a module is started by its path."""
+"""Files that may start a module by its path, or say how to."""
 FILE = regex(r"[\w.-]+\.py(?!\w)")
 
 
@@ -24,7 +24,7 @@ class StartedByPath:
     installed: InstalledModules
 
     def in_vain(self, file: PythonFile) -> frozenset[int]:
-        """Return the identity of what is under `if __name__ == '__main__'` of a module that is only imported."""
+        """Return the identities of the nodes under `if __name__ == '__main__'` of a module that is only imported."""
         if file.path not in self.imported_alone:
             return frozenset()
         guards = (each for each in file.tree.body if isinstance(each, ast.If) and is_guard(each))
@@ -32,7 +32,7 @@ class StartedByPath:
 
     @cached_property
     def imported_alone(self) -> frozenset[str]:
-        """The modules beside programs whose files are no programs themselves, and that no text names by their files."""
+        """The modules of a package with programs whose files are no programs, and are named in no text."""
         rows = [*self.table.of("executable")]
         modules = set(self.installed.names) if rows else set[str]()
         modules -= {row.source for row in rows if not row.entry}

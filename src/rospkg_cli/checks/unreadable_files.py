@@ -28,7 +28,7 @@ COMMENTS = ("comment", "bracket comment")
 ROS1_LAUNCH = regex(r"<node\b[^>]*\btype\s*=|\$\(find ")
 """Nodes and paths as roslaunch takes them."""
 LIBRARY = regex(r"\A\s*(?:<\?[^>]*\?>\s*|<!--.*?-->\s*)*<library\b", re.DOTALL)
-"""A plugin description without a root of its own: pluginlib asks each `<library>` for the next one beside it."""
+"""A plugin description without a root element: pluginlib reads each `<library>` after the other."""
 HOLE = regex(r"\?{3}|<(?:[A-Z]{2,}[A-Z_ ]*|(?:your|insert|fill)[\w -]+)>")
 """What stands in code for what whoever takes an exercise on has to write."""
 LOST = regex("[\udc80-\udcff]")

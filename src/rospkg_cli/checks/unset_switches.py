@@ -1,7 +1,4 @@
-"""Rule input: places that run only with a parameter or a constant that is off, and that nothing in the repository sets.
-
-Who starts what is here as it is comes to none of them.
-"""
+"""Rule input: places that run only with a parameter or constant that is off, and that nothing sets."""
 
 from __future__ import annotations
 
@@ -19,9 +16,9 @@ from .python.run_imports import RunImports
 from .python.switch import Switch
 
 TELLING = (".md", ".rst", ".txt", ".sh", ".bash", ".service", ".env", ".toml", ".json", "Makefile", "Dockerfile")
-"""Files of pages and scripts: that one names a parameter is enough, for people may set it."""
+"""Pages and scripts: it is enough that one names a parameter, as people may set it."""
 SETTING = (".yaml", ".yml", ".xml", ".launch")
-"""Files that give a parameter its value, beside launch files in Python."""
+"""Files that set parameters, in addition to launch files in Python."""
 VALUE = r"(?![\w-])(?:[\"']?\s*(?:[:=,]|\bvalue\s*=)\s*[\"']?(?P<said>false|true|0|1)\b)?"
 
 
@@ -32,7 +29,7 @@ class UnsetSwitches:
     sources: tuple[CppFile, ...] = ()
 
     def why_off(self, path: str, span: Span) -> str:
-        """Return what is said of a place that only such a switch leads to; "" for others."""
+        """Return the end of a message about a place that runs only with such a switch; "" for others."""
         for each in self.switches(path, span):
             if not any(self.is_set(name, each) for name in each.parameters):
                 named = " and ".join(f"`{name}`" for name in each.parameters)

@@ -1,4 +1,4 @@
-"""Rule input: files of programs that nothing starts or names, beside other programs of the package that are started."""
+"""Rule input: files of programs that nothing starts or names, while other programs of the package are started."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from .share.opened_elsewhere import opening_elsewhere
 
 UNSTARTED = "; nothing here starts this program, as it does others of the package"
 STARTING = (".xml", ".launch", ".yaml", ".yml", ".json", ".service", ".desktop", ".conf")
-"""Files that start programs, beside launch files in Python, pages and scripts."""
+"""Files that start programs, in addition to launch files in Python, pages and scripts."""
 STALE = regex(
     r"(?i)\b(?:deprecated|obsolete|legacy|unfinished|wip|work in progress|unused|no longer (?:used|maintained|needed)"
     r"|(?:is |are |currently |still )(?:not|isn't) (?:yet )?(?:finished|complete|working|used|in use|maintained)"
     r"|does(?: not|n't) work|not (?:yet )?(?:finished|implemented|working))\b"
 )
-"""How a line of a page says that nobody is to start what it names."""
+"""How a line of a page says that what it names is out of use or not finished."""
 SENTENCES = regex(r"\n|(?<=[.;!?])\s")
 OF_TOOLS = regex(r"(?i)bench(?:mark(?:s|ing)?)?|tools?|experiments?|notebooks?|training|debug(?:ging)?")
 BUILDS = ("package.xml", "setup.py", "setup.cfg")
@@ -49,7 +49,7 @@ class UnstartedPrograms:
 
     def is_beside_started(self, name: str) -> bool:
         """Return whether nothing starts a program, and another one of the package is started."""
-        if not self.table.knows("executable") or self.is_meant(name):
+        if not self.table.knows("executable") or self.is_clearly_started(name):
             return False
         others = self.facts.executables - {name}
         return any(map(self.is_started, others)) or any(map(self.is_run_elsewhere, others))
@@ -100,11 +100,11 @@ class UnstartedPrograms:
             self.known[name] = in_launch or in_text or self.is_run_by_code(name)
         return self.known[name]
 
-    def is_meant(self, name: str) -> bool:
-        """Return whether something starts a program, or names it where no other thing has the name.
+    def is_clearly_started(self, name: str) -> bool:
+        """Return whether something starts a program, or names it where nothing else has that name.
 
-        A word behind a slash is a topic or a folder, and one that is the name of another package, or of a program of
-        one, need not mean this program.
+        A word behind a slash is a topic or a folder, and the name of another package, or of its program, need not
+        stand for this program.
         """
         if not self.is_started(name):
             return self.is_run_elsewhere(name)
@@ -128,7 +128,7 @@ class UnstartedPrograms:
         having = (text for text in self.texts if word.search(text))
         return (each for text in having for each in SENTENCES.split(text) if word.search(each))
 
-    def is_told_to_be_stale(self, name: str) -> bool:
+    def is_called_stale(self, name: str) -> bool:
         """Return whether a page says of a program that it is no longer used, or not finished yet."""
         word = re.compile(rf"(?<![\w-]){re.escape(name.removesuffix('.py'))}(?![\w-])")
         return any(STALE.search(line) for line in self.lines(word))

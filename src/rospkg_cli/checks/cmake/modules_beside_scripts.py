@@ -65,7 +65,7 @@ def modules_left_behind(packages: PythonPackages) -> Iterator[LeftModule]:
 
 def by_path(packages: PythonPackages, script: str) -> str:
     """Return why a script finds its neighbours: people give it to Python where they lie, or PYTHONPATH has them."""
-    from ..repository.told_python_paths import ON_PATH, has_on_python_path  # what findings alone need
+    from ..repository.python_path_settings import ON_PATH, has_on_python_path  # what findings alone need
 
     files, name = packages.package.cmake.package_files, packages.package.facts.name
     if is_started_by_path_alone(files, name, script, IN_SOURCE):

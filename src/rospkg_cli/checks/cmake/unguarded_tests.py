@@ -10,7 +10,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.cmake_project import CMake
 from ...ros.manifest import DEPENDENCY_TAGS
-from ..repository.told_kinds import ToldKinds
+from ..repository.kinds_installed_apart import KindsInstalledApart
 from .distro_guards import guarded_commands
 
 TEST_PACKAGES = frozenset("""
@@ -49,7 +49,7 @@ class UnguardedTest:
 @dataclass(frozen=True)
 class UnguardedTests:
     package: CMakePackage
-    told: ToldKinds
+    kinds: KindsInstalledApart
 
     def all(self) -> Iterator[UnguardedTest]:
         return unguarded(self.package)
@@ -62,7 +62,7 @@ class UnguardedTests:
         looked_for = [each.what for each in found if each.call.name == "find_package"]
         depends_on = self.package.manifest.depends_on
         is_there = all(name in OF_ROS_CORE or depends_on(name, DEPENDENCY_TAGS) for name in looked_for)
-        return self.told.are_tests_left_out or not is_there
+        return self.kinds.are_tests_left_out or not is_there
 
 
 def unguarded(package: CMakePackage) -> Iterator[UnguardedTest]:

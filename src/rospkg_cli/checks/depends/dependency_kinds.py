@@ -15,7 +15,7 @@ from ...unreadable import READABLE
 from ..cmake.unguarded_tests import TEST_PACKAGES
 from ..interfaces.package_interfaces import InterfaceGeneration
 from ..launch.absent_package import ends_with
-from ..repository.told_kinds import ToldKinds
+from ..repository.kinds_installed_apart import KindsInstalledApart
 from .brought_dependencies import Bringer
 from .declared_dependencies import DeclaredDependencies
 from .interface_needs import interface_needs
@@ -76,7 +76,7 @@ class DependencyKinds:
     includes: IncludeDependencies | None
     interfaces: Annotated[tuple[InterfaceFile, ...], READABLE]
     generation: InterfaceGeneration
-    told: ToldKinds
+    apart: KindsInstalledApart
 
     def wrong_kinds(self) -> Iterator[WrongKind]:
         """Yield the dependencies that are used when the package runs, or is built, and are not there then."""

@@ -52,7 +52,7 @@ class WrongRclpyCalls:
                     told.add((name_of(method), why))
                     owner = ast.unparse(method.value) if isinstance(method, ast.Attribute) else ""
                     called = self.names.unknown(file, method, owner, "", is_test=role == "test")
-                    is_older = why == SINCE_ELOQUENT and self.distribution.is_meant_before_eloquent
+                    is_older = why == SINCE_ELOQUENT and self.distribution.is_only_before_eloquent
                     yield WrongRclpyCall(called, why, is_older)
 
     def of_nodes(self, file: PythonFile) -> Iterator[tuple[ast.Call, ast.Attribute, str]]:

@@ -82,7 +82,7 @@ class HomePathValues:
     def is_given_otherwise(self, mention: HomeMention) -> bool:
         """Return whether the build leaves a place out, or what is run gives another value than the one there."""
         from ..cpp.undefined_macros import is_left_out  # few files have such a path
-        from ..repository.told_defaults import is_given_otherwise
+        from ..repository.overridden_defaults import is_given_otherwise
 
         path, place, text = mention.path, mention.place.start, mention.bare
         is_out = path.endswith(CPP) and is_left_out(text, place, self.files)

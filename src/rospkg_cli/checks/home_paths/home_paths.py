@@ -15,7 +15,7 @@ from ..paths.bare_paths import names_nothing
 from ..paths.file_dialogs import begins_dialog
 from ..paths.home_path_texts import ASKS, IS_SOUGHT, is_guarded_macro, without_comments
 from ..paths.written_paths import WrittenPaths
-from ..repository.told_settings import is_told_by_comment, is_told_by_page
+from ..repository.settings_to_change import has_comment_to_change, has_page_to_change
 from .home_mention import HomeMention, home_mentions
 from .home_owners import HomeOwners
 from .home_path import HomePath
@@ -101,8 +101,8 @@ class HomePaths:
         """Return whether a comment or a page asks people to write a path of their own at a place."""
         path, left, text = mention.path, self.naming.left, self.files.readable_text(mention.path)
         is_script = left is not None and left.is_uninstalled(path)
-        is_told = is_told_by_comment(text, mention.bare, mention.place.start, is_script=is_script)
-        return is_told or is_told_by_page(self.files, path)
+        has_comment = has_comment_to_change(text, mention.bare, mention.place.start, is_script=is_script)
+        return has_comment or has_page_to_change(self.files, path)
 
     def names_nothing(self, path: str, package: str | None, below: str) -> bool:
         """Return whether a path without a suffix is that of no file or folder."""

@@ -122,7 +122,7 @@ class InterfaceImports:
         """Return whether a distribution that is meant may have had what a package outside has as another kind now."""
         is_other = hit.meant.split(".")[1:2] not in ([], [hit.kind])
         is_outside = is_other and not self.known.is_here(hit.package)
-        return is_outside and self.distribution is not None and self.distribution.is_meant_unsupported
+        return is_outside and self.distribution is not None and self.distribution.is_only_unsupported
 
     def hit(
         self, file: PythonFile, each: Import, span: Span, package: str, kind: str, name: str, meant: str

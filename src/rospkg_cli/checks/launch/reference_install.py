@@ -58,9 +58,9 @@ class ReferenceInstall:
         others = {project, said.text if said is not None else self.name} - {self.name}
         misplaced = tuple(f"share/{other}/" for other in others)
         place = (missing.better_path or "") if missing.state == "elsewhere" else ""
-        if place.startswith(misplaced) or (place and self.faults.is_told_at_its_destination(missing.package, place)):
+        if place.startswith(misplaced) or (place and self.faults.is_reported_at_destination(missing.package, place)):
             return True
-        return self.faults.is_told(missing.package, missing.path)
+        return self.faults.is_reported(missing.package, missing.path)
 
 
 @dataclass(frozen=True)

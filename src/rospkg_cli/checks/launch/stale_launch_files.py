@@ -14,7 +14,7 @@ from ...package.workspace import Workspace
 from ..repository.pages_and_scripts import pages_and_scripts
 from ..repository.spare_files import HEAD, SAYS
 from ..share.opened_elsewhere import opening_elsewhere
-from ..unmeant_starts import UNDONE, UNFINISHED
+from ..unintended_starts import UNDONE, UNFINISHED
 from ..unstarted_programs import SENTENCES, STALE
 
 TOLD = "a page says that this launch file is no longer used, or not finished yet"

@@ -8,7 +8,8 @@ from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...source import Span
 from ..fault import Level
-from ..repository.older_distribution import UNSUPPORTED, OlderDistribution, names_in
+from ..repository.distribution_names import UNSUPPORTED, names_in
+from ..repository.older_distribution import OlderDistribution
 from ..repository.pages_and_scripts import own_pages
 from .block_readers import BlockReaders
 from .declaring_packages import ParameterContext
@@ -31,7 +32,7 @@ class MissingParameters:
 
     def level_of_plugin(self, path: str, place: Span) -> Level | None:
         """Return the level of what a list of plugins lacks: before Humble nav2 read other lists."""
-        is_older = self.distribution.is_meant_unsupported or self.is_named_for_older(path)
+        is_older = self.distribution.is_only_unsupported or self.is_named_for_older(path)
         return "info" if is_older else self.level_at(path, place)
 
     def is_named_for_older(self, path: str) -> bool:

@@ -13,7 +13,8 @@ from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...package.workspace import Workspace
 from ...ros.known_nodes import known_nodes, known_parameters, removed_parameters
 from ...source import Span
-from ..repository.older_distribution import OLDER, OlderDistribution
+from ..repository.distribution_names import OLDER
+from ..repository.older_distribution import OlderDistribution
 from .idle_declarations import is_idle
 from .mistyped_blocks import last
 
@@ -78,7 +79,7 @@ class PathReaders:
         """Return whether all distributions that are meant may have a parameter which the supported ones lost."""
         older = OlderDistribution(self.files)
         is_gone_before = name in BEFORE_GALACTIC
-        return older.is_meant_unsupported and (not is_gone_before or older.meant.issubset(OLDER))
+        return older.is_only_unsupported and (not is_gone_before or older.intended.issubset(OLDER))
 
 
 def is_written(key: str, code: str) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from ...package.launch.launch_file import LaunchFile
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ..fault import Fault
-from ..repository.older_distribution import is_called_older
+from ..repository.distribution_names import is_called_older
 from .plugin_lists import doubled_plugins, is_default, listed_names, lost_plugins, unfound_plugins
 
 

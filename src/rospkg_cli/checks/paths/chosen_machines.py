@@ -1,4 +1,4 @@
-"""Personal paths that are meant for one machine: code asks first who runs it or where, or another host gets them."""
+"""Personal paths for one machine: code checks the account or host first, or another host gets the path."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ASKED = regex(
     r"\b(?:getuser|getlogin|gethostname|getfqdn|uname|node)\(\)"
     r"|\b(?:environ(?:\.get\(|\[)|getenv\()\s*[\"'](?:USER|USERNAME|LOGNAME|HOSTNAME|HOST|COMPUTERNAME)[\"']"
 )
-"""What tells the account or the machine on which Python runs."""
+"""How Python gets the account or the machine that it runs on."""
 REMOTE = regex(r"(?:(?:^|[\[(,\s])[fFrR]?[\"'](?:\S*/)?(?:ssh|scp|rsync|sshpass)[\"'])(?:[^\]\[\n]|\n(?!\s*\n))*$")
 """The start of a list of words for a command that hands the rest to another machine."""
 LONGEST = 400
@@ -42,8 +42,8 @@ def is_for_one_machine(file: PythonFile, place: Span) -> bool:
 def names_of_machines(file: PythonFile) -> frozenset[str]:
     """Return the variables that hold the account or the machine."""
     bound = (node for node in nodes_of(file.tree) if isinstance(node, ast.Assign))
-    told = (node for node in bound if ASKED.search(file.source.slice(file.span(node.value))))
-    return frozenset(each.id for node in told for each in node.targets if isinstance(each, ast.Name))
+    asking = (node for node in bound if ASKED.search(file.source.slice(file.span(node.value))))
+    return frozenset(each.id for node in asking for each in node.targets if isinstance(each, ast.Name))
 
 
 def is_asked(file: PythonFile, test: ast.expr, asked: frozenset[str]) -> bool:

@@ -11,7 +11,7 @@ from ...suggest import near_names, nearest
 
 WORD = regex(r"[^A-Za-z0-9]+")
 MARK = 2
-"""Letters of a word that tells siblings apart, as in `wheel_l` and `wheel_r`."""
+"""Letters of a word that only distinguishes similar files, as in `wheel_l` and `wheel_r`."""
 
 
 def closest_path(path: str, known: Collection[str]) -> str | None:
@@ -58,6 +58,6 @@ def is_like(name: str, other: str) -> bool:
 
 
 def is_misspelt(word: str, other: str) -> bool:
-    """Return whether a word is another one with a slip, none of them a number or a letter that tells siblings apart."""
+    """Return whether a word is a misspelling of another one; a different number or letter (`_l`, `_r`) is none."""
     is_mark = max(len(word), len(other)) <= MARK or re.sub(r"\d+", "", word) == re.sub(r"\d+", "", other)
     return not is_mark and bool(near_names(word, [other]))

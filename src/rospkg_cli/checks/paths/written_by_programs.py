@@ -96,10 +96,10 @@ def may_be(pattern: str, package: str, path: str, is_named: bool) -> bool:
     owner = OWNER.search(pattern)
     if not folder or (owner and owner[1] != package) or not fits(name, file):
         return False
-    here, beside = posixpath.basename(folder), posixpath.basename(wanted)
+    here, other = posixpath.basename(folder), posixpath.basename(wanted)
     if not stem.replace(OPEN, "").strip("._-"):
-        return not is_named and bool(end.strip(f".{OPEN}")) and here == beside != ""
-    return not beside or fits(here, beside)
+        return not is_named and bool(end.strip(f".{OPEN}")) and here == other != ""
+    return not other or fits(here, other)
 
 
 def fits(pattern: str, text: str) -> bool:

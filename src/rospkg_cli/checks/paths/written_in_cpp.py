@@ -21,9 +21,9 @@ BOUND = regex(r"(\w+)\s*(?:=|\{|\()[^=;]*$")
 def is_written_in_cpp(code: str, text: str, path: str) -> bool:
     """Return whether the code in a file writes one of the folder and name of a path."""
     folder, name = posixpath.split(path)
-    beside = rf"(?:(?:[^\"\n]*/)?{re.escape(posixpath.basename(folder))})?/+" if folder else r"[^\"\n]*/"
+    in_folder = rf"(?:(?:[^\"\n]*/)?{re.escape(posixpath.basename(folder))})?/+" if folder else r"[^\"\n]*/"
     live = without_comments(code, text)
-    for found in re.finditer(rf"\"(?:{beside})?{re.escape(name)}\"", live):
+    for found in re.finditer(rf"\"(?:{in_folder})?{re.escape(name)}\"", live):
         start = max((each.end() for each in ENDS.finditer(live, 0, found.start())), default=0)
         end = ENDS.search(live, found.end())
         if WRITES.search(live[start : end.start() if end else len(live)]):

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 LONGEST = 240
 """How many characters before a path may say what is done with it."""
 MOST = 20
-"""How many paths of one file are followed; who lists more of them has a table, and few are told apart."""
+"""How many paths of one file are followed; a file with more of them is a table of paths."""
 QUOTE = r"(?:\b[rRfFuUbBL]{1,2})?[\"']"
 WRITER = (
     r"(?:\bnp\.savez?\w*|\bnumpy\.savez?\w*|\btorch\.save|\bsavefig|\bimwrite|\bimsave|\bto_(?:csv|json|excel|pickle)"

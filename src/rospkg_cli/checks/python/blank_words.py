@@ -34,7 +34,7 @@ OPEN = regex(
     r"|(?:补全|补充|补完)(?:代码|程序|函数)|여기에.{0,12}(?:코드|작성|구현)|코드를.{0,12}(?:세요|시오)"
 )
 WORDY = regex("[a-z]+")
-"""A name that may be meant as a word: `main`, `listener`."""
+"""A name that may also be a plain word: `main`, `listener`."""
 PART = regex("[A-Z]?[a-z0-9]+|[A-Z]+(?![a-z])")
 """What a name consists of that may be written as several words: `timer_callback`, `MyTalker`."""
 OF_CODE = (

@@ -1,4 +1,4 @@
-"""Python modules that a build of their own compiles, beside the one that colcon runs: an inner setup.py, or CMake."""
+"""Python modules that a separate build compiles, which colcon does not run: an inner setup.py, or CMake."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Defaults of a package's own functions that every call replaces: nobody meets what is wrong with them."""
+"""Defaults of a package's own functions that every call replaces, so that what is wrong with them does no harm."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""What a text leaves to be written: blanks in place of names, and comments that say what is to be filled in.
+"""Blanks in place of names, and comments that say what is still to be written.
 
-Exercises and skeletons are full of both: what they lack is the task of whoever takes them on.
+Exercises and skeletons have both: what they lack is the task of their readers.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ UNMADE = regex(
     rf"(?i)\b(?:not|isn['’]?t|aren['’]?t) {MADE} yet\b|\bnot yet {MADE}\b|\bnot implemented\b|\bcoming soon\b"
     r"|\bstill (?:missing|to come|to be (?:implemented|written|ported|added|made))\b"
 )
-"""What says of something beside it that it is not there yet."""
+"""How a comment says that what it is next to is not written yet."""
 THEIRS = regex(
     r"(?i)\W*(?:(?:to[ -]?do|fix-?me|please|you (?:must|should|can|may|need to|have to))\W+)?"
     r"(?:change|edit|adapt|adjust|modify|replace|customi[sz]e|update|insert|put|set|use|enter|specify|provide|point|give"
     r"|choose|select|write|add)\b[^\n]{0,60}\byour\b"
 )
-"""What tells to write a name of one's own, in a comment of several lines: it says whose."""
+"""How a comment of several lines asks for a name of one's own: it says `your`."""
 OPENING = regex(r"\s*<[\w:]+(?:\s[^<>]*)?(?<!/)>\s*|.*[(\[{]\s*|\s*[\"'][\w/]+[\"'],\s*")
 """A line that only opens what the next one is a part of."""
 STEPS = 3
@@ -51,9 +51,9 @@ def is_blank(name: str) -> bool:
 
 
 def is_to_be_replaced(text: str, place: int) -> bool:
-    """Return whether a comment on the line of a place, or directly above, tells to write another name.
+    """Return whether a comment on the line of a place, or directly above, asks for another name.
 
-    `# replace with your robot`; one above what a line is a part of counts as well, and says whose name is meant.
+    Example: `# replace with your robot`. One above the statement that the line is a part of counts if it says `your`.
     """
     above = text[: text.rfind("\n", 0, place) + 1].split("\n")[:-1]
     if REPLACED.match(comment_in(text[text.rfind("\n", 0, place) + 1 :].partition("\n")[0])) is not None:

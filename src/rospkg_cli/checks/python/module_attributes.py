@@ -24,19 +24,20 @@ CATCHING = frozenset({"AttributeError", "ImportError", "Exception", "BaseExcepti
 
 @dataclass(frozen=True, slots=True)
 class AbsentAttribute:
-    """A name that a module does not have, and the one that is meant; "" where that is not known."""
+    """A name that a module does not have."""
 
     module: str
     name: str
     span: Span
-    meant: str
+    intended: str
+    """The name to write instead; "" where that is not known."""
     raised: str
     root: Span
     """The name that the module has in the file, or the imported one."""
 
     @property
     def advice(self) -> str:
-        return f"; did you mean `{self.meant}`?" if self.meant else "; no version of Python has it there"
+        return f"; did you mean `{self.intended}`?" if self.intended else "; no version of Python has it there"
 
 
 def absent_attributes(file: PythonFile, local: Collection[str] = ()) -> Iterator[AbsentAttribute]:
@@ -50,12 +51,12 @@ def absent_attributes(file: PythonFile, local: Collection[str] = ()) -> Iterator
     found = [(node, each) for node, each in both if each.module.partition(".")[0] not in local]
     asks = found and any(each.id in ("hasattr", "setattr") for each in nodes_of_kind(file.tree, ast.Name))
     guarded = frozenset((*guarded_nodes(file.tree.body, CATCHING), *guarded_by_version(file)) if found else ())
-    told: set[tuple[str, str]] = set()
+    reported: set[tuple[str, str]] = set()
     for node, each in found:
-        in_vain = not each.meant or f"{each.module}.{each.name}" in PYTHON_2 or each.span == each.root
+        in_vain = not each.intended or f"{each.module}.{each.name}" in PYTHON_2 or each.span == each.root
         is_old = in_vain and is_in_branch(file, each.span)
-        if not (asks or is_old) and id(node) not in guarded and (each.module, each.name) not in told:
-            told.add((each.module, each.name))
+        if not (asks or is_old) and id(node) not in guarded and (each.module, each.name) not in reported:
+            reported.add((each.module, each.name))
             yield each
 
 

@@ -51,6 +51,6 @@ class RunImports:
 
     @cached_property
     def changes_path(self) -> bool:
-        """Whether a file that is no test tells Python to look for modules elsewhere."""
+        """Whether a file that is no test has Python look for modules in other folders."""
         texts = (file.source.text for role, file in self.files if role in ("run", "launch"))
         return any(word in each for each in texts for word in PATHS)

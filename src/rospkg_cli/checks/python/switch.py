@@ -7,7 +7,7 @@ from ...light_dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Switch:
-    """What does not hold as long as nobody sets it."""
+    """A condition that does not hold unless something sets a parameter or variable."""
 
     variable: str
     parameters: tuple[str, ...]

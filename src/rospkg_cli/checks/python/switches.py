@@ -22,7 +22,7 @@ DYNAMIC = regex(r"\bsetattr\(|__dict__|__setattr__")
 
 
 class Switches:
-    """What a package's code is sure never to reach, as long as nobody edits a switch."""
+    """Code of a package that never runs as long as its constants (`DEBUG = False`) are not edited."""
 
     def __init__(self, files: Iterable[PythonFile]) -> None:
         files = tuple(files)

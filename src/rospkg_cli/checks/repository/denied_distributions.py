@@ -1,4 +1,4 @@
-"""Where a text says of distributions that they are not meant: `not tested on Jazzy`, `Foxy is no longer supported`."""
+"""Where a text rules out distributions: `not tested on Jazzy`, `Foxy is no longer supported`."""
 
 from __future__ import annotations
 

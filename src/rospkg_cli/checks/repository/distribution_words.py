@@ -13,7 +13,7 @@ from .denied_distributions import without_denied
 
 CLEAR = "foxy|eloquent|jazzy|kilted|lyrical"
 PLAIN = "bouncy|crystal|dashing|galactic|humble|iron|rolling"
-"""Plain English too: they count beside `ros`, as a branch, or at the end of a file's name."""
+"""English words as well: they count only next to `ros`, as a branch, or at the end of a file's name."""
 BEFORE = (
     r"\bros[ _-]?2?[\s:/_(`'\"*-]{0,4}|/opt/ros/|/(?:tree|blob|raw)/|(?:-b|branch|checkout|distro)[\s:=/`'\"*]{1,4}"
 )

@@ -1,4 +1,4 @@
-"""Images of others that a repository builds on, which may bring modules, packages and programs that nobody knows."""
+"""Container images of others that a repository builds on, which may bring unknown modules, packages and programs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Accounts that many have, or that everybody gets with the container of a repository: their homes are nobody's own."""
+"""Accounts that many people have, or that come with the container of a repository: their homes are not personal."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Files that a repository lacks on purpose: a folder is kept empty for what people make, or a page tells to bring them.
+"""Files that a repository lacks on purpose: people make them in a folder kept empty, or a page says how to get them.
 
-Maps and calibrations belong to one building and one camera: who runs the package makes them, and a launch file names
-them all the same.
+Maps and calibrations belong to one building and one camera: whoever runs the package makes them, although a launch
+file names them.
 """
 
 from __future__ import annotations
@@ -42,9 +42,9 @@ def files_of(files: PackageFiles, facts: PackageFacts, *, own: bool) -> PackageF
 
 
 def why_left(files: PackageFiles | None, path: str, *, is_code: bool = False) -> str:
-    """Return why nobody who does as is meant misses a file of a package that is not there; "" where somebody may.
+    """Return why a missing file does no harm to those who follow the pages of a package; "" where it may.
 
-    What launch or xacro reads as code, people don't make: of that, pages are asked, and what git ignores.
+    Files that launch or xacro reads as code (`is_code`) are not made by people: only pages and what git ignores count.
     """
     if files is None:
         return ""
@@ -61,7 +61,7 @@ def why_left(files: PackageFiles | None, path: str, *, is_code: bool = False) ->
 
 
 def ignored_folder(files: PackageFiles, path: str) -> str:
-    """Return the folder that a build installs, and for whose files git does not care, where one of a path may lie.
+    """Return the folder that a build installs, and that git ignores, in which the file of a path may lie; "" for none.
 
     It is named as a whole (`os.walk('resource')`), so that `resource/urdf/a.urdf` may become `share/x/urdf/a.urdf`.
     """

@@ -1,4 +1,4 @@
-"""The pages and scripts that tell people what to type, and which files these bring beside what git holds."""
+"""The pages and scripts that say what to type, and which files they fetch or make that are not in git."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ TEXTS = (".md", ".rst", ".txt", ".sh", ".bash", "Makefile")
 FETCHES = regex(
     r"(?im)^.*\b(?:unzip|unrar|7z|tar|wget|curl|gdown|rsync|scp|download\w*|git[ \t]+(?:lfs|clone|submodule))\b.*$"
 )
-"""A line that tells to bring or to unpack files."""
+"""A line that fetches or unpacks files."""
 BY_COMMAND = r"\b(?:cp|mv|ln)(?:[ \t]+-\S+)*[ \t]+[^\s-]\S*[ \t]+\S*{0}|(?:>|\btouch\b|[ \t]-o)[ \t]*[^\s>]*{0}"
 """How a command makes a file."""
 MAKES = (
     r"(?im)^.*\b(?:save|put|place|copy|export(?![ \t]+\w+=)|store|record|generate|create|move|rename|provide)\b"
     rf"[^\n]*{{0}}|{BY_COMMAND}"
 )
-"""What tells to make a file, or to put it there: the name of the file stands behind it."""
+"""Words before the name of a file that say to make it, or to put it there."""
 MOUNTS = r"(?m)^\s*-\s*[\"']?[^\s:\"']+:[^\s:\"']*/{0}(?=[:\s\"']|$)|\b(?:target|dst)=[^\s,\"']*/{0}(?=[,\s\"']|$)"
 """How a container is given a file in place of one of its own."""
 COPIES = r"(?m)^(?!\s*#).*\b(?:cp[ \t]+(?:-\w+[ \t]+)*-\w*[rRa]\w*|mv|ln[ \t]+-\w+)[ \t][^\n]*[/ \t]{0}/?(?=[\s`\"']|$)"
@@ -46,13 +46,13 @@ def own_pages(files: PackageFiles) -> tuple[str, ...]:
 
 
 def pages_above(files: PackageFiles) -> tuple[str, ...]:
-    """Return what those say that build the repository and are no pages of the package."""
+    """Return the texts that build the repository and are no pages of the package."""
     own = own_pages(files)
     return tuple(text for text in build_texts(files) if text not in own)
 
 
 def texts_above(files: PackageFiles, endings: tuple[str, ...]) -> tuple[str, ...]:
-    """Return what the files of some endings say that tell how the repository is built."""
+    """Return the texts of the files with some suffixes that build the repository."""
     paths = ((whole, path) for whole, path in build_files(files) if path.endswith(endings))
     return tuple(whole.readable_text(path) for whole, path in paths if whole.has_file(path))
 
@@ -64,7 +64,7 @@ class FetchedFiles:
     files: PackageFiles
 
     def has(self, path: str) -> bool:
-        """Return whether a line that brings files names a missing one: it, its folder, or an archive called so."""
+        """Return whether a line that fetches files names a missing one, its folder, or an archive of that name."""
         folder, name = posixpath.split(path)
         stem = name.partition(".")[0]
         if folder and self.has_folder(folder, path):
@@ -74,10 +74,10 @@ class FetchedFiles:
         return any(each in line for line in self.lines for each in wanted)
 
     def has_folder(self, folder: str, path: str) -> bool:
-        """Return whether a line copies the folder of a missing file there, or brings what lies in it.
+        """Return whether a line copies the folder of a missing file, or fetches what is in it.
 
-        It names the folder by its path, or by a word that tells what lies in it (`Download the meshes`), and git holds
-        no file of that kind there.
+        The line names the folder by its path or by a word for its contents (`Download the meshes`), and git has no
+        file of that kind in the folder.
         """
         last, end = posixpath.basename(folder), posixpath.splitext(path)[1]
         ends = r"(?=[/`\"'\s.,;:)]|$)"
@@ -90,8 +90,8 @@ class FetchedFiles:
         return any(copied.search(text) for text in self.texts)
 
     def has_itself(self, path: str) -> bool:
-        """Return whether a line that brings or makes files names a missing one by its own name, or a script writes it
-        under a name that its variables give.
+        """Return whether a line that fetches or makes files names a missing one itself, or a script writes it under a
+        name from its variables.
         """
         name = posixpath.basename(path)
         stem, end = posixpath.splitext(name)

@@ -33,9 +33,9 @@ class Release:
 
     @cached_property
     def is_made(self) -> bool:
-        """Whether files of bloom or a job say that the repository is released, or the changes of all its packages.
+        """Whether files of bloom, a job, or the changelogs of all packages say that the repository is released.
 
-        A CHANGELOG.rst beside packages without one came with a copy, and so did one that is called otherwise.
+        A CHANGELOG.rst of another title, or next to packages without one, was copied from elsewhere.
         """
         if self.files.above(OF_BLOOM) is not None or any(map(self.files.exists, OF_BLOOM)):
             return True

@@ -1,4 +1,4 @@
-"""Launch files that others stand in for: a twin in another language, or callers that give an argument anew."""
+"""Launch files that are replaced: by one in another language, or by callers that give an argument another value."""
 
 from __future__ import annotations
 
@@ -23,11 +23,13 @@ LONGEST = 500
 
 
 def has_named_twin(path: str, files: PackageFiles) -> bool:
-    """Return whether a launch file of the same name in another language stands beside one, and only that is named."""
+    """Return whether only another launch file is named, of the same name and folder, but in another language."""
     folder, name = posixpath.split(path)
     stem = ENDING.sub("", name)
-    beside = (each for each in files.paths if each != path and posixpath.dirname(each) == folder)
-    twins = [each for each in beside if role_of(each) == "launch" and ENDING.sub("", posixpath.basename(each)) == stem]
+    siblings = (each for each in files.paths if each != path and posixpath.dirname(each) == folder)
+    twins = [
+        each for each in siblings if role_of(each) == "launch" and ENDING.sub("", posixpath.basename(each)) == stem
+    ]
     return bool(stem and twins) and not is_named(path, files) and any(is_named(each, files) for each in twins)
 
 

@@ -1,4 +1,4 @@
-"""Scripts that a page, a script or a container of the repository runs where ROS 1 is: they are meant for it."""
+"""Scripts for ROS 1: a page, a script or a container of the repository runs them where ROS 1 is installed."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .container_files import OF_CONTAINER, OF_SCRIPT, OF_WORKFLOW, files_called
 
 RELEASES = r"(?:hydro|indigo|jade|kinetic|lunar|melodic|noetic)\b"
 OF_ROS1 = regex(rf"(?i)/opt/ros/{RELEASES}|\bros:{RELEASES}|\bROS_DISTRO[=: ]+[\"']?{RELEASES}")
-"""What no machine has that runs ROS 2 alone: the folder of a release, or its image."""
+"""The folder of a release of ROS 1, or its image, which no machine with only ROS 2 has."""
 STARTS = regex(r"(?<![\w-])roscore\b")
 COMMENT = regex(r"(?m)^[ \t]*#.*$")
 HEADING = regex(r"#{1,6}[ \t]")
@@ -19,7 +19,7 @@ FENCE = regex(r"[ \t]*(?:```|~~~)")
 UNDERLINE = regex(r"([=~^\-*\"'`+])\1{3,}[ \t]*$")
 PAGES = (".md", ".rst")
 CODE = regex(r"\.py$")
-RUN_UNDER_ROS1 = "; `{}` runs it under ROS 1, for which it is meant"
+RUN_UNDER_ROS1 = "; `{}` runs it under ROS 1, for which it is written"
 
 
 def why_for_ros1(files: PackageFiles, path: str) -> str:

@@ -21,15 +21,15 @@ COMMENT = regex(r"(?m)(?:^|(?<=\s))#[^\n]*")
 COMMANDS = regex(r"\n|;|&&|\|\|?|(?<![>&\d])&(?![>&])|\b(?:do|then|else)\s|(?<=\s)[({]\s")
 REDIRECTED = regex(rf"(?<![-=<])(?:\d|&)?>>?\|?[ \t]*(?![&(])({WORD.pattern})")
 GIVEN = regex(rf"(?:^|\s)(?:-o|-O|--[\w-]*out(?:put)?(?:[-_](?:file|path|dir|folder))?)(?:[ \t]+|=)({WORD.pattern})")
-"""Behind these options most programs are told what to write: `-o a.urdf`, `--python_out=src`."""
+"""Options of most programs for what they write: `-o a.urdf`, `--python_out=src`."""
 FIRST = frozenset("sudo RUN exec time env run: run - -- @ command eval ! { ( if while".split())
 """What stands before a program."""
 MAKERS, MOVERS = frozenset("mkdir touch tee".split()), frozenset("cp mv ln rsync install scp".split())
 INTO = {"unzip": "-d", "tar": "-C", "wget": "-P", "cp": "-t", "mv": "-t", "ln": "-t"}
-"""The option by which a program is told into which folder it writes."""
+"""The option of a program for the folder that it writes into."""
 URL = regex(r"(?:\w+://|git@)\S+/([\w.-]+?)(?:\.git)?/?(?:[?#]\S*)?")
-TELLS_OF_CREATING = "ros2 pkg create"
-"""A script with it tells how the package came to be."""
+CREATES_PACKAGE = "ros2 pkg create"
+"""A script with it shows how the package was made."""
 STEPS = frozenset({"cd", "pushd", "WORKDIR"})
 
 
@@ -94,7 +94,7 @@ def scripts_of(files: PackageFiles) -> Iterator[tuple[str, str]]:
 @lru_cache(maxsize=512)
 def outputs(text: str) -> tuple[str, ...]:
     """Return the paths that a script writes; each missing file asks for those of all scripts."""
-    return () if TELLS_OF_CREATING in text else tuple(dict.fromkeys(written_in(text)))
+    return () if CREATES_PACKAGE in text else tuple(dict.fromkeys(written_in(text)))
 
 
 def written_in(text: str) -> Iterator[str]:

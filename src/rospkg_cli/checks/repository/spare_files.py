@@ -1,4 +1,4 @@
-"""Files of which their own first lines say that nobody uses them any more: `# kept as a backup, see driver.py`."""
+"""Files whose first lines say that they are no longer used: `# kept as a backup, see driver.py`."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ HEAD = regex(
 
 
 def is_spare(files: PackageFiles, path: str) -> bool:
-    """Return whether a file is called as one that nobody uses, or says so itself before its first statement."""
+    """Return whether the path of a file, or its text before the first statement, says that it is no longer used."""
     if is_set_aside(path):
         return True
     head = HEAD.match(files.readable_text(path))

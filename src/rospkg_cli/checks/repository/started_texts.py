@@ -13,9 +13,7 @@ from ...package.launch.live_text import live_text
 from ..paths.home_path_texts import without_comments
 
 NAMING = (".py", ".cfg", ".toml", ".txt", ".cmake", ".xml", ".launch", ".yaml", ".yml", ".json", ".sh")
-"""Files that may name a module, beside those whose texts only tell of it."""
-
-
+"""Files that may start or import a module; pages only describe it."""
 BINDING = (".py", ".cfg", ".toml")
 
 

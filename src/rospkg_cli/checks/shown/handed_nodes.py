@@ -49,9 +49,9 @@ class HandedNodes:
             return False
         if ast.unparse(node) == "self" or is_made(node) or ast.unparse(node) in self.variables:
             return True
-        meant = self.steps.meanings.of(self.file, node)
+        definition = self.steps.meanings.of(self.file, node)
         return bool(self.steps.objects.of(self.file, node)) or (
-            meant is not None and isinstance(meant.node, ast.ClassDef)
+            definition is not None and isinstance(definition.node, ast.ClassDef)
         )
 
     @cached_property
@@ -92,12 +92,12 @@ class HandedNodes:
         return any(owner.keywords or not all(map(self.is_known, owner.bases)) for owner in owners)
 
     def is_known(self, base: ast.expr) -> bool:
-        meant, name = self.steps.meanings.of(self.file, base), last_name(base)
+        definition, name = self.steps.meanings.of(self.file, base), last_name(base)
         homes = {each.module.partition(".")[0] for each in self.file.imports if name in each.names}
         root = ast.unparse(base).partition(".")[0] if isinstance(base, ast.Attribute) else ""
         tops = homes or ({root} if root else set())
         return (
-            meant is not None
+            definition is not None
             or (bool(tops) and all(top in STANDARD or top == "rclpy" for top in tops))
             or (not tops and name in PLAIN)
         )

@@ -62,12 +62,12 @@ class Meanings:
                 found |= inner
                 continue
             below = f"{node.module}.{alias.name}" if node.module else alias.name
-            meant = inner.get(alias.name) or self.module(file, below, node.level)
-            found |= {alias.asname or alias.name: meant} if meant is not None else {}
+            definition = inner.get(alias.name) or self.module(file, below, node.level)
+            found |= {alias.asname or alias.name: definition} if definition is not None else {}
         return found
 
     def module(self, file: PythonFile, name: str, level: int) -> Own | None:
-        """Return the own module that an import means: an installed one, or one beside the file."""
+        """Return the module of the package that an import loads: an installed one, or one in the folder of the file."""
         full = self.installed.absolute(Import(name, (), level, Span(0, 0)), file.path)
         folder, below = posixpath.dirname(file.path), name.replace(".", "/")
         for path in (self.installed.sources.get(full, ""), posixpath.join(folder, f"{below}.py") if name else ""):

@@ -39,8 +39,8 @@ class OwnObjects:
         if owner.key not in self.lines:
             self.lines[owner.key] = (owner,)  # for a circle
             bases = owner.node.bases if isinstance(owner.node, ast.ClassDef) else []
-            meant = [self.meanings.of(owner.file, each) for each in bases]
-            above = [one for each in meant if each is not None for one in self.line(each)]
+            definition = [self.meanings.of(owner.file, each) for each in bases]
+            above = [one for each in definition if each is not None for one in self.line(each)]
             self.lines[owner.key] = (owner, *above)
         return self.lines[owner.key]
 
@@ -106,16 +106,16 @@ class OwnObjects:
                 if made is not None and isinstance(target, ast.Name):
                     found.setdefault(target.id, []).append(made)
             for each in (one for function in functions_of(file.tree) for one in function.args.args):
-                meant = self.meanings.of(file, each.annotation) if each.annotation is not None else None
-                if meant is not None and isinstance(meant.node, ast.ClassDef):
-                    found.setdefault(each.arg, []).append(meant)
+                definition = self.meanings.of(file, each.annotation) if each.annotation is not None else None
+                if definition is not None and isinstance(definition.node, ast.ClassDef):
+                    found.setdefault(each.arg, []).append(definition)
             self.of_files[file.path] = found
         return self.of_files[file.path]
 
     def made_by(self, file: PythonFile, value: ast.expr | None) -> Own | None:
         """Return the class of which an expression makes an object."""
-        meant = self.meanings.of(file, value.func) if isinstance(value, ast.Call) else None
-        return meant if meant is not None and isinstance(meant.node, ast.ClassDef) else None
+        definition = self.meanings.of(file, value.func) if isinstance(value, ast.Call) else None
+        return definition if definition is not None and isinstance(definition.node, ast.ClassDef) else None
 
     def of(self, file: PythonFile, expression: ast.expr) -> list[Own]:
         """Return the classes of which an expression is an object; none where that is not shown."""

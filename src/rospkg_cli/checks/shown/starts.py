@@ -72,8 +72,8 @@ class Starts:
             if file is None:
                 continue
             yield Start(Own(file, file.tree), int(row.maybe), is_program=not row.entry, is_whole=True)
-            meant = meanings.in_file(file).get(name.partition(".")[0]) if name else None
-            yield from [Start(meant, int(row.maybe), is_whole=True)] if meant is not None else []
+            definition = meanings.in_file(file).get(name.partition(".")[0]) if name else None
+            yield from [Start(definition, int(row.maybe), is_whole=True)] if definition is not None else []
 
     def taken(self, meanings: Meanings) -> Iterator[Start]:
         """Yield what other packages of the workspace import."""
@@ -83,17 +83,18 @@ class Starts:
             file = self.run.modules.at(source) if source else None
             if file is not None:
                 yield Start(Own(file, file.tree))
-                meant = meanings.in_file(file).get(name)
-                yield from [Start(meant)] if meant is not None else []
+                definition = meanings.in_file(file).get(name)
+                yield from [Start(definition)] if definition is not None else []
 
     @cached_property
     def has_programs(self) -> bool:
         return any(True for _ in self.table.of("executable"))
 
     def is_by_path(self, file: PythonFile) -> bool:
-        """Return whether a module may be started by its path: a text that starts programs names it, or none is known.
+        """Return whether a module may be started by its path: a launch file or the like names it, or the package has no
+        known program.
 
-        What only a page names is shown to nobody beside programs, and what other modules import is there for them.
+        A script that only a page names does not count where there are programs, nor does one that others import.
         """
         if posixpath.basename(file.path) in self.named:
             return True
@@ -134,8 +135,8 @@ def functions(file: PythonFile, names: tuple[str, ...]) -> Iterator[Own]:
 def tests_in(file: PythonFile, meanings: Meanings) -> Iterator[Start]:
     """Yield what pytest runs of a file: functions, methods of classes for tests, imported ones too, and fixtures."""
     yield Start(Own(file, file.tree))
-    meant = [each for each in meanings.in_file(file).values() if isinstance(each.node, ast.ClassDef)]
-    for owner in (Own(file, file.tree), *meant):
+    definition = [each for each in meanings.in_file(file).values() if isinstance(each.node, ast.ClassDef)]
+    for owner in (Own(file, file.tree), *definition):
         is_searched = not isinstance(owner.node, ast.ClassDef) or is_case(owner.node)
         for each in owner.node.body if is_searched else ():
             if isinstance(each, FunctionNode) and is_of_tests(each):

@@ -68,10 +68,10 @@ class Steps:
 
     def called(self, unit: Own, place: Place, node: ast.expr, *, is_call: bool) -> Iterator[Step]:
         """Yield what `name`, `module.name`, `self.name`, `super().name` or `object.name` means where it is called."""
-        meant = place.inner.get(node.id) if isinstance(node, ast.Name) else None
-        meant = meant or self.meanings.of(unit.file, node)
-        if meant is not None:
-            yield Step(meant)
+        definition = place.inner.get(node.id) if isinstance(node, ast.Name) else None
+        definition = definition or self.meanings.of(unit.file, node)
+        if definition is not None:
+            yield Step(definition)
         elif isinstance(node, ast.Name) and is_call:
             for each in self.objects.of(unit.file, node):
                 yield from self.members(each, "__call__")
@@ -88,8 +88,8 @@ class Steps:
             case ast.Name(id="self" | "cls") if place.owner is not None:
                 yield from self.of_self(place.owner, name)
                 return
-        meant = self.meanings.of(unit.file, value)
-        owners = [meant] if meant is not None else self.objects.of(unit.file, value)
+        definition = self.meanings.of(unit.file, value)
+        owners = [definition] if definition is not None else self.objects.of(unit.file, value)
         for owner in owners:
             yield from self.members(owner, name)
         if is_call and not owners and not is_foreign(unit, value):
@@ -103,8 +103,8 @@ class Steps:
             yield from self.members(owner, name)
             return
         for each in (owner, *heirs):
-            meant = self.objects.member(each, name)
-            yield from [Step(meant, needs=each, is_exact=True)] if meant is not None else []
+            definition = self.objects.member(each, name)
+            yield from [Step(definition, needs=each, is_exact=True)] if definition is not None else []
 
     def members(self, owner: Own, name: str) -> Iterator[Step]:
         """Yield the function of a class, and those of its heirs of which there are objects."""

@@ -204,8 +204,8 @@ class RobotInWorkspace:
 
     def is_told(self, facts: PackageFacts, path: str, state: State) -> bool:
         place = (self.goes_to(path) or "") if state == "elsewhere" else ""
-        is_misplaced = bool(place) and self.install.is_told_at_its_destination(facts.name, place)
-        return is_misplaced or (state != "absent" and self.install.is_told(facts.name, path))
+        is_misplaced = bool(place) and self.install.is_reported_at_destination(facts.name, place)
+        return is_misplaced or (state != "absent" and self.install.is_reported(facts.name, path))
 
     def share_folders(self, facts: PackageFacts) -> frozenset[str]:
         return self._own_folders if facts is self.package else folders_of(facts.share_files)

@@ -6,7 +6,7 @@ import posixpath
 import re
 
 from ...lazy_regex import regex
-from ..repository.older_distribution import called
+from ..repository.distribution_names import called
 from .exercise_states import are_states
 
 STEP = regex(r"(?!ros[12])(?P<word>\D*)(?P<number>\d+).*", re.DOTALL | re.IGNORECASE)

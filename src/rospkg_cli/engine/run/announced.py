@@ -8,7 +8,7 @@ from pathlib import PurePosixPath
 from ...checks.paths.home_path_texts import without_comments
 from ...checks.python.left_blank import asks_to, is_asked_at, is_asked_for
 from ...checks.repository.pages_and_scripts import own_pages, pages_above
-from ...checks.repository.told_settings import comments_at
+from ...checks.repository.settings_to_change import comments_at
 from ...files import PackageFiles
 from ...finding import Finding
 from ...lazy_regex import regex

@@ -25,7 +25,7 @@ def why_left(files: PackageFiles, code: str, _: Severity, hit: Hit) -> str:
     from ...checks.paths.home_path_texts import without_comments
     from ...checks.python.left_blank import is_asked_at, is_asked_for
     from ...checks.repository.pages_and_scripts import own_pages
-    from ...checks.repository.told_settings import comments_at
+    from ...checks.repository.settings_to_change import comments_at
     from .announced import UNUSED
 
     text, place = files.readable_text(path), hit.span.start

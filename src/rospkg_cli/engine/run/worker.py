@@ -177,9 +177,9 @@ def why_warning(inputs: InputsOf, hit: Hit) -> str:
 def why_unmet(inputs: InputsOf, code: str, level: Severity, hit: Hit) -> str:
     """Return why no plain launch or start comes to a hit; imported where a finding needs it."""
     if code in OF_STARTS and hit.path.endswith(".py"):
-        from ...checks.unmeant_starts import UnmeantStarts
+        from ...checks.unintended_starts import UnintendedStarts
 
-        if why := next((each.why(hit.path, hit.span) for each in inputs(UnmeantStarts)), ""):
+        if why := next((each.why(hit.path, hit.span) for each in inputs(UnintendedStarts)), ""):
             return why
     if not code.startswith(OF_LAUNCHES) or code in ASKING or "launch" not in hit.path:
         return ""

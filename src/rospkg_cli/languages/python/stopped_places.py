@@ -79,8 +79,8 @@ class StoppedPlaces:
         failing = {id(node) for span, node in self.bodies if span.end in ends and raises_when_called(node)}
         failing |= {id(owner) for owner in self.classes if any(id(each) in failing for each in starts_of(owner))}
         for call in nodes_of_kind(self.file.tree, ast.Call):
-            meant = self.named.get(called_name(call), [])
-            if meant and all(id(each) in failing for each in meant):
+            definition = self.named.get(called_name(call), [])
+            if definition and all(id(each) in failing for each in definition):
                 yield self.file.span(call)
 
     @property

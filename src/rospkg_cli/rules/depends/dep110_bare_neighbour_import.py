@@ -79,7 +79,7 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
         if not why and is_started_by_path_alone(imports.files, imports.facts.name, file.path):
             why, fix = ALONE, None
         if not why:
-            from ...checks.repository.told_python_paths import ON_PATH, is_on_python_path  # what few packages need
+            from ...checks.repository.python_path_settings import ON_PATH, is_on_python_path  # what few packages need
 
             why, fix = (ON_PATH, None) if is_on_python_path(imports.files, file.path) else (why, fix)
         is_mild = brought or each.is_local or imports.places.is_conditional(file.path, each.span)

@@ -83,7 +83,7 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
             (brought if each.bringer else loaded).append(each)
             continue
         is_example = each.use.need == "launch" and kinds.launch.is_example(each.use.path)
-        is_mild = is_example or each.use.is_optional or not kinds.told.are_told
+        is_mild = is_example or each.use.is_optional or not kinds.apart.are_apart
         yield hit(kinds, each, Severity.INFO if is_mild else None)
     for group in (brought, loaded):
         if group:

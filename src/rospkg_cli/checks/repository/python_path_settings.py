@@ -25,7 +25,7 @@ def is_on_python_path(files: PackageFiles, path: str) -> bool:
 
 
 def has_on_python_path(files: PackageFiles, folder: str) -> bool:
-    """Return whether one does so in a folder of the package; "" is the package's own."""
+    """Return whether one has Python look in a folder of the package; "" is the package's own folder."""
     name = posixpath.basename(folder) or posixpath.basename(files.folder)
     ends = re.compile(rf"/{re.escape(name)}/?(?![\w./-])")
     launched = (each for each in files.paths if role_of(each) == "launch")

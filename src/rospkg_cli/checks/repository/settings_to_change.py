@@ -1,4 +1,4 @@
-"""Whether a value is a setting that people are told to write: by a comment at it, or by a page that names its file."""
+"""Settings that people are asked to change: by a comment next to the value, or by a page that names the file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ VERB = r"(?:change|edit|adapt|adjust|modify|replace|customi[sz]e)"
 OBJECT = (
     r"(?:here|this|these|me|it|them|(?:\w+_)?paths?|locations?|your|own|as needed|if (?:needed|necessary)|accordingly)"
 )
-TELLS = regex(
+ASKS = regex(
     rf"\b{VERB}\b[^\n]{{0,60}}\b{OBJECT}\b"
     r"|\b(?:set|specify|enter|put|insert)\b[^\n]{0,40}\bhere\b|\bset (?:(?:this|it) )?to your\b"
     r"|\bupdate\b[^\n]{0,60}\b(?:your|own|here|accordingly|to match|as (?:needed|required|appropriate))\b"
@@ -23,7 +23,7 @@ TELLS = regex(
     r"|\b(?:must|should|(?:has|have|needs?) to) be (?:changed|set|adapted|edited|adjusted|modified|replaced)\b",
     re.IGNORECASE,
 )
-"""How a comment tells people to write another value."""
+"""How a comment asks people to write another value."""
 ELSEWHERE = regex(
     r"\b(?:cambi(?:a|ar|e)|modifi(?:ca|car|que)|ajust(?:a|ar|e)|altere|mude)\b[^\n]{0,40}"
     r"\b(?:rutas?|caminhos?|est[aeo]|aqu[ií]|seg[uú]n|necess?[aá]rio|tus?|sua?)\b"
@@ -39,7 +39,7 @@ NAMES = regex(
     r"\b(?:set|configure|specify|enter|define)\b[^\n]{0,30}\b(?:paths?|folders?|director(?:y|ies)|files?|locations?)\b",
     re.IGNORECASE,
 )
-"""What is the heading of settings where a person starts a script, and elsewhere says what the code does."""
+"""The heading of settings in a script that people start; in other files it may only say what the code does."""
 ON_PAGE = regex(rf"\b(?:{VERB}|set|update)\b", re.IGNORECASE)
 ABOUT = regex(r"\b(?:paths?|folders?|director(?:y|ies)|locations?|variables?|constants?|settings?)\b", re.IGNORECASE)
 CONSTANT = regex(r"[ \t]*[A-Za-z_]\w*[ \t]*=[ \t]*[\"'rf]")
@@ -49,14 +49,14 @@ COMMENTS, CONSTANTS = 3, 8
 """The most lines of a comment above, and of other settings between it and a value."""
 
 
-def is_told_by_comment(text: str, bare: str, place: int, *, is_script: bool) -> bool:
-    """Return whether a comment at a place, or above the settings there, tells to write it.
+def has_comment_to_change(text: str, bare: str, place: int, *, is_script: bool) -> bool:
+    """Return whether a comment at a place, or above the settings there, asks people to change the value.
 
-    `bare` is the text with blanks in place of comments; `is_script` says that nothing but a person starts the file.
+    `bare` is the text with blanks in place of comments; `is_script` says that only people start the file.
     """
     said = "\n".join(comments_at(text, bare, place))
-    is_told = TELLS.search(said) is not None or ELSEWHERE.search(said) is not None
-    return is_told or (is_script and NAMES.search(said) is not None)
+    is_asked = ASKS.search(said) is not None or ELSEWHERE.search(said) is not None
+    return is_asked or (is_script and NAMES.search(said) is not None)
 
 
 def comments_at(text: str, bare: str, place: int) -> Iterator[str]:
@@ -80,12 +80,12 @@ def comments_at(text: str, bare: str, place: int) -> Iterator[str]:
 
 
 def comment_of(text: str, bare: str, start: int, end: int) -> str:
-    """Return what stands only in the text with comments."""
+    """Return the comments of a part of the text, with blanks in place of code."""
     return "".join(each if bare[at : at + 1] == " " else " " for at, each in enumerate(text[start:end], start))
 
 
-def is_told_by_page(files: PackageFiles, path: str) -> bool:
-    """Return whether a page of the package or of the repository tells in one line to change a path in a file."""
+def has_page_to_change(files: PackageFiles, path: str) -> bool:
+    """Return whether a line of a page of the package or repository asks people to change a path in a file."""
     name = re.compile(rf"(?<![\w-]){re.escape(posixpath.basename(path))}(?!\w)")
     pages = (each for each in files.paths if each.endswith(PAGES) and HISTORY not in each.lower())
     for page in (*map(files.readable_text, pages), *build_texts(files)):

@@ -1,4 +1,4 @@
-"""Defaults of variables of the environment and of options, in place of which pages and scripts give another value."""
+"""Defaults of environment variables, options and parameters that pages and scripts always override."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ RUNS = r"(?:\bpython3?[ \t]|\bros2[ \t]+run[ \t]|\./)[^\n]*(?<![\w-]){0}(?:\.py)
 
 
 def is_given_otherwise(path: str, text: str, at: int, files: PackageFiles) -> bool:
-    """Return whether a place in the text of a file is such a default."""
+    """Return whether a place in the text of a file is the default of one that is set to another value elsewhere."""
     before = text[max(0, at - NEAR) : at]
     variable = VARIABLE.search(before)
     if variable is not None:

@@ -1,4 +1,4 @@
-"""Rule input: programs that nobody is meant to start: their own text says so, or their module is there for others."""
+"""Rule input: programs that are not intended to be started: a text says so, or others import their module."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ FORBIDS = regex(
     rf"|\b(?:should|must|can) ?not be (?:directly )?{START}\b))"
     r"(?i:(?! (?:before|after|until|unless|while|when|if|in|on|as|at|with|without|from|more|twice|in)\b))"
 )
-"""How a text says that nobody is to start what it is about, whatever the circumstances."""
+"""How a text says that what it is about is not to be started at all."""
 UNFINISHED = regex(
     r"(?im)^\W*(?:(?:note|warning|status|todo)\W+)?(?:(?:this|the) (?:\w+ ){1,3}(?:is|does) (?:still |currently )?)?"
     r"(?:wip|work in progress|unfinished|deprecated|obsolete|broken|no longer used|unused"
     r"|not (?:yet )?(?:finished|complete|working|work(?: yet)?|used|in use|maintained))(?=\W*$|[.:,;!])"
 )
-"""How a text begins a line with that nobody is to start what it is about yet, or any more."""
+"""How a line begins that says that a program is not finished, or no longer used."""
 STALE = "a page says that this program is no longer used, or not finished yet"
 UNDONE = "its own text says that it is not finished, or no longer used"
 TOLD = "its own text says that it is not to be started"
@@ -36,11 +36,11 @@ SPARE = "nothing here starts this program, whose module is there for others"
 
 
 @dataclass(frozen=True)
-class UnmeantStarts:
+class UnintendedStarts:
     programs: UnstartedPrograms
 
     def why(self, path: str, span: Span) -> str:
-        """Return why nobody is meant to come to a place of Python code; "" where somebody may be."""
+        """Return why a place of Python code is not intended to run; "" where it may be."""
         file = self.programs.reached.run.modules.at(path) if path.endswith(".py") else None
         if file is None:
             return ""
@@ -56,16 +56,16 @@ class UnmeantStarts:
         return SPARE if self.is_spare(file, around) else ""
 
     def why_stale(self, file: PythonFile) -> str:
-        """Return how a text says of all programs which a file is of, and which nothing starts, that they are unused."""
+        """Return why a file is unused, by texts on its programs, none of which is started; "" where it may be used."""
         own = [name for name, paths in self.programs.of_programs.items() if file.path in paths]
         if not own or any(map(self.programs.is_started, own)):
             return ""
         if UNFINISHED.search(f"{ast.get_docstring(file.tree) or ''}\n{comments_at_top(file.source.text)}"):
             return UNDONE
-        return STALE if all(map(self.programs.is_told_to_be_stale, own)) else ""
+        return STALE if all(map(self.programs.is_called_stale, own)) else ""
 
     def texts(self, file: PythonFile, around: list[FunctionNode], span: Span) -> Iterator[str]:
-        """Yield what is said of the functions around a place, and of a file where it is started."""
+        """Yield the docstrings and comments of the functions around a place, and of the file where it is started."""
         for each in around:
             yield f"{ast.get_docstring(each) or ''}\n{comment_above(file, file.span(each).start)}"
         guards = (each for each in file.tree.body if isinstance(each, ast.If) and is_guard(each))
@@ -73,7 +73,7 @@ class UnmeantStarts:
             yield f"{ast.get_docstring(file.tree) or ''}\n{comments_at_top(file.source.text)}"
 
     def is_spare(self, file: PythonFile, around: list[FunctionNode]) -> bool:
-        """Return whether functions around a place are unstarted programs of a module that started ones import."""
+        """Return whether nothing starts the programs that begin at a place, but programs that import the module."""
         programs, own = self.programs, self.entries(file, around)
         if not own or programs.has(file.path):
             return False
@@ -81,7 +81,7 @@ class UnmeantStarts:
         return any(map(programs.is_started, of_others))
 
     def entries(self, file: PythonFile, around: list[FunctionNode]) -> list[str]:
-        """Return the programs that begin in functions around a place, where no other file takes these."""
+        """Return the programs that begin in functions around a place which no other file uses."""
         module = self.programs.reached.installed.names.get(file.path, "")
         names = {each.name for each in around if each in file.tree.body and not self.is_taken(file, module, each.name)}
         entries = {f"{module}:{name}" for name in names}
