@@ -12,8 +12,8 @@ from rospkg_cli.checks.cmake.missing_export_dependencies import UNKNOWN, Exporte
 from rospkg_cli.checks.cmake.node_programs import MAX_DEPTH, NodePrograms
 from rospkg_cli.checks.depends import declared_dependencies
 from rospkg_cli.checks.depends.compiled_sources import compiled_sources
+from rospkg_cli.checks.depends.header_providers import HeaderProviders
 from rospkg_cli.checks.depends.undeclared_find_package import FindPackageDependencies
-from rospkg_cli.checks.depends.undeclared_includes import IncludeDependencies
 from rospkg_cli.checks.launch.entity_schema import substitution_faults
 from rospkg_cli.checks.manifest.manifest_inputs import ManifestAndFiles
 from rospkg_cli.checks.plugins.plugin_names import is_something_else
@@ -119,7 +119,7 @@ def test_a_header_that_the_build_may_make(header: str, is_own: bool) -> None:
         declared=SimpleNamespace(facts=SimpleNamespace(name="my_pkg")),
         path_endings={"parts", "there.hpp"},
     )
-    assert IncludeDependencies.is_own(model, header) is is_own
+    assert HeaderProviders.is_own(model, header) is is_own
 
 
 def test_interfaces_stand_in_the_folder_of_their_kind() -> None:

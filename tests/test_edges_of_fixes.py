@@ -9,7 +9,7 @@ import pytest
 from reading import one
 
 from rospkg_cli import disk_trace
-from rospkg_cli.checks.depends.compiled_sources import Inclusions
+from rospkg_cli.checks.depends.header_inclusions import Inclusions
 from rospkg_cli.checks.params.rcl_validation import name_problem
 from rospkg_cli.checks.setup.python_package import PythonPackage
 from rospkg_cli.edits.entry_points import separate_with_commas

@@ -18,7 +18,7 @@ from ..package.launch.live_text import MARKUP as XML
 from ..package.package_facts import PackageFacts
 from ..package.workspace import Workspace
 from ..unreadable import READABLE
-from .depends.compiled_sources import sources_by_use
+from .depends.sources_by_use import sources_by_use
 from .file_mentions import FileMentions, naming
 from .how_installed import HowInstalled
 from .launch.left_launch_files import is_given_up

@@ -8,12 +8,13 @@ from ..checks.depends.brought_dependencies import Bringer
 from ..checks.depends.circles import circle_with
 from ..checks.depends.commented_installs import LEFT, is_installed_by_comment
 from ..checks.depends.declared_dependencies import DeclaredDependencies
+from ..checks.depends.included_packages import IncludedPackage
 from ..checks.depends.name_source import is_of_family, only_distros, source_of
 from ..checks.depends.pip_requirements import FRAMEWORKS
 from ..checks.depends.similar_names import SimilarNames
 from ..checks.depends.split_distributions import split_distributions
 from ..checks.depends.system_installs import TOLD
-from ..checks.depends.undeclared_includes import IncludeDependencies, IncludedPackage
+from ..checks.depends.undeclared_includes import IncludeDependencies
 from ..checks.enumeration import enumerated, in_ticks
 from ..finding import Fix, Hit, Related, Safety, Severity
 from ..light_dataclasses import dataclass

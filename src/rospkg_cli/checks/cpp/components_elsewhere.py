@@ -13,7 +13,7 @@ from ...package.cmake.cmake_project import CMake
 from ...package.cmake.components import Component
 from ...package.cmake.target_links import TargetLinks
 from ..cmake.component_registration import ComponentRegistration, RegisteredClass
-from ..depends.compiled_sources import Inclusions
+from ..depends.header_inclusions import Inclusions
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from ...package.workspace import Workspace
 from ..cmake.consumers import Consumers
 from ..cmake.misplaced_libraries import MisplacedLibraries, MisplacedLibrary, is_wrong
 from ..cmake.source_targets import SourceTargets
-from ..depends.compiled_sources import HEADERS, Inclusions
+from ..depends.header_inclusions import HEADERS, Inclusions
 from ..depends.ros1_headers import Ros1Headers
 from ..depends.ros1_sources import Ros1Sources
 

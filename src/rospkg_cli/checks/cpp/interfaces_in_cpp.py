@@ -16,7 +16,8 @@ from ...ros.interfaces import header_name
 from ...ros.link_targets import MESSAGES
 from ...source import Span
 from ...suggest import near_names
-from ..depends.compiled_sources import compiled_sources, harm_in, only_under_conditions
+from ..depends.compiled_sources import compiled_sources, harm_in
+from ..depends.conditional_includes import only_under_conditions
 from ..fault import Level
 from ..interfaces.known_interfaces import KnownInterfaces, base_name
 from .installed_headers import is_installed_header

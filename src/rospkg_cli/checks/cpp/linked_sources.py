@@ -7,7 +7,8 @@ from functools import cached_property
 from ...light_dataclasses import dataclass
 from ...package.cmake.target_links import TargetLinks
 from ..cmake.source_targets import SourceTargets
-from ..depends.compiled_sources import HEADERS, certainly_compiled
+from ..depends.compiled_sources import certainly_compiled
+from ..depends.header_inclusions import HEADERS
 from .other_builds import has_built_libraries
 from .uncompiled_sources import UncompiledSources
 

@@ -16,7 +16,8 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.referenced_paths import sources_in
 from ...package.cmake.target_links import TargetLinks
-from ..depends.compiled_sources import Inclusions, own_compiled
+from ..depends.compiled_sources import own_compiled
+from ..depends.header_inclusions import Inclusions
 
 PLAIN = frozenset({"add_executable"})
 SOURCES = (".cpp", ".cc", ".cxx", ".c++", ".c")

@@ -13,7 +13,8 @@ from ...package.cmake.made_headers import HEADERS
 from ...package.workspace import Workspace
 from ...ros.headers import LIBRARIES, SHARED
 from ...source import Span
-from ..depends.compiled_sources import compiled_sources, harm_in, only_under_conditions, own_compiled
+from ..depends.compiled_sources import compiled_sources, harm_in, own_compiled
+from ..depends.conditional_includes import only_under_conditions
 from ..depends.ros1_headers import Ros1Headers
 from ..depends.ros1_sources import Ros1Sources, Ros1Use
 from ..fault import Level

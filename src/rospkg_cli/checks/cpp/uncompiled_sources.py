@@ -20,7 +20,8 @@ from ...package.launch.text import uncommented
 from ...package.workspace import Workspace
 from ...source import Span
 from ..cmake.target_references import TargetReferences
-from ..depends.compiled_sources import are_sources_known, own_compiled
+from ..depends.compiled_sources import own_compiled
+from ..depends.named_sources import are_sources_known
 from ..depends.ros1_headers import Ros1Headers
 from ..depends.ros1_sources import Ros1Sources
 from .other_builds import is_built_elsewhere

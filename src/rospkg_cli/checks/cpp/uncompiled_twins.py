@@ -11,7 +11,8 @@ from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...source import Span
-from ..depends.compiled_sources import included_paths, own_compiled, paths_by_name
+from ..depends.compiled_sources import own_compiled
+from ..depends.header_inclusions import included_paths, paths_by_name
 from .linked_sources import LinkedSources
 from .uncompiled_functions import called_functions
 from .uncompiled_sources import SOURCES, UncompiledSources

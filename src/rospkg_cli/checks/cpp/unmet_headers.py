@@ -9,7 +9,8 @@ from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...package.cmake.cmake_project import CMake
 from ...package.workspace import Workspace
-from ..depends.compiled_sources import HEADERS, sources_by_use
+from ..depends.header_inclusions import HEADERS
+from ..depends.sources_by_use import sources_by_use
 
 DECLARED = regex(r"\b(?:class|struct|enum(?:\s+class)?)\s+(?:[A-Z][A-Z0-9_]*_PUBLIC\s+)?(\w+)\b(?!\s*[;>,&*])")
 """A class that a header does not only name, or a parameter of a template."""

@@ -43,7 +43,7 @@ class BareLibraries:
             whole = [name for name in each.keys if not self.is_bare(name)]
             others = declared.names - bare
             is_there = declared.has(whole) or is_named_among(each.name, others) or is_named_among(key, others)
-            if not key or key in seen or is_there or is_named_among(each.name, includes.fetched):
+            if not key or key in seen or is_there or is_named_among(each.name, includes.providers.fetched):
                 continue
             seen.add(key)
             bringer = declared.bringer(whole, runs=False)
@@ -61,7 +61,7 @@ class BareLibraries:
     def included(self) -> Iterator[LinkedLibrary]:
         includes = self.libraries.includes
         for source, role in compiled_sources(includes.cmake, includes.sources):
-            for each in source.includes if role != "aside" and source.path not in includes.guarded else ():
-                keys = () if each.is_conditional or includes.is_own(each.path) else keys_of_header(each.path)
+            for each in source.includes if role != "aside" and source.path not in includes.included.guarded else ():
+                keys = () if each.is_conditional or includes.providers.is_own(each.path) else keys_of_header(each.path)
                 if keys:
                     yield LinkedLibrary(each.path, keys, role == "test", source.path, each.span)

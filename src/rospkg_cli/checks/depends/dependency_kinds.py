@@ -141,5 +141,6 @@ class DependencyKinds:
         for each in self.includes.packages():
             if each.role == "run" and not there.intersection(each.names):
                 first = each.uses[0]
-                optional, passed_on = self.includes.are_optional(each), self.includes.are_passed_on(each)
+                including = self.includes.including
+                optional, passed_on = including.are_optional(each), including.are_passed_on(each)
                 yield KindUse(each.names, "include", first.path, first.span, first.header, "", optional, passed_on)

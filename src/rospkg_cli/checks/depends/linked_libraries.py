@@ -38,12 +38,12 @@ class LinkedLibraries:
     includes: IncludeDependencies
 
     def undeclared(self) -> Iterator[LinkedLibrary]:
-        """Yield each library once that the build certainly needs; what is found or included as well is told there."""
-        declared = self.includes.declared
+        """Yield each library once that the build certainly needs and that neither DEP104 nor DEP105 reports."""
+        declared, providers = self.includes.declared, self.includes.providers
         found = sorted(self.used(), key=lambda each: each.testing) if declared.is_checked else []
-        seen = self.told if found else set[str]()
+        seen = self.reported if found else set[str]()
         for each in found:
-            if seen.isdisjoint(each.keys) and not declared.has(each.keys) and not self.includes.is_at_hand(each.name):
+            if seen.isdisjoint(each.keys) and not declared.has(each.keys) and not providers.is_at_hand(each.name):
                 yield each
             seen.update(each.keys)
 
@@ -51,11 +51,11 @@ class LinkedLibraries:
         """Return what brings a library, or may: a declared dependency, or another that CMake stops without."""
         declared = self.includes.declared.bringer(each.keys, runs=False)
         certain = declared is not None and declared.is_certain
-        return declared if certain else self.includes.required_bringer(each.keys, in_tests=each.testing) or declared
+        return declared if certain else self.includes.required.bringer(each.keys, in_tests=each.testing) or declared
 
     @cached_property
-    def told(self) -> set[str]:
-        """What find_package and the headers name already."""
+    def reported(self) -> set[str]:
+        """What DEP104 reports of find_package(), and DEP105 of headers."""
         found = {name for each in self.includes.find_packages.missing() for name in each.names}
         return found | {name for each in self.includes.undeclared() for name in each.names}
 

@@ -15,7 +15,8 @@ from ...ros.names import NameKind
 from ...source import Span
 from ...suggest import near_names
 from .declared_dependencies import DeclaredDependencies
-from .undeclared_includes import OF_CLIENT_LIBRARIES, IncludeDependencies
+from .types_in_sources import OF_CLIENT_LIBRARIES
+from .undeclared_includes import IncludeDependencies
 
 AUTOMATIC = regex(r"ament_auto_find_\w+|(?!find_|ament_|gz_|ign_|nav2_|moveit_)\w*_package\w*")
 """Commands that find packages, or may well do so, such as `autoware_package`."""
@@ -165,7 +166,7 @@ class MissingFindPackages:
 
     def headers(self, maybe: bool) -> Iterator[MissingFindPackage]:
         for each in self.includes.packages():
-            if each.cmake == each.names[0] and not self.includes.are_passed_on(each):
+            if each.cmake == each.names[0] and not self.includes.including.are_passed_on(each):
                 first = each.uses[0]
                 usage = f"`{first.header}` is included here"
                 yield MissingFindPackage(each.cmake, first.path, first.span, each.role == "test", usage, maybe)

@@ -11,7 +11,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ..cmake.source_targets import SourceTargets
-from .compiled_sources import Inclusions
+from .header_inclusions import Inclusions
 from .ros1_headers import Ros1Headers
 
 CALLS = regex(

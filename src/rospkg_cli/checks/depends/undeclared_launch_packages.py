@@ -30,9 +30,9 @@ from ..launch.launched_programs import is_program
 from ..launch.package_references import NAME, PackageReference, package_references
 from ..left_files import LeftFiles
 from .brought_dependencies import brought_by
-from .compiled_sources import named_sources
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
+from .named_sources import named_sources
 from .undeclared_imports import ImportDependencies
 
 if TYPE_CHECKING:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from .undeclared_includes import IncludeDependencies, IncludedPackage
+from .included_packages import IncludedPackage
+from .undeclared_includes import IncludeDependencies
 
 WORDS = {"PCL": "pcl", "OpenCV": "opencv4?", "Eigen3": "eigen3?"}
 """By CMake's name, how those libraries are written that lie below `/usr/include/eigen3` and the like."""
@@ -24,7 +25,7 @@ def unfound_libraries(includes: IncludeDependencies) -> Iterator[IncludedPackage
     text = "".join(file.source.text for file in cmake.files)
     for each in includes.packages():
         word = WORDS.get(each.cmake) if each.role == "run" and includes.is_declared(each) else None
-        if word is not None and not includes.are_idle(each) and not includes.are_passed_on(each):
+        if word is not None and not includes.including.are_idle(each) and not includes.including.are_passed_on(each):
             written = rf"(?<![a-z_]){word}(?![a-z])(?!_(?:{OF_ROS})\b)"
             if not re.search(written, text, re.IGNORECASE):
                 yield each

@@ -22,11 +22,12 @@ from ..cmake.missing_export_dependencies import BY_MACRO
 from ..cmake.unknown_commands import UnknownCommands
 from ..repository.older_distribution import OlderDistribution
 from .brought_by_links import BEFORE_JAZZY, SOMEWHERE, BroughtByLinks, is_of_interfaces
-from .compiled_sources import Inclusions, sources_by_use
 from .header_folders import HeaderFolders
+from .header_inclusions import Inclusions
 from .linked_at_run_time import VARIABLE
 from .own_typesupport import with_own_interfaces
 from .ros1_sources import Ros1Use
+from .sources_by_use import sources_by_use
 from .undeclared_includes import IncludeDependencies
 
 PLAIN = frozenset({"add_executable", "add_library"})
@@ -122,10 +123,10 @@ class UnlinkedIncludes:
         for path in sorted(self.inclusions.reached(path for path in opened if path in self.files)):
             for each in self.files[path].includes:
                 slash = "/" in each.path
-                is_certain = not each.is_conditional and not self.includes.is_own(each.path)
+                is_certain = not each.is_conditional and not self.includes.providers.is_own(each.path)
                 if slash and is_certain and self.includes.ros1.headers.may_be_in_ros2(each.path):
-                    names, cmake = self.includes.providers(each.path)
-                    if names[:1] == (cmake,) and path not in self.includes.guarded:
+                    names, cmake = self.includes.providers.of(each.path)
+                    if names[:1] == (cmake,) and path not in self.includes.included.guarded:
                         yield cmake, (path, each.path, each.span)
 
     @cached_property

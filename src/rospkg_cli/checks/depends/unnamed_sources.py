@@ -9,7 +9,7 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from .compiled_sources import HEADERS
+from .header_inclusions import HEADERS
 
 TAKES_ALL = regex(r"\bGLOB(?:_RECURSE)?\b|\baux_source_directory\b", re.IGNORECASE)
 MAKES_NAMES = regex(r"\}(?:_\w+)?\.c(?:pp|c|xx|\b)")

@@ -9,7 +9,8 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import Parameter, ParameterFile
-from ..depends.compiled_sources import HEADERS, own_compiled
+from ..depends.compiled_sources import own_compiled
+from ..depends.header_inclusions import HEADERS
 from ..fault import Fault, Level
 from ..repository.older_distribution import OlderDistribution
 from .block_readers import BlockReaders

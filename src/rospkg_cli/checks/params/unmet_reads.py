@@ -9,7 +9,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...source import Span
 from ..cpp.uncalled_members import is_in_uncalled
-from ..depends.compiled_sources import sources_by_use
+from ..depends.sources_by_use import sources_by_use
 from ..interfaces.uncalled_methods import UncalledMethods
 from ..left_files import LeftFiles
 from ..off_places import OffPlaces

@@ -122,7 +122,7 @@ def undeclared(includes: IncludeDependencies, missing: UndeclaredFindPackage, ki
     known = "" if name == found.name else f" (`{name}` for rosdep)"
     library = includes.find_packages.for_run_time(found)
     what = f"declares `{library}` alone, which has no headers" if library else "does not declare it"
-    aside = includes.why_by_hand(found.name, missing.names)
+    aside = includes.by_hand.why(found.name, missing.names)
     aside = aside or (ELSEWHERE if includes.find_packages.is_elsewhere(found, missing.names) else "")
     message = (
         f"CMake requires `{found.name}`{known}, and package.xml {what}: "

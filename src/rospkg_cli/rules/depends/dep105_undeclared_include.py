@@ -81,22 +81,22 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     ## References
     - REP-149, depend
     """
-    declared = includes.declared
+    declared, including = includes.declared, includes.including
     for each in includes.undeclared():
         first, name, kind = each.uses[0], each.names[0], tag_of(each)
         if includes.bringer(each):
             continue
         is_used = "used" if first.is_type else "included"
-        ends = CMAKE_STOPS if includes.are_required(each) else BUILD_ENDS
+        ends = CMAKE_STOPS if includes.required.requires(each) else BUILD_ENDS
         message = (
             f"`{name}` is not declared, and `{first.header}` of it is {is_used}: {ends} where nothing else brings it; "
             f"{advice(declared, kind, *each.names)}"
         )
         places = related((use.path, use.span) for use in each.uses)
-        is_mild = is_unmet(declared, name, each.names) or includes.are_optional(each) or includes.are_idle(each)
-        by_hand = includes.why_by_hand(each.cmake, each.names, [use.header for use in each.uses])
-        behind = None if includes.are_required(each) else includes.ros1.stopping_all(use.path for use in each.uses)
-        is_mild = is_mild or includes.may_be_submodule(each) or bool(by_hand) or behind is not None
+        is_mild = is_unmet(declared, name, each.names) or including.are_optional(each) or including.are_idle(each)
+        by_hand = includes.by_hand.why(each.cmake, each.names, [use.header for use in each.uses])
+        behind = None if includes.required.requires(each) else includes.ros1.stopping_all(use.path for use in each.uses)
+        is_mild = is_mild or includes.by_hand.may_be_submodule(each) or bool(by_hand) or behind is not None
         level, end = Severity.INFO if is_mild else None, "" if behind is None else behind.sentence
         yield Hit(first.path, first.span, message + by_hand + end, level, places, declaration(declared, kind, name))
     if not any(missing.bringer for missing in includes.find_packages.missing()):  # else DEP104 tells of both

@@ -89,7 +89,7 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
             f"`{key}` is not declared, and CMake needs `{each.name}` of it: the build stops where nothing else "
             f"brings it; {advice(declared, kind, *each.keys)}"
         )
-        by_hand = libraries.includes.why_by_hand(each.name, each.keys)
+        by_hand = libraries.includes.by_hand.why(each.name, each.keys)
         level = Severity.INFO if by_hand or is_unmet(declared, key, each.keys) else None
         yield Hit(each.path, each.span, message + by_hand, level, fix=declaration(declared, kind, key))
     yield from left_to_others(declared, brought, "needed by CMake")
@@ -99,6 +99,6 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
             f"`{bare.key}` has neither headers nor what the linker reads, and the build needs `{bare.what}`: where "
             f"nothing else brings it, it stops here; {advice(declared, kind, bare.wanted)}"
         )
-        by_hand = libraries.includes.why_by_hand(bare.what, (bare.key, bare.wanted))
+        by_hand = libraries.includes.by_hand.why(bare.what, (bare.key, bare.wanted))
         level = Severity.INFO if bare.may_be_brought or by_hand or is_unmet(declared, bare.wanted) else None
         yield Hit(bare.path, bare.span, message + by_hand, level, fix=declaration(declared, kind, bare.wanted))
