@@ -1,4 +1,4 @@
-"""Programs that may come with a package which a launch file needs besides, and of which nobody here knows the needs."""
+"""Programs (`xterm`) that may come with another package of a launch file whose own dependencies are unknown."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ class BroughtPrograms:
     launch: LaunchDependencies
 
     def bringers(self) -> dict[str, Bringer]:
-        """Return what may bring each program that launch files put before nodes, where all of them need such a thing.
+        """Return what may bring each program before nodes (`xterm -e`), where all files with it need such a package.
 
-        The launch stops without the other package: who starts the file has it, and all that was installed with it.
+        The launch stops without that package: whoever launches the file has it, and all that was installed with it.
         """
         found = {}
         for name in PROGRAMS & self.missing.keys():
@@ -35,10 +35,11 @@ class BroughtPrograms:
         return next((name for name in needed if self.may_bring_any(name)), "")
 
     def may_bring_any(self, name: str) -> bool:
-        """Return whether anything may come with a package: it, or what it needs, is not known, and is no slip."""
-        return bool(brought([name], (), self.launch.declared.workspace).unknown) and self.launch.meant(name) is None
+        """Return whether anything may come with a package: it, or one that it needs, is unknown and not misspelt."""
+        is_open = bool(brought([name], (), self.launch.declared.workspace).unknown)
+        return is_open and self.launch.unknown.intended(name) is None
 
 
 def stops(path: str, use: PackageReference) -> bool:
-    """Return whether a launch file stops without what a place needs, whatever its arguments are."""
+    """Return whether a launch file stops without the package of a place, whatever its arguments are."""
     return use.path == path and use.fails == "launch" and not use.only_with

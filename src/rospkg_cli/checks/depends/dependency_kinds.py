@@ -15,15 +15,17 @@ from ...unreadable import READABLE
 from ..cmake.unguarded_tests import TEST_PACKAGES
 from ..interfaces.package_interfaces import InterfaceGeneration
 from ..launch.absent_package import ends_with
+from ..launch.example_files import is_example
 from ..repository.kinds_installed_apart import KindsInstalledApart
 from .brought_dependencies import Bringer
 from .declared_dependencies import DeclaredDependencies
 from .interface_needs import interface_needs
 from .linked_at_run_time import is_served_at_run_time, loaded_libraries
 from .required_by_cmake import stops_with
+from .there_to_launch import STARTER, there_to_launch
 from .undeclared_imports import ImportDependencies
 from .undeclared_includes import IncludeDependencies
-from .undeclared_launch_packages import STARTER, LaunchDependencies, there_to_launch
+from .undeclared_launch_packages import LaunchDependencies
 
 Need = Literal["import", "launch", "include", "find", "link", "interface"]
 
@@ -109,7 +111,7 @@ class DependencyKinds:
         there = implied_by([d.name for d in self.declared.manifest.dependencies if d.tag in RUNS], IN_LAUNCH_FILES)
         for place, names in self.imports.uses("run"):
             yield KindUse(names, "import", place.path, place.span, place.module)
-        for use in sorted(self.launch.uses(tests=False), key=lambda use: self.launch.is_example(use.path)):
+        for use in sorted(self.launch.needs.uses(tests=False), key=lambda use: is_example(use.path)):
             if use.name not in there:
                 yield KindUse((use.name,), "launch", use.path, use.span, "", ends_with(use, use.name, RELEASED))
         for each in interface_needs(self.interfaces, self.generation):

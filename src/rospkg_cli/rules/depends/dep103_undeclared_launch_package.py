@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.brought_programs import BroughtPrograms
 from ...checks.depends.name_source import is_unmet_at_run
+from ...checks.depends.nodes_in_code import nodes_in_code
 from ...checks.depends.undeclared_launch_packages import LaunchDependencies
 from ...checks.launch.absent_package import ends_with
 from ...checks.launch.package_references import PackageReference
@@ -108,23 +109,23 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
         bringers = {**perhaps, **launch.declared.bringers(missing, runs=not tests)}
         for name, uses in missing.items():
             bringer = bringers.get(name)
-            if bringer and (bringer.is_certain or launch.meant(name) is None):
+            if bringer and (bringer.is_certain or launch.unknown.intended(name) is None):
                 brought.append(BroughtUse(name, bringer, tag, uses[0].path, uses[0].span))
             else:
                 yield undeclared(launch, tag, name, uses)
     for tests, tag in ((False, "exec_depend"), (True, "test_depend")):
-        nodes = ((name, uses[0].path, uses[0].span) for name, uses in launch.nodes_in_code(tests=tests).items())
+        nodes = ((name, uses[0].path, uses[0].span) for name, uses in nodes_in_code(launch, tests=tests).items())
         yield from described_nodes(launch.declared, sorted(nodes), tag)
     yield from left_to_others(launch.declared, brought, "used by launch files")
 
 
 def undeclared(launch: LaunchDependencies, tag: str, name: str, uses: list[PackageReference]) -> Hit:
     declared = launch.declared
-    uses = sorted(uses, key=lambda use: (bool(use.only_with), launch.is_idle(use)))
+    uses = sorted(uses, key=lambda use: (bool(use.only_with), launch.idle.is_idle(use)))
     first = uses[0]
-    if meant := launch.meant(name):
-        message = f"`{name}` is known nowhere, and this launch file {first.does} it: did you mean `{meant}`?"
-        fix = Fix(f"write `{meant}`", (Edit(first.path, first.span, meant),), Safety.UNSAFE)
+    if intended := launch.unknown.intended(name):
+        message = f"`{name}` is known nowhere, and this launch file {first.does} it: did you mean `{intended}`?"
+        fix = Fix(f"write `{intended}`", (Edit(first.path, first.span, intended),), Safety.UNSAFE)
         fix_or_none = fix if launch.is_written(first) else None
     else:
         ends = ends_with(first, name, where_absent(declared, name, built=tag == "test_depend"))
@@ -132,9 +133,9 @@ def undeclared(launch: LaunchDependencies, tag: str, name: str, uses: list[Packa
             f"`{name}` is not declared, and this launch file {first.does} it: {ends}; {advice(declared, tag, name)}"
         )
         fix_or_none = declaration(declared, tag, name)
-    is_meant = meant is None and (is_unmet_at_run(declared, name) or launch.is_told(name))
-    is_aside = launch.is_left(uses) or (tag == "exec_depend" and launch.is_for_examples(name, uses))
-    left = "" if meant else launch.why_left_out(name, (use.path for use in uses))
-    mild = is_meant or is_aside or first.only_with or left or all(use.is_usual for use in uses)
+    is_elsewhere = intended is None and (is_unmet_at_run(declared, name) or launch.unknown.is_fetched(name))
+    is_aside = launch.idle.is_left(uses) or (tag == "exec_depend" and launch.idle.is_for_examples(name, uses))
+    left = "" if intended else launch.left_out.why(name, (use.path for use in uses))
+    mild = is_elsewhere or is_aside or first.only_with or left or all(use.is_usual for use in uses)
     places = related((use.path, use.span) for use in uses)
     return Hit(first.path, first.span, f"{message}{left}", Severity.INFO if mild else None, places, fix_or_none)

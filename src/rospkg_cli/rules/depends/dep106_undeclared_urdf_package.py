@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_unmet_at_run
-from ...checks.depends.robot_uses import RobotUse, RobotUses
+from ...checks.depends.robot_use import RobotUse
+from ...checks.depends.robot_uses import RobotUses
 from ...checks.enumeration import enumerated
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
@@ -96,7 +97,7 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     for tests, tag in ((False, "exec_depend"), (True, "test_depend")):
         brought: list[BroughtUse] = []
         for name, uses in (robots.missing_in_tests() if tests else robots.missing()).items():
-            is_slip = robots.launch.meant(name) or len(robots.renamed(name)[1]) > 1
+            is_slip = robots.launch.unknown.intended(name) or len(robots.renamed.owner_of(name)[1]) > 1
             bringer = None if is_slip else declared.bringers([name], runs=not tests).get(name)
             if bringer:
                 brought.append(BroughtUse(name, bringer, tag, uses[0].path, uses[0].span))
@@ -108,14 +109,14 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
 
 def undeclared(robots: RobotUses, tag: str, name: str, uses: list[RobotUse]) -> Hit:
     declared, first = robots.declared, uses[0]
-    owner, files = robots.renamed(name)
-    meant = owner or robots.launch.meant(name)
-    todo = f"did you mean `{meant}`{having(files)}?" if meant else advice(declared, tag, name)
+    owner, files = robots.renamed.owner_of(name)
+    intended = owner or robots.launch.unknown.intended(name)
+    todo = f"did you mean `{intended}`{having(files)}?" if intended else advice(declared, tag, name)
     message = f"`{name}` is not declared, {first.usage}: {where_absent(declared, name)} {first.consequence}; {todo}"
-    left = "" if meant else robots.launch.why_left_out(name, (use.path for use in uses))
+    left = "" if intended else robots.launch.left_out.why(name, (use.path for use in uses))
     message += first.why if all(use.is_optional for use in uses) else left
-    fix = None if meant else declaration(declared, tag, name)
-    is_elsewhere = is_unmet_at_run(declared, name) or (meant is None and robots.launch.is_told(name))
+    fix = None if intended else declaration(declared, tag, name)
+    is_elsewhere = is_unmet_at_run(declared, name) or (intended is None and robots.launch.unknown.is_fetched(name))
     mild = is_elsewhere or left or all(use.is_optional for use in uses)
     places = related((use.path, use.span) for use in uses)
     return Hit(first.path, first.span, message, Severity.INFO if mild else None, places, fix)

@@ -87,7 +87,7 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
             continue
         goes_round = first.why_seldom == ROUND
         todo = "" if goes_round else f"; {advice(declared, 'exec_depend', name)}"
-        left = "" if first.why_seldom else packages.launch.why_left_out(name, (each.path for each in places))
+        left = "" if first.why_seldom else packages.launch.left_out.why(name, (each.path for each in places))
         message = (
             f"`{name}` is not declared, and this looks for files of it: {where_absent(declared, name)} the node "
             f"ends with PackageNotFoundError{todo}{first.why_seldom}{left}"

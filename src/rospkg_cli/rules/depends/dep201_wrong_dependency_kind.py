@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from ...checks.depends.dependency_kind_sentences import ending, usage
 from ...checks.depends.dependency_kinds import DependencyKinds, WrongKind
 from ...checks.enumeration import in_ticks
+from ...checks.launch.example_files import is_example
 from ...edits.manifest import add_dependencies, change_tag
 from ...edits.undeclared_hits import comes_with
 from ...example import Example, manifest
@@ -82,8 +83,8 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
         if each.bringer or each.use.need == "link":
             (brought if each.bringer else loaded).append(each)
             continue
-        is_example = each.use.need == "launch" and kinds.launch.is_example(each.use.path)
-        is_mild = is_example or each.use.is_optional or not kinds.apart.are_apart
+        is_for_example = each.use.need == "launch" and is_example(each.use.path)
+        is_mild = is_for_example or each.use.is_optional or not kinds.apart.are_apart
         yield hit(kinds, each, Severity.INFO if is_mild else None)
     for group in (brought, loaded):
         if group:
