@@ -23,7 +23,7 @@ def told(text: str, **more: str) -> list[tuple[str, str]]:
 
 PIP = ("info", "this file has pip install it before")
 JOBLIB, CV2 = "import joblib\n" + MAIN.format("joblib"), "import cv2\n" + MAIN.format("cv2")
-TOLD = "this file tells to install it by pip"
+TOLD = "this file says to install it by pip"
 STAND_IN = "this file puts something in its place before"
 ADD = ("warning", "add <exec_depend>python3-joblib</exec_depend>")
 
@@ -93,11 +93,11 @@ def test_a_module_of_ones_own_is_none_of_ros_1() -> None:
 @pytest.mark.parametrize(
     ("text", "level", "why"),
     [
-        ("import joblib  # pip install joblib\n", "info", "this file tells to install it by pip"),
+        ("import joblib  # pip install joblib\n", "info", "this file says to install it by pip"),
         (
             '"""Needs joblib.\n\npip3 install joblib==1.0\n"""\nimport joblib\n',
             "info",
-            "this file tells to install it by pip",
+            "this file says to install it by pip",
         ),
         ("import joblib  # do not pip install joblib\n", *ADD),
         ("import joblib  # pip install scipy\n", *ADD),

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ..checks.depends.undeclared_imports import ImportDependencies, ImportUse
+from ..checks.depends.import_use import ImportUse
+from ..checks.depends.undeclared_imports import ImportDependencies
 from ..finding import Hit, Related, Severity
 
 LEFT = "; nothing starts or imports this module"
@@ -13,13 +14,13 @@ OPTIONAL = "; this module is imported only where that may fail"
 
 def unneeded(imports: ImportDependencies, places: Iterable[ImportUse]) -> str:
     """Return what is said of modules that nobody needs; "" for others."""
-    return LEFT if imports.is_left(places) else OPTIONAL if imports.are_optional(places) else ""
+    return LEFT if imports.reach.is_left(places) else OPTIONAL if imports.reach.are_optional(places) else ""
 
 
 def ros1_leftovers(imports: ImportDependencies) -> Iterator[Hit]:
     """Yield one finding for all files that somebody meets, and one for each reason why nobody meets others."""
     by_reason: dict[str, list[ImportUse]] = {}
-    for each in imports.ros1_leftovers():
+    for each in imports.ends.leftovers():
         by_reason.setdefault(why_unmet(imports, each), []).append(each)
     for why, places in by_reason.items():
         yield ros1_leftover(places, why)
@@ -28,7 +29,7 @@ def ros1_leftovers(imports: ImportDependencies) -> Iterator[Hit]:
 def why_unmet(imports: ImportDependencies, place: ImportUse) -> str:
     from ..checks.repository.run_under_ros1 import why_for_ros1  # few packages have such a file
 
-    why = unneeded(imports, [place]) or imports.why_unstarted([place]) or why_for_ros1(imports.files, place.path)
+    why = unneeded(imports, [place]) or imports.reach.why_unstarted([place]) or why_for_ros1(imports.files, place.path)
     is_beside = imports.places is not None and imports.places.unimported.is_skipped_by_importers(place.path)
     return why or (LEFT if is_beside else "")
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.hand_installs import BY_PAGE
+from ...checks.depends.import_use import UndeclaredImport
 from ...checks.depends.name_source import is_unmet_at_run
-from ...checks.depends.undeclared_imports import ImportDependencies, UndeclaredImport
+from ...checks.depends.undeclared_imports import ImportDependencies
 from ...edits.ros1_hits import ros1_leftovers, unneeded
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest
@@ -109,14 +110,15 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
 
 def undeclared(imports: ImportDependencies, missing: UndeclaredImport, kind: str, ends: str) -> Hit:
     first, declared = missing.places[0], imports.declared
-    end, is_launch = unneeded(imports, missing.places), imports.is_for_launch(missing)
+    end, is_launch = unneeded(imports, missing.places), imports.reach.is_for_launch(missing)
     shown = "" if missing.name == first.module.partition(".")[0] else f" here as `{first.module}`"
     where = where_absent(declared, *imports.serving(missing), built=ends == BUILD)
     what = ONLY_LAUNCH if is_launch else f"{where} {LACKS.get(where, '')}{ends}"
     todo = advice(declared, kind, *imports.serving(missing))
     if not end:
-        end = imports.why_pip(missing) or imports.why_seldom(missing.places)
-        end = end or (BY_PAGE if imports.is_by_hand(missing) else imports.why_unmet(missing))
+        end = imports.sources.why_pip(missing) or imports.reach.why_seldom(missing.places)
+        end = end or (BY_PAGE if imports.sources.is_by_hand(missing) else imports.reach.why_unstarted(missing.places))
+        end = end or imports.sources.why_unmet(missing)
     message = f"`{missing.name}` is imported{shown} and not declared: {what}; {todo}{end}"
     mild = bool(end) or is_launch or is_unmet_at_run(declared, missing.name, imports.serving(missing))
     fix = declaration(declared, kind, missing.name)

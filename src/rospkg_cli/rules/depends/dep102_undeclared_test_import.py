@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.hand_installs import BY_PAGE
+from ...checks.depends.imports_of_tests import ImportsOfTests
 from ...checks.depends.name_source import is_unmet
 from ...checks.depends.undeclared_imports import ImportDependencies
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
@@ -64,8 +65,8 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
     - REP-149, test_depend
     """
     brought: list[BroughtUse] = []
-    declared = imports.declared
-    for missing in imports.missing_in_tests():
+    declared, tests = imports.declared, ImportsOfTests(imports)
+    for missing in tests.missing():
         first = missing.places[0]
         if missing.bringer:
             brought.append(BroughtUse(missing.name, missing.bringer, "test_depend", first.path, first.span))
@@ -73,18 +74,18 @@ def undeclared_test_import(imports: ImportDependencies) -> Iterator[Hit]:
         brings = ", ".join(f"`{name}`" for name in missing.also_provides)
         others = f", which brings {brings} as well" if brings else ""
         where = where_absent(declared, *imports.serving(missing), built=True)
-        fails = "`colcon test`" if imports.has_pytest else "pytest, which setup.py does not ask for,"
+        fails = "`colcon test`" if tests.has_pytest else "pytest, which setup.py does not ask for,"
         todo = advice(declared, "test_depend", *imports.serving(missing))
         message = (
             f"`{missing.name}` is imported by tests and not declared: {where} "
             f"{fails} fails with ModuleNotFoundError; {todo}{others}"
         )
-        why = imports.why_seldom(missing.places) if imports.has_pytest else ""
-        end = NEVER_RUN if imports.are_never_run(missing.places) else why
-        end = end or imports.why_pip(missing) or (BY_PAGE if imports.is_by_hand(missing) else "")
-        end = end or imports.why_brought(missing)
+        why = imports.reach.why_seldom(missing.places) if tests.has_pytest else ""
+        end = NEVER_RUN if tests.are_never_run(missing.places) else why
+        end = end or imports.sources.why_pip(missing) or (BY_PAGE if imports.sources.is_by_hand(missing) else "")
+        end = end or imports.sources.why_brought(missing)
         places = related((place.path, place.span) for place in missing.places)
-        is_mild = bool(end) or is_unmet(declared, missing.name, imports.serving(missing)) or not imports.has_pytest
+        is_mild = bool(end) or is_unmet(declared, missing.name, imports.serving(missing)) or not tests.has_pytest
         level = Severity.INFO if is_mild else None
         fix = declaration(declared, "test_depend", missing.name)
         yield Hit(first.path, first.span, f"{message}{end}", level, places, fix)
