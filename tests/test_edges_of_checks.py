@@ -10,7 +10,7 @@ from cmaking import read
 
 from rospkg_cli.checks.cmake.missing_export_dependencies import UNKNOWN, ExportedDependencies
 from rospkg_cli.checks.cmake.node_programs import MAX_DEPTH, NodePrograms
-from rospkg_cli.checks.depends import declared_dependencies
+from rospkg_cli.checks.depends import transitive_dependencies
 from rospkg_cli.checks.depends.compiled_sources import compiled_sources
 from rospkg_cli.checks.depends.header_providers import HeaderProviders
 from rospkg_cli.checks.depends.undeclared_find_package import FindPackageDependencies
@@ -94,12 +94,12 @@ def test_ros_behind_other_targets(between: int, is_node: bool) -> None:
     assert NodePrograms(model).uses_ros("l0") is is_node
 
 
-@pytest.mark.parametrize("depth", [1, declared_dependencies.MAX_DEPTH])
+@pytest.mark.parametrize("depth", [1, transitive_dependencies.MAX_DEPTH])
 def test_metapackages_of_metapackages(monkeypatch: pytest.MonkeyPatch, depth: int) -> None:
-    monkeypatch.setattr(declared_dependencies, "metapackage_members", lambda name, _: (str(int(name) + 1),))
-    model: Any = SimpleNamespace(workspace=SimpleNamespace(named=lambda _: None))
-    monkeypatch.setattr(declared_dependencies, "MAX_DEPTH", depth)
-    assert declared_dependencies.DeclaredDependencies.closure(model, ["0"]) == {str(n) for n in range(depth + 1)}
+    monkeypatch.setattr(transitive_dependencies, "metapackage_members", lambda name, _: (str(int(name) + 1),))
+    workspace: Any = SimpleNamespace(named=lambda _: None)
+    monkeypatch.setattr(transitive_dependencies, "MAX_DEPTH", depth)
+    assert transitive_dependencies.with_members(["0"], workspace) == {str(n) for n in range(depth + 1)}
 
 
 @pytest.mark.parametrize(

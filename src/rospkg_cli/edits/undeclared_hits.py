@@ -66,7 +66,7 @@ def where_absent(declared: DeclaredDependencies, *names: str, built: bool = Fals
     """
     if any(declared.workspace.named(name) for name in names):
         return f"after `colcon build --packages-up-to {declared.facts.name}`"
-    if declared.is_lacked_by_releases(names):
+    if declared.otherwise.is_lacked_by_releases(names):
         return "on the build farm" if built else "in a release"
     return "on a clean machine"
 
@@ -86,11 +86,11 @@ def todo(declared: DeclaredDependencies, tag: str, name: str, *serving: str) -> 
     match source_of(declared, name):
         case "released":
             only = only_for(declared, name)
-            told = TOLD if declared.is_installed_otherwise((name, *serving)) else ""
+            told = TOLD if declared.otherwise.is_by_command((name, *serving)) else ""
             return f"add {written(declared, tag, name)}{only}{told}"
         case "pip":
             return f"<{tag}>{name}</{tag}> installs it from PyPI, and prevents a release"
-        case "unknown" if told := declared.hidden.told(name):
+        case "unknown" if told := declared.otherwise.hidden.told(name):
             return told
         case "unknown" if near := SimilarNames(declared.workspace).meant(name):
             return f"did you mean `{near}`?"

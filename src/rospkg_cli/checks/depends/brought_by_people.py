@@ -34,7 +34,7 @@ def why_brought(declared: DeclaredDependencies, files: Iterable[PythonImports], 
 
 
 def is_fetched(declared: DeclaredDependencies, package: str) -> bool:
-    return FetchedRepositories(declared.release.files, declared.workspace, declared.hidden).may_have(package)
+    return FetchedRepositories(declared.release.files, declared.workspace, declared.otherwise.hidden).may_have(package)
 
 
 def imported_from_pip(declared: DeclaredDependencies, files: Iterable[PythonImports]) -> Iterator[str]:

@@ -52,7 +52,7 @@ class BuildToolsOfCMake:
     def missing(self) -> Iterator[BuildTool]:
         """Yield each tool once, where it is used first, unless it is declared or certainly comes with what is."""
         seen: set[str] = set()
-        there = self.declared.brought_to_build
+        there = self.declared.brings.brought_to_build
         for tool in self.used() if self.declared.is_checked else ():
             is_there = tool.name in there.certain and tool.name != ITSELF
             if tool.name not in seen and not self.declared.has([tool.name]) and not is_there:

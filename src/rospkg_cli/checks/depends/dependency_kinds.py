@@ -23,6 +23,7 @@ from .interface_needs import interface_needs
 from .linked_at_run_time import is_served_at_run_time, loaded_libraries
 from .required_by_cmake import stops_with
 from .there_to_launch import STARTER, there_to_launch
+from .transitive_dependencies import with_members
 from .undeclared_imports import ImportDependencies
 from .undeclared_includes import IncludeDependencies
 from .undeclared_launch_packages import LaunchDependencies
@@ -97,14 +98,14 @@ class DependencyKinds:
         """Return the declared metapackages that have in them what the build uses."""
         if use.need not in ("find", "include"):
             return []
-        declared = self.declared
-        return [d for d in declared.manifest.dependencies if not declared.closure([d.name]).isdisjoint(use.names)]
+        every, workspace = self.declared.manifest.dependencies, self.declared.workspace
+        return [each for each in every if not with_members([each.name], workspace).isdisjoint(use.names)]
 
     def bringer(self, use: KindUse, tags: Collection[str]) -> Bringer | None:
         """Return what brings a dependency at the time of its use, or may bring it; `ros2launch` to a launch file."""
         if use.need == "launch" and not there_to_launch(self.declared).isdisjoint(use.names):
             return Bringer(STARTER)
-        return self.declared.bringer_among(use.names, self.declared.brought_with(tags))
+        return self.declared.brings.bringer_among(use.names, self.declared.brings.brought_with(tags))
 
     def run_uses(self) -> Iterator[KindUse]:
         """Yield what is used at run time, but for what comes with other dependencies for it."""
@@ -122,9 +123,9 @@ class DependencyKinds:
         if self.includes is None:
             return
         there = frozenset(d.name for d in self.declared.manifest.dependencies if d.tag in RUNS)
-        brought = self.declared.brought_with(RUNS)
+        brought = self.declared.brings.brought_with(RUNS)
         for each in loaded_libraries(self.includes):
-            found = self.declared.bringer_among(each.names, brought)
+            found = self.declared.brings.bringer_among(each.names, brought)
             is_brought = found is not None and found.is_certain
             if not is_brought and not is_served_at_run_time(each.names, there):
                 yield KindUse(each.names, "link", each.path, each.span, each.target)

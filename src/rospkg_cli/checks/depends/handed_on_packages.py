@@ -15,9 +15,10 @@ from ...ros.manifest import EXPORTED, RUNS, is_buildtool
 from ...source import Span
 from ...unreadable import UnreadableError
 from ..cmake.consumers import Consumers
-from .declared_beside import NO_INSTALL
 from .declared_dependencies import DeclaredDependencies
 from .name_source import is_installable
+from .repository_dependencies import NO_INSTALL
+from .transitive_dependencies import exported_by, with_members
 from .undeclared_find_package import FindPackageDependencies
 
 RUNTIME = "rosidl_default_runtime"
@@ -60,7 +61,7 @@ class HandedOnPackages:
         if any(map(declared.workspace.named, names)):
             return False
         own = {need.name for need in declared.facts.dependencies if need.certain and need.tag != NO_INSTALL}
-        is_declared = not own.isdisjoint(names) or declared.is_declared_beside(names)
+        is_declared = not own.isdisjoint(names) or declared.otherwise.is_declared_by_others(names)
         return is_declared and is_installable(declared, names)
 
     def is_met(self, names: Collection[str]) -> bool:
@@ -88,7 +89,7 @@ class HandedOnPackages:
         """
         tags, declared = RUNS | EXPORTED, self.declared.manifest.dependencies
         known = {each.name for each in self.cmake.packages} | {RUNTIME}
-        there = self.declared.brought_with(tags)
+        there = self.declared.brings.brought_with(tags)
         got = {need.name for need in declared if need.tag in tags}
         for call in self.cmake.named("ament_export_dependencies") if self.declared.is_checked else ():
             for word in call.words if not (call.maybe or call.folder) else ():
@@ -99,7 +100,7 @@ class HandedOnPackages:
                 if not own or word.text in seen or not got.isdisjoint(names) or any(map(is_buildtool, own)):
                     continue
                 seen.add(word.text)
-                bringer = self.declared.bringer_among(names, there)
+                bringer = self.declared.brings.bringer_among(names, there)
                 if bringer is None or not bringer.is_certain:
                     is_met = bringer is None and self.stops({*own, *names}) and self.is_met(own)
                     place, there_too = (word.path, word.span), self.is_installed(own)
@@ -109,8 +110,8 @@ class HandedOnPackages:
     def handed_on(self) -> tuple[frozenset[str], bool]:
         """What is there for whoever builds with this package, and whether that is all."""
         first = [need.name for need in self.declared.facts.dependencies if need.tag in EXPORTED]
-        brought, known = self.declared.transitive_names_of(first)
-        return frozenset(self.declared.closure(first)) | brought, known
+        brought, known = exported_by(first, self.declared.workspace)
+        return frozenset(with_members(first, self.declared.workspace)) | brought, known
 
     @property
     def paths(self) -> list[str]:

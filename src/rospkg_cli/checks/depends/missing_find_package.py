@@ -15,6 +15,7 @@ from ...ros.names import NameKind
 from ...source import Span
 from ...suggest import near_names
 from .declared_dependencies import DeclaredDependencies
+from .transitive_dependencies import exported_by
 from .types_in_sources import OF_CLIENT_LIBRARIES
 from .undeclared_includes import IncludeDependencies
 
@@ -54,7 +55,7 @@ class MissingFindPackages:
         What certainly comes with a package that is found is left out, but for links with what is not declared either.
         """
         if self.declared.is_checked and self.is_complete:
-            there, known = self.declared.transitive_names_of(self.found)
+            there, known = exported_by(self.found, self.declared.workspace)
             seen = set(self.found | there)
             listed = list(self.listed())
             for each in (*listed, *self.linked(not known), *self.headers(not known)):
@@ -83,7 +84,7 @@ class MissingFindPackages:
         What all users of rclcpp get from it is left out, and what tests include.
         """
         if self.declared.is_checked and self.is_complete:
-            there, _ = self.declared.transitive_names_of(self.found)
+            there, _ = exported_by(self.found, self.declared.workspace)
             for each in self.headers(maybe=True):
                 is_new = each.name in there - self.found - WITH_KIN and not self.is_everywhere(each.name)
                 if is_new and not each.testing and self.is_declared(each):
@@ -147,7 +148,9 @@ class MissingFindPackages:
 
     def listed(self) -> Iterator[MissingFindPackage]:
         """Yield what the interfaces of the package depend on; the generators find only what all of them need."""
-        there, known = self.declared.transitive_names_of(each for each in self.found if not each.startswith("rosidl_"))
+        there, known = exported_by(
+            (each for each in self.found if not each.startswith("rosidl_")), self.declared.workspace
+        )
         for target in self.includes.cmake.interface_targets:
             for word in target.dependencies:
                 is_certain = word.is_known and not (word.maybe or target.call.maybe)

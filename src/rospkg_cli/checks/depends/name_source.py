@@ -64,7 +64,7 @@ def is_left_out(declared: DeclaredDependencies, name: str) -> bool:
     source = source_of(declared, name)
     is_elsewhere = source == "pip" or (source == "unknown" and not declared.workspace.is_complete)
     is_elsewhere = is_elsewhere or (source == "unknown" and is_of_family(declared, name))
-    is_elsewhere = is_elsewhere or (source == "unknown" and declared.hidden.is_built(name))
+    is_elsewhere = is_elsewhere or (source == "unknown" and declared.otherwise.hidden.is_built(name))
     return is_elsewhere or name in declared.commented_out or name in declared.for_other_distributions
 
 
@@ -90,7 +90,7 @@ def is_unmet(declared: DeclaredDependencies, name: str, serving: Iterable[str] =
     would make a circle.
     """
     names = (name, *serving)
-    is_there = is_lacked_by_nobody(declared, names) or declared.is_installed_otherwise(names)
+    is_there = is_lacked_by_nobody(declared, names) or declared.otherwise.is_by_command(names)
     is_there = is_there or is_installed_by_comment(declared.manifest, names)
     return is_there or is_left_out(declared, name) or circle_with(declared, name) is not None
 
@@ -106,7 +106,7 @@ def is_unmet_at_run(declared: DeclaredDependencies, name: str, serving: Iterable
 
 def is_lacked_by_nobody(declared: DeclaredDependencies, names: Collection[str]) -> bool:
     """Return whether only a release lacks what rosdep installs for another package, and nothing shows a release."""
-    is_there = declared.is_lacked_by_releases(names) and is_installable(declared, names)
+    is_there = declared.otherwise.is_lacked_by_releases(names) and is_installable(declared, names)
     return is_there and not declared.release.is_made
 
 

@@ -46,7 +46,7 @@ def split_distributions(declared: DeclaredDependencies, name: str) -> SplitDistr
     supported = [each.name for each in DISTROS]
     if not having or having.issuperset(supported):
         return SplitDistributions()
-    named = declared.distribution.intended.intersection(supported)
+    named = declared.otherwise.distribution.intended.intersection(supported)
     if having.issuperset(named):
         return SplitDistributions()
     lacking = tuple(each for each in supported if each not in having)

@@ -13,8 +13,8 @@ from ...package.workspace import Workspace
 from ...tree import READABLE
 from ..repository.pages_and_scripts import pages_and_scripts
 from .brought_dependencies import brought_by
-from .declared_beside import repository_of
 from .hand_installs import plain
+from .repository_dependencies import repository_of
 
 READ = regex(
     r"(?i)(?:^|/)(?:[^/]*(?:dockerfile|containerfile)[^/]*|[^/]*compose[^/]*\.ya?ml|devcontainer\.json|makefile|justfile"

@@ -108,7 +108,7 @@ class FindPackageDependencies:
 
     def bringer(self, name: str, names: tuple[str, ...]) -> Bringer | None:
         """Return the declared dependency that brings a package of CMake, or may do so, by any of its names."""
-        there = self.declared.brought_to_build
+        there = self.declared.brings.brought_to_build
         brought = (*there.certain, *there.perhaps)
         alike = (*self.matching_names(name, brought), *self.matching_names(name, brought, of_run_time=True))
         return self.declared.bringer((*names, *alike), runs=False)

@@ -9,6 +9,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...ros.implied_dependencies import IN_CMAKE, implied_by
 from .declared_dependencies import DeclaredDependencies
+from .transitive_dependencies import exported_by
 from .undeclared_find_package import OF_COMMANDS
 
 
@@ -33,7 +34,7 @@ class CommandsForTests:
         if not self.declared.is_checked or not self.cmake.is_complete or self.cmake.reads_unknown_files:
             return
         found = {each.name for each in self.cmake.packages}
-        brought, known = self.declared.transitive_names_of(found)
+        brought, known = exported_by(found, self.declared.workspace)
         seen = found | brought | self.cmake.functions | implied_by(found | self.declared.names, IN_CMAKE)
         for call in self.cmake.calls:
             package = OF_COMMANDS.get(call.name, "")

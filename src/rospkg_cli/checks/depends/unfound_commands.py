@@ -14,6 +14,7 @@ from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
 from .missing_find_package import MissingFindPackages
+from .transitive_dependencies import exported_by
 from .undeclared_test_commands import CommandsForTests
 
 TABLE = "command_packages.txt"
@@ -66,7 +67,7 @@ class UnfoundCommands:
     @cached_property
     def brought(self) -> tuple[frozenset[str], bool]:
         """What comes with the packages that are found, and whether that is known of all of them."""
-        return self.missing.declared.transitive_names_of(self.found)
+        return exported_by(self.found, self.missing.declared.workspace)
 
     def providers(self, call: EvaluatedCommand) -> tuple[str, ...]:
         return rows(TABLE).get(call.name) or rows(TABLE, "tests").get(call.name, ())

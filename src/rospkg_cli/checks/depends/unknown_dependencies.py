@@ -100,7 +100,7 @@ class DependencyNames:
         from .own_rosdep_lists import OwnRosdepLists
 
         declared = self.declared
-        if FetchedRepositories(declared.release.files, declared.workspace, declared.hidden).has_cloned(name):
+        if FetchedRepositories(declared.release.files, declared.workspace, declared.otherwise.hidden).has_cloned(name):
             return CLONED
         return OwnRosdepLists(declared).may_have(name) if found.may_be_key else ""
 

@@ -41,7 +41,7 @@ class UnknownLaunchPackages:
     def fetched(self) -> FetchedRepositories:
         from .fetched_repositories import FetchedRepositories  # most packages are known
 
-        return FetchedRepositories(self.files, self.declared.workspace, self.declared.hidden)
+        return FetchedRepositories(self.files, self.declared.workspace, self.declared.otherwise.hidden)
 
     def intended(self, name: str) -> str | None:
         """Return the known package whose name was intended; None where the name may be that of another package.
@@ -51,7 +51,7 @@ class UnknownLaunchPackages:
         """
         if not self.has(name) or self.declared.workspace.is_listed(name):
             return None
-        if self.declared.hidden.folder_of(name) or self.fetched.has_cloned(name):
+        if self.declared.otherwise.hidden.folder_of(name) or self.fetched.has_cloned(name):
             return None
         if self.cmake is not None and name == self.cmake.project_name:
             return self.declared.facts.name

@@ -20,4 +20,4 @@ class BuildTools:
         The build farm installs what is declared to build and to test; a test dependency is not asked here, since it may
         be left out.
         """
-        return self.declared.bringer_among([name], self.declared.brought_with(BUILDS))
+        return self.declared.brings.bringer_among([name], self.declared.brings.brought_with(BUILDS))

@@ -60,7 +60,7 @@ class InterfacePackage:
 
     def declares(self, name: str) -> bool:
         """Return whether package.xml names a package, be it in a way that another rule reports."""
-        return self.manifest.depends_on(name) or self.declared.is_reported_elsewhere(name)
+        return self.manifest.depends_on(name) or self.declared.misnamed.has(name)
 
     @property
     def is_member(self) -> bool:

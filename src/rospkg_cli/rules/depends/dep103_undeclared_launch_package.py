@@ -120,9 +120,8 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
 
 
 def undeclared(launch: LaunchDependencies, tag: str, name: str, uses: list[PackageReference]) -> Hit:
-    declared = launch.declared
     uses = sorted(uses, key=lambda use: (bool(use.only_with), launch.idle.is_idle(use)))
-    first = uses[0]
+    declared, first = launch.declared, uses[0]
     if intended := launch.unknown.intended(name):
         message = f"`{name}` is known nowhere, and this launch file {first.does} it: did you mean `{intended}`?"
         fix = Fix(f"write `{intended}`", (Edit(first.path, first.span, intended),), Safety.UNSAFE)

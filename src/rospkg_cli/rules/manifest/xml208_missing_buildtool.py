@@ -76,7 +76,7 @@ def missing_buildtool(tools: BuildTools) -> Iterator[Hit]:
     if not asked and not package.ends_a_package:
         return
     name = "ament_cmake" if "ament_cmake" in asked or not asked else asked[0]
-    if tools.declared.is_reported_elsewhere(name) or (name in asked and package.requires(name)):
+    if tools.declared.misnamed.has(name) or (name in asked and package.requires(name)):
         return
     for element in manifest.build_types(package.targets):
         if element.text == "ament_cmake":

@@ -1,4 +1,4 @@
-"""What the packages of one repository declare together: whoever builds all of them has it."""
+"""What the other packages of a repository declare: whoever builds the whole repository has it installed."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from ...package.workspace import Workspace
 from .brought_dependencies import brought_by
 
 NO_INSTALL = "doc_depend"
-"""`rosdep install` passes it over."""
+"""`rosdep install` ignores it."""
 
 
 def is_declared_by_others(name: str, own: PackageFacts, here: frozenset[str] | None, workspace: Workspace) -> bool:
-    """Return whether another package of a repository, by its folders, declares a dependency.
+    """Return whether another package of a repository declares a dependency.
 
-    Where the repositories are not known (None), all of the workspace counts as one.
+    `here` are the folders of its packages; None, where repositories are unknown, stands for the whole workspace.
     """
     others = (facts for facts in workspace.needing(name) if facts.folder != own.folder and is_in(here, facts))
     return any(name in needs_of(facts) for facts in others)
@@ -32,7 +32,7 @@ def brought_in(here: frozenset[str] | None, workspace: Workspace) -> Mapping[str
 
 
 class BroughtIn(dict["frozenset[str] | None", Mapping[str, str]]):
-    """What comes with all packages of each repository, by their folders."""
+    """What comes with all packages of a repository, by the folders of these packages."""
 
 
 def is_in(here: frozenset[str] | None, facts: PackageFacts) -> bool:
@@ -40,12 +40,12 @@ def is_in(here: frozenset[str] | None, facts: PackageFacts) -> bool:
 
 
 def needs_of(facts: PackageFacts) -> Iterator[str]:
-    """Yield what rosdep installs for a package whatever the conditions."""
+    """Yield what rosdep installs for a package under any condition."""
     return (need.name for need in facts.dependencies if need.certain and need.tag != NO_INSTALL)
 
 
 def repository_of(folder: str, workspace: Workspace) -> str:
-    """Return what all paths in the repository of a package begin with; "" where the run holds no other one."""
+    """Return the beginning of all paths in the repository of a folder; "" where the run has no other repository."""
     here = next((each for each in workspace.repositories if folder in each), frozenset[str]())
     others = [each for one in workspace.repositories if one is not here for each in one]
     if not here or not others:
@@ -57,5 +57,5 @@ def repository_of(folder: str, workspace: Workspace) -> str:
 
 
 def above_of(folder: str) -> str:
-    """Return what all paths beside a folder begin with."""
+    """Return the beginning of all paths next to a folder: `src/` for `src/my_pkg`."""
     return f"{posixpath.dirname(folder)}/".lstrip("/")
