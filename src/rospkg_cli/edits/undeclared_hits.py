@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from ..checks.depends.brought_dependencies import Bringer
 from ..checks.depends.circles import circle_with
 from ..checks.depends.commented_installs import LEFT, is_installed_by_comment
 from ..checks.depends.declared_dependencies import DeclaredDependencies
-from ..checks.depends.included_packages import IncludedPackage
 from ..checks.depends.name_source import is_of_family, only_distros, source_of
 from ..checks.depends.pip_requirements import FRAMEWORKS
 from ..checks.depends.similar_names import SimilarNames
@@ -20,6 +20,9 @@ from ..finding import Fix, Hit, Related, Safety, Severity
 from ..light_dataclasses import dataclass
 from ..source import Span
 from .manifest import add_dependencies
+
+if TYPE_CHECKING:
+    from ..checks.depends.included_packages import IncludedPackage
 
 MAX_RELATED = 3
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -18,9 +19,11 @@ from .brought_dependencies import (
     Bringer,
 )
 from .dependency_bringers import DependencyBringers
-from .installed_otherwise import InstalledOtherwise
 from .misnamed_dependencies import MisnamedDependencies
 from .transitive_dependencies import with_members
+
+if TYPE_CHECKING:
+    from .installed_otherwise import InstalledOtherwise
 
 COMMENTED_DEPENDENCY = regex(r"(?:<|^\s*)\w*depend\b[^>]*>\s*([\w.-]+)\s*<", re.MULTILINE)
 """A dependency in a comment, be the comment made of the tag's own brackets: `<!-- depend>a</depend -->`."""
@@ -56,6 +59,8 @@ class DeclaredDependencies:
 
     @cached_property
     def otherwise(self) -> InstalledOtherwise:
+        from .installed_otherwise import InstalledOtherwise  # most packages declare what they use
+
         return InstalledOtherwise(self.facts, self.workspace, self.release)
 
     def has(self, names: Iterable[str]) -> bool:

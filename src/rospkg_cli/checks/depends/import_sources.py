@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
 from ...package.python.python_imports import PackageImports
@@ -25,6 +23,7 @@ class ImportSources:
     declared: DeclaredDependencies
     python: PackageImports
     files: PackageFiles
+    pip: PipInstalls
     pythons: OtherPythons | None
 
     def why_pip(self, missing: UndeclaredImport) -> str:
@@ -50,10 +49,6 @@ class ImportSources:
         key, bare = missing.name, missing.name.removeprefix("python3-")
         names = (key, bare, f"py{bare}", *distributions_of(key))
         return OptionalParts(self.files).why(names, dict.fromkeys(each.path for each in missing.places))
-
-    @cached_property
-    def pip(self) -> PipInstalls:
-        return PipInstalls(self.files)
 
     def is_by_hand(self, missing: UndeclaredImport) -> bool:
         """Return whether a page of the repository tells people to install a library by hand."""

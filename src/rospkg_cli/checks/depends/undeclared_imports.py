@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
@@ -16,11 +17,14 @@ from ..reached_places import ReachedPlaces
 from ..unstarted_programs import UnstartedPrograms
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers, undeclared_provider
-from .import_reach import ImportReach
-from .import_sources import ImportSources
 from .import_use import ImportUse, UndeclaredImport
 from .other_pythons import OtherPythons
+from .pip_installs import PipInstalls
 from .ros1_import_ends import Ros1ImportEnds
+
+if TYPE_CHECKING:
+    from .import_reach import ImportReach
+    from .import_sources import ImportSources
 
 BUILDERS = frozenset({"setuptools", "distutils", "pkg_resources", "wheel", "catkin_pkg"})
 """What runs setup.py, or colcon needs itself."""
@@ -40,15 +44,23 @@ class ImportDependencies:
     pythons: OtherPythons | None = None
 
     @cached_property
+    def pip(self) -> PipInstalls:
+        return PipInstalls(self.files)
+
+    @cached_property
     def sources(self) -> ImportSources:
-        return ImportSources(self.declared, self.python, self.files, self.pythons)
+        from .import_sources import ImportSources  # most packages declare what they import
+
+        return ImportSources(self.declared, self.python, self.files, self.pip, self.pythons)
 
     @cached_property
     def ends(self) -> Ros1ImportEnds:
-        return Ros1ImportEnds(self.declared, self.python, self.sources.pip)
+        return Ros1ImportEnds(self.declared, self.python, self.pip)
 
     @cached_property
     def reach(self) -> ImportReach:
+        from .import_reach import ImportReach
+
         return ImportReach(
             self.declared, self.python, self.ends, self.reached, self.places, self.programs, self.pythons
         )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from ...files import PackageFiles
 from ...languages.cpp.file import CppFile
@@ -12,17 +13,18 @@ from ...package.cmake.cmake_project import CMake
 from ...package.install_table import InstallTable
 from ...package.interfaces.interface_file import InterfaceFile
 from ...ros.implied_dependencies import IN_SOURCES, implied_by
-from .brought_by_cmake import BroughtByCMake
 from .brought_dependencies import Bringer, brought_by
 from .declared_dependencies import DeclaredDependencies
-from .header_providers import HeaderProviders
-from .included_packages import IncludedPackage, IncludedPackages
-from .including_files import IncludingFiles
-from .libraries_by_hand import LibrariesByHand
 from .ros1_headers import Ros1Headers
 from .ros1_sources import Ros1Sources
-from .types_in_sources import packages_of_types
 from .undeclared_find_package import FindPackageDependencies
+
+if TYPE_CHECKING:
+    from .brought_by_cmake import BroughtByCMake
+    from .header_providers import HeaderProviders
+    from .included_packages import IncludedPackage, IncludedPackages
+    from .including_files import IncludingFiles
+    from .libraries_by_hand import LibrariesByHand
 
 
 @dataclass(frozen=True)
@@ -47,22 +49,32 @@ class IncludeDependencies:
 
     @cached_property
     def providers(self) -> HeaderProviders:
+        from .header_providers import HeaderProviders
+
         return HeaderProviders(self.declared, self.files, self.cmake, self.find_packages)
 
     @cached_property
     def included(self) -> IncludedPackages:
+        from .included_packages import IncludedPackages
+
         return IncludedPackages(self.providers, self.ros1.headers, self.cmake, self.sources)
 
     @cached_property
     def including(self) -> IncludingFiles:
+        from .including_files import IncludingFiles
+
         return IncludingFiles(self.declared, self.files, self.cmake, self.sources, self.table)
 
     @cached_property
     def required(self) -> BroughtByCMake:
+        from .brought_by_cmake import BroughtByCMake  # most packages declare what they include
+
         return BroughtByCMake(self.cmake, self.find_packages, self.declared.workspace)
 
     @cached_property
     def by_hand(self) -> LibrariesByHand:
+        from .libraries_by_hand import LibrariesByHand  # most packages declare what they include
+
         return LibrariesByHand(self.files, self.cmake, self.declared.workspace.index)
 
     def brought(self) -> Iterator[tuple[IncludedPackage, Bringer]]:
@@ -104,6 +116,8 @@ class IncludeDependencies:
 
     def lacking(self) -> Iterator[IncludedPackage]:
         """Yield the packages whose headers or types are used and that are not declared."""
+        from .types_in_sources import packages_of_types
+
         there = implied_by(self.declared.names, IN_SOURCES)
         reported = {missing.found.name for missing in self.find_packages.missing()}
         named = {name for missing in self.find_packages.missing() for name in missing.names}

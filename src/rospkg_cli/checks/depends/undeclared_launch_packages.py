@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
@@ -16,12 +16,14 @@ from ...unreadable import READABLE
 from ..launch.package_references import PackageReference
 from ..left_files import LeftFiles
 from .declared_dependencies import DeclaredDependencies
-from .idle_launch_uses import IdleLaunchUses
 from .launch_file_needs import LaunchFileNeeds
-from .left_out_packages import LeftOutPackages
 from .there_to_launch import there_to_launch
 from .undeclared_imports import ImportDependencies
-from .unknown_launch_packages import UnknownLaunchPackages
+
+if TYPE_CHECKING:
+    from .idle_launch_uses import IdleLaunchUses
+    from .left_out_packages import LeftOutPackages
+    from .unknown_launch_packages import UnknownLaunchPackages
 
 
 @dataclass(frozen=True)
@@ -42,14 +44,20 @@ class LaunchDependencies:
 
     @cached_property
     def idle(self) -> IdleLaunchUses:
+        from .idle_launch_uses import IdleLaunchUses  # most packages declare what they launch
+
         return IdleLaunchUses(self.launch_files, self.python, self.left)
 
     @cached_property
     def unknown(self) -> UnknownLaunchPackages:
+        from .unknown_launch_packages import UnknownLaunchPackages
+
         return UnknownLaunchPackages(self.declared, self.files, self.launch_files, self.cmake)
 
     @cached_property
     def left_out(self) -> LeftOutPackages:
+        from .left_out_packages import LeftOutPackages
+
         return LeftOutPackages(self.declared, self.files)
 
     def is_written(self, use: PackageReference) -> bool:
