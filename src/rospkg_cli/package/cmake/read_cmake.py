@@ -24,10 +24,11 @@ def read_cmake(reading: ReaderInput) -> Iterator[CMake | Unreadable]:
     if not is_built_with_cmake(reading):
         return
     # Two dozen modules that other packages need not import
-    from ...languages.cmake.commands import COMMANDS, run_unknown_command
+    from ...languages.cmake.commands import COMMANDS
     from ...languages.cmake.control_flow import BLOCKS
     from ...languages.cmake.functions import call_function
     from ...languages.cmake.interpreter import Interpreter
+    from ...languages.cmake.output_variables import run_unknown_command
 
     interpreter = Interpreter(
         reading.files,
