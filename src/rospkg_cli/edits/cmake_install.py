@@ -10,7 +10,7 @@ from ..languages.cmake.file import CMakeFile
 from ..languages.cmake.syntax import CommandInvocation
 from ..languages.cmake.targets import Target
 from ..package.cmake.cmake_project import CMake
-from ..package.cmake.install_rules import InstallRule
+from ..package.cmake.install_rule import InstallRule
 from ..source import Span
 from .cmake_commands import add_after, add_argument, add_at_end, add_block_before, quoted_like
 

@@ -8,7 +8,7 @@ from typing import Literal
 
 from ...light_dataclasses import dataclass
 from ...package.cmake.copied_files import CopiedFile
-from ...package.cmake.install_rules import InstallRule
+from ...package.cmake.install_rule import InstallRule
 from .installed_scripts import InstalledScripts
 from .left_out_nodes import USES_ROS, is_node
 from .module_imports import dotted_imports, is_only_imported

@@ -9,7 +9,7 @@ from ...languages.cmake.values import UNKNOWN, Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import CopiedFile, copied_files
-from ...package.cmake.install_rules import InstallRule
+from ...package.cmake.install_rule import InstallRule
 from .misplaced_files import MisplacedFiles
 
 

@@ -9,7 +9,7 @@ from ...languages.cmake.targets import Target
 from ...languages.cmake.values import UNKNOWN, Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from ...package.cmake.install_rules import InstallRule
+from ...package.cmake.install_rule import InstallRule
 from ...package.cmake.uninstalled_targets import UninstalledTargets
 
 
@@ -19,7 +19,7 @@ class DoubledName:
     """The second place of the name."""
     first: Word
     target: Target
-    """The library whose name is meant there."""
+    """The library whose name is intended there."""
 
 
 @dataclass(frozen=True)
@@ -45,9 +45,9 @@ class DoubledNames:
             first = firsts.setdefault(word.text, word)
             if first is word or word.maybe or first.maybe or (first.path, first.span) == (word.path, word.span):
                 continue
-            meant = [target for target in self.left_out if self.is_between(target, first, word)]
-            if len(meant) == 1 and meant[0].word.span.start < word.span.start:
-                yield DoubledName(word, first, meant[0])
+            near = [target for target in self.left_out if self.is_between(target, first, word)]
+            if len(near) == 1 and near[0].word.span.start < word.span.start:
+                yield DoubledName(word, first, near[0])
 
     @cached_property
     def left_out(self) -> list[Target]:
@@ -62,7 +62,7 @@ class DoubledNames:
         return found
 
     def is_between(self, target: Target, first: Word, second: Word) -> bool:
-        """Return whether a library is made behind the first place of a name, or beside its target."""
+        """Return whether a library is made after the first place of a name, or right after the target of that name."""
         made = target.word
         if not made.path == first.path == second.path or UNKNOWN in made.text:
             return False

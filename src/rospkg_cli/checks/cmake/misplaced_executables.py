@@ -13,7 +13,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_install_table import CMakeTableBuilder
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.copied_files import CopiedFile, copied_files
-from ...package.cmake.install_rules import InstallRule
+from ...package.cmake.install_rule import InstallRule
 from ...package.file_role import role_of
 from ...ros.share_layout import LAUNCH
 from ..repository.path_starts import is_started_by_path_alone, texts_of

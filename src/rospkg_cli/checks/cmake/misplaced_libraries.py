@@ -11,7 +11,9 @@ from ...languages.cmake.values import Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.artifacts import Artifacts
 from ...package.cmake.cmake_project import CMake
-from ...package.cmake.uninstalled_targets import TargetUse, UninstalledTargets
+from ...package.cmake.library_uses import LibraryUses
+from ...package.cmake.target_links import TargetLinks
+from ...package.cmake.uninstalled_target import TargetUse
 
 LOADER = "LD_LIBRARY_PATH"
 HOOKS = (".dsv", ".dsv.in", ".sh", ".sh.in", ".bash", ".bash.in", "launch.py")
@@ -46,17 +48,17 @@ class MisplacedLibraries:
 
     def all(self) -> Iterator[MisplacedLibrary]:
         """Yield the libraries of which every rule is known and none installs them into lib/; an RPATH may find them."""
-        needs = UninstalledTargets(self.cmake)
+        uses = LibraryUses(self.cmake, TargetLinks(self.cmake))
         for target in self.cmake.targets if not self.has_rpath else ():
             places = self.places.get(target.name, [])
-            is_shared = not target.call.maybe and needs.links.shared(target)
-            if is_shared and places and all(map(is_wrong, places)) and (user := needs.loaded_by(target)) is not None:
+            is_shared = not target.call.maybe and uses.links.shared(target)
+            if is_shared and places and all(map(is_wrong, places)) and (user := uses.loaded_by(target)) is not None:
                 word, place = places[0]
                 yield MisplacedLibrary(word, place or "", user)
 
     @cached_property
     def places(self) -> dict[str, list[tuple[Word, str | None]]]:
-        """Library → where its rules install it; None where that is unknown or hangs on a condition."""
+        """Library → where its rules install it; None where that is unknown or depends on a condition."""
         found: dict[str, list[tuple[Word, str | None]]] = {}
         artifacts = Artifacts(self.cmake)
         for rule in self.cmake.installs:
@@ -69,11 +71,11 @@ class MisplacedLibraries:
 
     @cached_property
     def has_rpath(self) -> bool:
-        """Whether a command or an environment hook tells programs where to look for libraries, or may."""
+        """Whether a command or an environment hook sets where programs look for libraries, or may."""
         files = self.cmake.package_files
         hooks = (path for path in files.paths if path.endswith(HOOKS))
-        is_told = any("RPATH" in text for each in self.cmake.calls for text in each.texts)
-        return self.cmake.reads_unknown_files or is_told or any(LOADER in files.readable_text(path) for path in hooks)
+        is_set = any("RPATH" in text for each in self.cmake.calls for text in each.texts)
+        return self.cmake.reads_unknown_files or is_set or any(LOADER in files.readable_text(path) for path in hooks)
 
 
 def is_wrong(place: tuple[Word, str | None]) -> bool:

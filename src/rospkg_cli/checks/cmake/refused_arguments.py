@@ -9,7 +9,7 @@ from ...languages.cmake.values import UNKNOWN, Word
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from ...package.cmake.install_rules import ARTIFACTS
+from ...package.cmake.install_keywords import ARTIFACTS
 from .linker_runs import runs_linker
 from .stray_arguments import OF_ALL, late_options, stray_argument
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.targets import LIBRARY_TYPES
 from ...languages.cmake.values import UNKNOWN, Word
-from ...package.cmake.install_rules import ARTIFACTS, OPTIONS, TAKE_A_VALUE, meant_keywords
+from ...package.cmake.install_keywords import ARTIFACTS, OPTIONS, TAKE_A_VALUE, intended_keywords
 
 FORMS = frozenset({"TARGETS", "FILES", "PROGRAMS"})
 """Whose own keyword may stand again, before more of them; another `DIRECTORY` is told with the foreign keywords."""
@@ -49,7 +49,7 @@ def stray_argument(call: EvaluatedCommand) -> tuple[Word, str] | None:
 
 def stray_words(call: EvaluatedCommand, form: str) -> Iterator[tuple[Word, str]]:
     keyword, room, part = form, -1, ""
-    for word, meant in meant_keywords(call):
+    for word, meant in intended_keywords(call):
         text = meant or word.text
         is_part = form == "TARGETS" and text in ARTIFACTS
         if is_part or text == form or text in OPTIONS:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.uninstalled_targets import UninstalledTarget
+from ...package.cmake.uninstalled_target import UninstalledTarget
 from .doubled_names import DoubledName
 
 USERS = {

@@ -12,7 +12,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.copied_files import copied_files, folder_copies
-from ...package.cmake.install_rules import InstallRule
+from ...package.cmake.install_rule import InstallRule
 from ...package.cmake.installed_headers import HEADERS
 from ...package.workspace import Workspace
 from ...ros.share_layout import LAUNCH

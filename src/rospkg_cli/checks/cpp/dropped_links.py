@@ -10,8 +10,9 @@ from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
+from ...package.cmake.library_uses import LibraryUses
 from ...package.cmake.target_links import TargetLinks
-from ...package.cmake.uninstalled_targets import UninstalledTarget, UninstalledTargets
+from ...package.cmake.uninstalled_target import UninstalledTarget
 from ...package.workspace import Workspace
 from ..cmake.consumers import Consumers
 from ..cmake.misplaced_libraries import MisplacedLibraries, MisplacedLibrary, is_wrong
@@ -34,7 +35,7 @@ class DroppedLinks:
     consumers: Consumers
 
     def why_unmet(self, found: UninstalledTarget) -> str:
-        """Return why nobody is shown to meet that a target is not installed, as a whole sentence; "" where one is."""
+        """Return why nothing is known to miss a target that is not installed, as a whole sentence; "" where it is."""
         needed, old = found.needed_by, self.ros1.stopping(found.target.name)
         if found.stops:
             return ""
@@ -47,8 +48,9 @@ class DroppedLinks:
         return "" if is_met or not is_promised else "; no package here looks for this one"
 
     def is_linked(self, found: UninstalledTarget) -> bool:
-        """Return whether an installed target surely needs a library, beside those for whom it is exported."""
-        user = UninstalledTargets(self.package.cmake).loaded_by(found.target)
+        """Return whether an installed target of the package surely needs a library, not only users of its exports."""
+        cmake = self.package.cmake
+        user = LibraryUses(cmake, TargetLinks(cmake)).loaded_by(found.target)
         return user is not None and (user.user == "component" or not self.is_idle(found.target.name))
 
     @cached_property

@@ -11,7 +11,7 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from ...package.cmake.components import InterfaceTarget
+from ...package.cmake.interface_targets import InterfaceTarget
 from ...package.cmake.made_paths import MadePaths
 from ...package.file_role import is_set_aside
 from ...package.interfaces.interface_file import FieldType, InterfaceFile

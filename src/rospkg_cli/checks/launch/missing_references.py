@@ -11,6 +11,7 @@ from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
+from ...package.cmake.named_files import mentions_file
 from ...package.file_role import role_of
 from ...package.install_table import InstallTable
 from ...package.launch.file_references import OPEN, FileReference, ReferenceKind
@@ -87,7 +88,7 @@ class LaunchContext:
         """Whether it is a test that CMake, which is all known, does not run."""
         test = role_of(self.file.path) == "test"
         is_known = self.cmake is not None and self.cmake.is_complete
-        return test and is_known and self.cmake is not None and not self.cmake.mentions_file(self.file.path)
+        return test and is_known and self.cmake is not None and not mentions_file(self.cmake, self.file.path)
 
     def is_made_here(self, missing: MissingReference) -> bool:
         """Return whether the launch file writes it: a robot by xacro's `open_output`, an output of a command."""

@@ -7,7 +7,8 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.cmake.cmake_project import PACKAGE_ENDS, CMake
+from ...package.cmake.cmake_project import CMake
+from ...package.cmake.project_name import PACKAGE_ENDS
 from ...package.file_role import is_set_aside
 from ...package.install_table import InstallTable
 from ...package.launch.live_text import live_text

@@ -8,7 +8,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values
 from ...languages.cmake.values import Word
 from ..install_table import PYTHON
-from .install_rules import PACKAGE_KEYWORDS, InstallRule, Pattern, below_prefix, files_rule, rules_of_install
+from .install_destinations import below_prefix
+from .install_keywords import PACKAGE_KEYWORDS
+from .install_rule import InstallRule, Pattern
+from .install_rules import files_rule, rules_of_install
 
 FLAGS_OF_AUTO = ("INSTALL_TO_PATH", "USE_SCOPED_HEADER_INSTALL_DIR")
 """What is no folder wherever it stands among the arguments of `ament_auto_package`; the second since Humble 1.3.12."""

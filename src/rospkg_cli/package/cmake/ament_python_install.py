@@ -15,7 +15,8 @@ from ..install_table import InstalledFile, UnknownPart
 from ..setup.entry_points import EntryPoint, parse_entry_point
 from ..setup.setup_cfg import parse_setup_cfg
 from ..setup.setup_cfg_arguments import items_of
-from .install_rules import PACKAGE_KEYWORDS, below_prefix
+from .install_destinations import below_prefix
+from .install_keywords import PACKAGE_KEYWORDS
 
 REFUSED = frozenset({"no-equals", "joined", "unreadable"})
 """What no version of setuptools reads as an entry point; a file's name, or a module alone, is one in form."""

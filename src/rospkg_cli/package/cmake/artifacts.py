@@ -8,7 +8,8 @@ from ...languages.cmake.targets import Target
 from ...languages.cmake.values import UNKNOWN
 from ...light_dataclasses import dataclass
 from .cmake_project import CMake
-from .install_rules import InstallRule
+from .install_rule import InstallRule
+from .target_properties import SETTERS, properties
 
 PYTHON_MODULES = frozenset({"pybind11_add_module", "nanobind_add_module", "python3_add_library", "python_add_library"})
 """Commands whose libraries Python imports: no `lib` prefix, and a suffix that depends on the Python version."""
@@ -46,4 +47,5 @@ class Artifacts:
         return self.known("SUFFIX")
 
     def known(self, name: str) -> dict[str, str]:
-        return {target: value for target, value in self.cmake.properties(name) if UNKNOWN not in value}
+        calls = self.cmake.named(*SETTERS)
+        return {target: value for target, value in properties(calls, name) if UNKNOWN not in value}

@@ -5,8 +5,9 @@ from __future__ import annotations
 from ...files import ReaderInput
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from .build import is_built_with_cmake
-from .cmake_project import PACKAGE_ENDS, CMake
+from .cmake_project import CMake
 from .foreign_commands import foreign_commands, may_make_targets
+from .project_name import PACKAGE_ENDS
 
 SEARCHES = ("ament_auto_find_build_dependencies", "autoware_package")
 """Commands that look for all that package.xml declares."""

@@ -2,28 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from fnmatch import fnmatchcase
 from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.file import ROOT, CMakeFile
 from ...languages.cmake.syntax import CommandInvocation
-from ...languages.cmake.targets import MAKERS, Target, targets_by_name, targets_of
-from ...languages.cmake.values import UNKNOWN, Word
-from ...lazy_regex import regex
+from ...languages.cmake.targets import Target, targets_by_name, targets_of
+from ...languages.cmake.values import Word
 from ...light_dataclasses import dataclass, field
 from .ament_installs import install_rules
-from .components import Component, InterfaceTarget, components_of, interface_targets_of
+from .components import Component, components_of
 from .find_package import FoundPackage, found_packages
-from .install_rules import InstallRule
-
-PACKAGE_ENDS = ("ament_package", "ament_auto_package")
-"""How the commands are called that end a package."""
-
-TESTS = regex(r"(?:ament_)?add_\w*(?:test|gmock)\w*|rosidl_generate_interfaces")
-"""Commands that make a test, and what tests use."""
+from .install_rule import InstallRule
+from .interface_targets import InterfaceTarget, generated_files, interface_targets_of
+from .project_name import are_only_tests, ends_a_package, last_project
+from .target_properties import SETTERS, output_names, properties
 
 
 @dataclass(frozen=True)
@@ -98,20 +92,6 @@ class CMake:
             return self._by_name[there[0]] if there else []
         return [call for call in self.calls if call.name in there]
 
-    def mentions_file(self, path: str) -> bool:
-        """Return whether a command names a file, with or without its suffixes, or a launch test may do so."""
-        name = path.rpartition("/")[2]
-        wanted = (name, name.partition(".")[0], name.rpartition(".")[0])
-        for call in self.calls:
-            if call.may_have_more and any(each in call.name for each in ("launch", "ros_test", "pytest")):
-                return True
-            for last in (text.rpartition("/")[2] for text in call.texts):
-                if last in wanted or (
-                    UNKNOWN in last and last.strip(UNKNOWN) and fnmatchcase(name, last.replace(UNKNOWN, "*"))
-                ):
-                    return True
-        return False
-
     @cached_property
     def projects(self) -> tuple[EvaluatedCommand, ...]:
         """The calls of project() in CMakeLists.txt itself."""
@@ -119,12 +99,8 @@ class CMake:
 
     @cached_property
     def project(self) -> Word | None:
-        """The name that ament_package() goes by: that of the last project() before it."""
-        ends = [at for at, call in enumerate(self.calls) if call.name.endswith(PACKAGE_ENDS)]
-        before = self.calls[: ends[-1]] if ends else ()
-        last = next((c for c in reversed(before) if c.name == "project" and c.path == ROOT and c.words), None)
-        call = last or next(iter(self.projects), None)
-        return call.words[0] if call is not None else None
+        """The name that ament_package() uses."""
+        return last_project(self.calls)
 
     @property
     def project_name(self) -> str:
@@ -134,8 +110,7 @@ class CMake:
 
     @property
     def ends_a_package(self) -> bool:
-        """Whether `ament_package` is called, by whatever name."""
-        return any(call.name.endswith(PACKAGE_ENDS) for call in self.calls)
+        return ends_a_package(self.calls)
 
     @cached_property
     def exports(self) -> tuple[EvaluatedCommand, ...]:
@@ -145,10 +120,8 @@ class CMake:
 
     @cached_property
     def only_tests(self) -> bool:
-        """Whether all that is built, installed or exported is for tests, of which linters alone are none."""
-        done = [call for call in self.calls if call.name == "install" or call.name in MAKERS or "export" in call.name]
-        made = [call for call in self.calls if call.testing and (call.name in MAKERS or TESTS.fullmatch(call.name))]
-        return bool(made) and all(call.testing for call in done)
+        """Whether all that is built, installed or exported is for tests."""
+        return are_only_tests(self.calls)
 
     @cached_property
     def targets(self) -> tuple[Target, ...]:
@@ -176,12 +149,7 @@ class CMake:
     @cached_property
     def generated_interfaces(self) -> dict[str, bool]:
         """The interface files of the package that are generated, by path: whether that is certain."""
-        found: dict[str, bool] = {}
-        for target in self.interface_targets:
-            for word in target.files:
-                if (path := target.path_of(word)) is not None:
-                    found[path] = found.get(path, False) or not (word.maybe or target.call.maybe)
-        return found
+        return generated_files(self.interface_targets)
 
     @cached_property
     def knows_interfaces(self) -> bool:
@@ -196,26 +164,10 @@ class CMake:
 
     @cached_property
     def output_names(self) -> dict[str, str]:
-        """Targets whose file has another name: target to name; that of its kind of artifact goes before."""
-        found = dict(self.properties("OUTPUT_NAME"))
-        for kind in ("RUNTIME", "ARCHIVE", "LIBRARY"):
-            for target, new in self.properties(f"{kind}_OUTPUT_NAME"):
-                if (known := self.target(target)) is not None and known.artifact == kind:
-                    found[target] = new
-        return found
+        """Targets whose file has another name: target to name."""
+        return output_names(self.named(*SETTERS), self._targets_by_name)
 
     @cached_property
     def export_names(self) -> dict[str, str]:
         """Targets that are exported under another name: target to name."""
-        return dict(self.properties("EXPORT_NAME"))
-
-    def properties(self, name: str) -> Iterator[tuple[str, str]]:
-        """Yield target and value for each place where a property of that name is set; the last one counts."""
-        for call in self.named("set_target_properties", "set_property"):
-            texts = call.texts
-            start = "PROPERTIES" if call.name == "set_target_properties" else "PROPERTY"
-            at = texts.index(start) if start in texts else len(texts)
-            pairs = texts[at + 1 :] if start == "PROPERTIES" else texts[at + 1 : at + 3]
-            targets = [text for text in texts[:at] if text not in ("TARGET", "APPEND", "APPEND_STRING")]
-            for key, value in zip(pairs[::2], pairs[1::2], strict=False):
-                yield from ((target, value) for target in targets if key == name)
+        return dict(properties(self.named(*SETTERS), "EXPORT_NAME"))

@@ -10,7 +10,7 @@ from ...languages.cmake.evaluated_command import path_in_package
 from ...languages.cmake.regex import glob_pattern, search
 from ...languages.cmake.values import SOURCE, Word
 from ...light_dataclasses import dataclass
-from .install_rules import InstallRule, Pattern
+from .install_rule import InstallRule, Pattern
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 
 from ...languages.cmake.syntax import CommandArgument
-from .install_rules import ARTIFACTS, OPTIONS, InstallRule
+from .install_keywords import ARTIFACTS, OPTIONS
+from .install_rule import InstallRule
 
 KEYWORD = "DESTINATION"
 OTHERS = frozenset({*OPTIONS, *ARTIFACTS})

@@ -1,132 +1,26 @@
-"""Install rules: what `install` and the commands of ament install where, one rule for each."""
+"""Rules of `install(…)` in all its forms: TARGETS, FILES, PROGRAMS, DIRECTORY, CODE."""
 
 from __future__ import annotations
 
-import posixpath
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import pairwise, takewhile
+from collections.abc import Iterator, Sequence
+from itertools import takewhile
 from typing import Literal
 
-from ...languages.cmake.call_stack import PYTHON
 from ...languages.cmake.evaluated_command import EvaluatedCommand, by_keyword
-from ...languages.cmake.values import PREFIX, UNKNOWN, Word
-from ...lazy_regex import regex
-from ...light_dataclasses import dataclass, replace
-from ...suggest import near_names
-
-Kind = Literal["TARGETS", "FILES", "PROGRAMS", "DIRECTORY", "CODE", "EXPORT"]
-
-ARTIFACTS = ("ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS", "FRAMEWORK", "BUNDLE", "PRIVATE_HEADER", "PUBLIC_HEADER",
-             "RESOURCE", "INCLUDES")  # fmt: skip
-OPTIONS = ("EXPORT", "DESTINATION", "TYPE", "PERMISSIONS", "FILE_PERMISSIONS", "DIRECTORY_PERMISSIONS",
-           "USE_SOURCE_PERMISSIONS", "CONFIGURATIONS", "COMPONENT", "NAMELINK_COMPONENT", "OPTIONAL",
-           "EXCLUDE_FROM_ALL", "NAMELINK_ONLY", "NAMELINK_SKIP", "RENAME", "MESSAGE_NEVER", "FILES_MATCHING",
-           "PATTERN", "REGEX", "FILE_SET", "CXX_MODULES_BMI", "RUNTIME_DEPENDENCIES",
-           "RUNTIME_DEPENDENCY_SET")  # fmt: skip
-TAKE_A_VALUE = frozenset(("EXPORT", "DESTINATION", "TYPE", "COMPONENT", "NAMELINK_COMPONENT", "RENAME", "PATTERN",
-                          "REGEX", "FILE_SET", "RUNTIME_DEPENDENCY_SET", "NAMESPACE", "FILE"))  # fmt: skip
-FORMS = ("TARGETS", "FILES", "PROGRAMS", "DIRECTORY", "CODE", "SCRIPT", "EXPORT", "IMPORTED_RUNTIME_ARTIFACTS",
-         "RUNTIME_DEPENDENCY_SET", "EXPORT_ANDROID_MK", "PACKAGE_INFO", "SBOM")  # fmt: skip
-"""The first word, which says what is installed: CMake stops at any other one, up to 4.2."""
-SHORTEST, SHORT = 6, 9
-"""Letters of a keyword that can be told from a name in capitals, and from which two may be wrong."""
-
-TYPES = {"BIN": "bin", "SBIN": "sbin", "LIB": "lib", "INCLUDE": "include", "SYSCONF": "etc", "DATA": "share"}
-"""Where `TYPE` puts files, by GNUInstallDirs."""
-
-SITE = regex(r"\Alib/python3(?:\.\d+)?/(?:site|dist)-packages(?=/|\Z)")
-"""Where modules go, with the version of Python written out: they are found on distributions with that Python alone."""
-
-PACKAGE_KEYWORDS = ("VERSION", "PACKAGE_DIR", "SETUP_CFG", "DESTINATION", "SCRIPTS_DESTINATION")
-"""Of ament_python_install_package: each takes one value."""
-
+from ...languages.cmake.values import UNKNOWN, Word
+from ...light_dataclasses import replace
+from .install_destinations import below_prefix, destination_of
+from .install_keywords import ARTIFACTS, OPTIONS, form_of, intended_keywords
+from .install_rule import InstallRule, Pattern
 
 PERSONS = ("OWNER_", "GROUP_", "WORLD_")
-"""How permissions begin."""
-
-
-@dataclass(frozen=True, slots=True)
-class Pattern:
-    """`PATTERN "*.hpp"` or `REGEX …` of install(DIRECTORY)."""
-
-    text: str
-    is_regex: bool
-    is_exclude: bool = False
-    permissions: frozenset[str] = frozenset()
-    """What the files that it fits get."""
-
-
-@dataclass(frozen=True)
-class InstallRule:
-    kind: Kind
-    items: tuple[Word, ...]
-    destination: str | None
-    """Relative to the prefix, absolute where it is written so; None where it is unknown."""
-    call: EvaluatedCommand
-    destination_word: Word | None = None
-    destinations: Mapping[str, str | None] | None = None
-    """Of targets: the destination of each kind of artifact."""
-    rename: Word | None = None
-    patterns: tuple[Pattern, ...] = ()
-    matching: bool = False
-    """Only files that fit a pattern are installed."""
-    permissions: frozenset[str] = frozenset()
-    """`USE_SOURCE_PERMISSIONS`, or what PERMISSIONS and FILE_PERMISSIONS name."""
-    export: Word | None = None
-    optional: bool = False
-
-
-def plain_root(text: str) -> str:
-    """Return a path with one slash at its root: `/${CMAKE_INSTALL_PREFIX}` names the prefix."""
-    return "/" + text.lstrip("/") if text.startswith("//") else text
-
-
-def below_prefix(text: str) -> str | None:
-    """Return a destination relative to the prefix; None where it is unknown."""
-    text = plain_root(text)
-    if text.startswith(PREFIX):
-        text = text[len(PREFIX) :].lstrip("/") or "."
-    if UNKNOWN in text or "\1" in text or "$<" in text:
-        return None
-    return SITE.sub(PYTHON, posixpath.normpath(text)) if text else "."
-
-
-def meant_form(call: EvaluatedCommand) -> str | None:
-    """Return the form that the first word is a letter or two off, or writes in small letters; None for all others."""
-    first = call.words[0] if call.words else None
-    if first is None or not first.is_known or first.text in FORMS:
-        return None
-    form = first.text.upper()
-    return form if form in FORMS else next(iter(near_names(form, FORMS, 2)), None)
-
-
-def meant_keywords(call: EvaluatedCommand) -> Iterator[tuple[Word, str | None]]:
-    """Yield the words after `install(form`, each with the keyword that it is a letter or two off; None for all others.
-
-    The rule is read as it is meant: what is wrong is told at the word. A value, as in `DESTINATION INCLUDE`, is none.
-    """
-    kind = form_of(call)
-    keywords = (*OPTIONS, *(ARTIFACTS if kind == "TARGETS" else ()))
-    before = kind
-    for word in call.words[1:]:
-        yield word, None if word.quoted or before in TAKE_A_VALUE else meant_keyword(word.text, keywords)
-        before = word.text
-
-
-def form_of(call: EvaluatedCommand) -> str:
-    return meant_form(call) or (call.texts[0] if call.words else "")
-
-
-def meant_keyword(text: str, keywords: Sequence[str]) -> str | None:
-    if len(text) < SHORTEST or not text.replace("_", "").isupper() or text in keywords:
-        return None
-    return next(iter(near_names(text, keywords, 1 if len(text) < SHORT else 2)), None)
+"""The first words of permissions."""
 
 
 def rules_of_install(call: EvaluatedCommand) -> Iterator[InstallRule]:
-    """`install(…)` in all its forms."""
+    """Yield the rule of one call of `install(…)`."""
     kind = form_of(call)
-    words = [replace(word, text=meant) if meant else word for word, meant in meant_keywords(call)]
+    words = [replace(word, text=keyword) if keyword else word for word, keyword in intended_keywords(call)]
     if kind == "TARGETS":
         yield targets_rule(call, words)
     elif kind in ("FILES", "PROGRAMS"):
@@ -190,15 +84,8 @@ def directory_rule(call: EvaluatedCommand, words: Sequence[Word]) -> InstallRule
     )  # fmt: skip
 
 
-def destination_of(words: Sequence[Word]) -> tuple[str | None, Word | None]:
-    """Return the last one that is given, which counts, and its word."""
-    given = {before.text: word for before, word in pairwise(words) if word.text not in OPTIONS}
-    if word := given.get("DESTINATION"):
-        return below_prefix(word.text), word
-    return (TYPES.get(given["TYPE"].text) if "TYPE" in given else None), None
-
-
 def patterns_in(words: Sequence[Word]) -> Iterator[Pattern]:
+    """Yield `PATTERN …` and `REGEX …` of install(DIRECTORY)."""
     for at, word in enumerate(words[:-1]):
         if word.text in ("PATTERN", "REGEX"):
             exclude = at + 2 < len(words) and words[at + 2].text == "EXCLUDE"

@@ -9,7 +9,7 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_val
 from ...languages.cmake.values import Word
 from ..install_table import PYTHON
 from .cmake_project import CMake
-from .install_rules import below_prefix
+from .install_destinations import below_prefix
 
 MacroInstall = tuple[str, str, Word, EvaluatedCommand]
 """Destination, the file that it is a copy of ("" for none), the argument that says so, and its call."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...languages.cmake.values import Word
 from ...light_dataclasses import dataclass
-from ..cmake.components import InterfaceTarget
+from ..cmake.interface_targets import InterfaceTarget
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ from ...example import Example
 from ...finding import Fix, Hit, Safety, Severity
 from ...lazy_regex import regex
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.cmake_project import PACKAGE_ENDS
+from ...package.cmake.project_name import PACKAGE_ENDS
 from ...rule import rule
 
 GOOD = """\

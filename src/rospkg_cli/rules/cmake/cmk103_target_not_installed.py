@@ -17,7 +17,8 @@ from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.uninstalled_targets import UninstalledTarget, UninstalledTargets
+from ...package.cmake.uninstalled_target import UninstalledTarget
+from ...package.cmake.uninstalled_targets import UninstalledTargets
 from ...rule import rule
 from ...suggest import near_names
 

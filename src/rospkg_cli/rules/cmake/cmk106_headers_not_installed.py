@@ -14,8 +14,8 @@ from ...edits.cmake_commands import remove
 from ...edits.cmake_install import install_headers
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...package.cmake.cmake_project import PACKAGE_ENDS
 from ...package.cmake.installed_headers import INCLUDES
+from ...package.cmake.project_name import PACKAGE_ENDS
 from ...rule import rule
 
 LINES = """\

@@ -9,7 +9,8 @@ from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...languages.cmake.values import PREFIX, UNKNOWN, Word
 from ...lazy_regex import regex
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.install_rules import InstallRule, plain_root
+from ...package.cmake.install_destinations import plain_root
+from ...package.cmake.install_rule import InstallRule
 from ...rule import rule
 
 SLASH = CMAKE.replace("ament_package", "install(DIRECTORY urdf DESTINATION «/share/${PROJECT_NAME}»)\nament_package")

@@ -12,7 +12,7 @@ from ...edits.cmake_install import install_script
 from ...edits.plain_names import only_plain_names
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
-from ...package.cmake.cmake_project import PACKAGE_ENDS
+from ...package.cmake.project_name import PACKAGE_ENDS
 from ...rule import rule
 
 SHOWN = 4

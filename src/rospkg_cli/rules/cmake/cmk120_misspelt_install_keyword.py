@@ -10,7 +10,7 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.values import Word
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.cmake_project import CMake
-from ...package.cmake.install_rules import meant_form, meant_keywords
+from ...package.cmake.install_keywords import intended_form, intended_keywords
 from ...rule import rule
 
 LINES = """\
@@ -69,9 +69,9 @@ def misspelt_install_keyword(package: CMakePackage) -> Iterator[Hit]:
     """
     cmake = package.cmake
     for call in cmake.named("install"):
-        if form := meant_form(call):
+        if form := intended_form(call):
             yield hit(cmake, call, call.words[0], form, "it does not say what to install")
-        for word, meant in meant_keywords(call):
+        for word, meant in intended_keywords(call):
             if meant and not (cmake.target(word.text) or cmake.package_files.is_there(word.text)):
                 yield hit(cmake, call, word, meant, "it takes it for something to install")
 
