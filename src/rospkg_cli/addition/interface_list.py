@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ..change import NotUnderstoodError, Paste
+from ..checks.interfaces.rosidl_dependencies import RosidlDependencies
 from ..checks.interfaces.rosidl_targets import RosidlTargets
 from ..edits.cmake_commands import literal_span
 from ..edits.cmake_interfaces import add_interface_dependency, add_interface_file
@@ -27,11 +28,14 @@ CALL = "rosidl_generate_interfaces"
 
 
 def generated(package: Package) -> RosidlTargets:
-    """Return what the package generates, without a word about the packages around."""
-    name = manifest_of(package).name
-    facts = PackageFacts(name, package.folder)
-    interfaces = package.parts(InterfaceFile).good
-    return RosidlTargets(cmake_of(package), interfaces, facts, Workspace((facts,)), Targets())
+    """Return the interfaces that code is generated from in a package."""
+    return RosidlTargets(cmake_of(package), package.parts(InterfaceFile).good)
+
+
+def dependencies(package: Package) -> RosidlDependencies:
+    """Return what these interfaces depend on, without a look at other packages of the workspace."""
+    facts = PackageFacts(manifest_of(package).name, package.folder)
+    return RosidlDependencies(generated(package), facts, Workspace((facts,)), Targets())
 
 
 @dataclass(frozen=True)
@@ -85,10 +89,10 @@ class ListedPackage:
 
     def add(self, package: Package) -> Operations:
         """Return the edit, nothing where the files need it not, or a listed package passes it on."""
-        targets = generated(package)
-        for need in targets.unlisted_needs():
+        needs = dependencies(package)
+        for need in needs.unlisted():
             if need.package == self.name:
-                edit = add_interface_dependency(targets, need)
+                edit = add_interface_dependency(needs.generated, need)
                 if edit is None:
                     raise NotUnderstoodError(
                         f"the DEPENDENCIES of {CALL} are computed: put the name there, and run the command again",

@@ -5,7 +5,8 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Sequence
 
-from ..checks.interfaces.rosidl_targets import RosidlTargets, UnlistedDependency
+from ..checks.interfaces.rosidl_dependencies import UnlistedDependency
+from ..checks.interfaces.rosidl_targets import RosidlTargets
 from ..finding import Edit
 from ..languages.cmake.values import Word
 from ..package.cmake.cmake_project import CMake

@@ -13,8 +13,8 @@ from ...ros.interface_fields import ros1_fields
 from ...source import Span
 from ..depends.compiled_sources import compiled_sources, harm_in
 from ..fault import Level
+from ..interfaces.field_names import similar
 from ..interfaces.known_interfaces import KnownInterfaces
-from ..interfaces.unknown_fields import similar
 from .named_members import named_members
 
 

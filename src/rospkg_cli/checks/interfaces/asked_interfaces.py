@@ -14,7 +14,6 @@ from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
 from ...ros.interfaces import header_name
 from ..repository.pages_and_scripts import pages_and_scripts
-from .rosidl_targets import RosidlTargets
 
 CODE = (".py", ".yaml", ".yml", ".xml", ".launch", ".rviz")
 COMPILED = (".cpp", ".cc", ".cxx", ".c", ".hpp", ".h")
@@ -71,11 +70,3 @@ class AskedInterfaces:
                 yield self.files.readable_text(path)
             elif path.endswith(CODE) and path != "package.xml":
                 yield live_text(self.files, path)
-
-
-@dataclass(frozen=True)
-class UnlistedInterfaces:
-    """What no call lists, with who asks for it."""
-
-    generated: RosidlTargets
-    asked: AskedInterfaces

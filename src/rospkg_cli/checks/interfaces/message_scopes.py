@@ -12,7 +12,8 @@ from ...light_dataclasses import dataclass
 from .callback_types import callback_types
 from .handed_objects import handed_objects
 from .message_classes import MessageClasses
-from .message_variables import Bindings, Environment, Fields, asked_names, attributes_of, variables_of
+from .message_variables import Environment, Fields, asked_names, attributes_of, variables_of
+from .variable_bindings import Bindings
 
 Body = tuple[Bindings, Environment]
 """A function or a file, and the variables that hold a message in it."""

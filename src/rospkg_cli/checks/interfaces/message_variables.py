@@ -1,66 +1,25 @@
-"""Which variables of a function always hold one message, and what expressions made of them hold."""
+"""Which variables of a function always hold one message, and which message an expression evaluates to."""
 
 from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Iterator, Mapping
 
-from ...languages.python.attributes import is_of_self
-from ...languages.python.nodes import CHILDLESS, children_of, nodes_of
+from ...languages.python.nodes import nodes_of
 from .message_classes import MessageClasses
+from .variable_bindings import Bindings, name_of
 
 Fields = Callable[[str], Mapping[str, str] | None]
-"""Returns the fields of a message with the messages that they hold."""
-ENDS = CHILDLESS | {ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda}
-"""The classes of nodes that are not looked into: new scopes, and what holds nothing."""
-BINDERS = frozenset({
-    ast.Assign, ast.AnnAssign, ast.Name, ast.Attribute, ast.ExceptHandler, ast.MatchAs, ast.MatchStar, ast.Global,
-    ast.Nonlocal, ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef,
-})  # fmt: skip
-"""The classes of nodes that may bind a variable."""
-NAMES = (ast.Name, ast.Attribute)
-PATTERNS = (ast.ExceptHandler, ast.MatchAs, ast.MatchStar)
-SHARED = (ast.Global, ast.Nonlocal)
-DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+"""Returns the fields of a message, each with the message that it holds; None for an unknown message."""
 ASKS = frozenset({"isinstance", "hasattr", "getattr", "setattr", "type"})
+"""Functions that code calls where a variable may hold values of several types."""
 FUTURES = frozenset({"result", "send_goal", "send_goal_async", "get_result", "get_result_async"})
 OF_ACTIONS = ("_Goal", "_Result", "_Feedback")
 PASSES = 3
-"""How often assignments are followed, for variables made of others."""
+"""How often assignments are evaluated again, for variables that are assigned from others."""
 
 Environment = Mapping[str, str]
 """The message that each variable holds: `msg`, `self.msg`."""
-
-
-def own_nodes(body: list[ast.stmt]) -> list[ast.AST]:
-    """Return the nodes of statements, without those in functions, classes and lambdas in them, level by level."""
-    found: list[ast.AST] = []
-    level: list[ast.AST] = [*body]
-    while level:
-        found += level
-        level = [inner for node in level if node.__class__ not in ENDS for inner in children_of(node)]
-    return found
-
-
-class Bindings:
-    """What a body binds: each variable with its value and its annotation, None for what is not known.
-
-    None as a value is left out: what is done with it fails anyway. Worked out once for all who ask of a body.
-    """
-
-    def __init__(self, body: list[ast.stmt]) -> None:
-        self.body = body
-        self.nodes = own_nodes(body)
-        self.values = tuple(bound_values([node for node in self.nodes if node.__class__ in BINDERS]))
-
-
-def name_of(node: ast.AST) -> str:
-    """Return `x` or `self.x`; "" for other expressions."""
-    if isinstance(node, ast.Name):
-        return node.id
-    if is_of_self(node):
-        return f"self.{node.attr}"
-    return ""
 
 
 def held_by(node: ast.expr | None, variables: Environment, classes: MessageClasses, fields: Fields) -> str:
@@ -95,9 +54,10 @@ def variables_of(body: Bindings, given: Mapping[str, str], classes: MessageClass
 
 
 def annotated(annotation: ast.expr | None, value: ast.expr | None, classes: MessageClasses) -> str:
-    """Return the message that an annotation names; "" where rclpy gives an object of its own, which is often called so.
+    """Return the message that an annotation names, or "".
 
-    What the futures of an action hold is the handle of the goal, or a message around the result.
+    It is "" too for what a future of an action holds: rclpy gives the goal handle, or a message that wraps the result,
+    whatever the annotation says.
     """
     kind = classes.message(annotation) if annotation is not None else ""
     given = value.value if isinstance(value, ast.Await) else value
@@ -105,32 +65,8 @@ def annotated(annotation: ast.expr | None, value: ast.expr | None, classes: Mess
     return "" if is_of_future and kind.endswith(OF_ACTIONS) else kind
 
 
-def bound_values(nodes: list[ast.AST]) -> Iterator[tuple[str, ast.expr | None, ast.expr | None]]:
-    """Yield what some nodes bind, as `Bindings` has it."""
-    plain: set[int] = set()
-    for node in nodes:
-        if isinstance(node, ast.Assign) and len(node.targets) == 1 and (name := name_of(node.targets[0])):
-            plain.add(id(node.targets[0]))
-            if not (isinstance(node.value, ast.Constant) and node.value.value is None):
-                yield name, node.value, None
-        elif isinstance(node, ast.AnnAssign) and (name := name_of(node.target)):
-            plain.add(id(node.target))
-            yield name, node.value, node.annotation
-    for node in nodes:
-        if isinstance(node, NAMES):
-            if not isinstance(node.ctx, ast.Load) and id(node) not in plain:
-                yield name_of(node), None, None
-        elif isinstance(node, PATTERNS):
-            if node.name:
-                yield node.name, None, None
-        elif isinstance(node, SHARED):
-            yield from ((name, None, None) for name in node.names)
-        elif isinstance(node, DEFINITIONS):
-            yield node.name, None, None
-
-
 def asked_names(body: list[ast.stmt]) -> Iterator[str]:
-    """Yield the variables of whose type or attributes a body asks, or of those of what is in them."""
+    """Yield the variables whose type or attributes, or whose fields' types, a body asks for (`hasattr(msg.a, …)`)."""
     for statement in body:
         for node in nodes_of(statement):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ASKS and node.args:

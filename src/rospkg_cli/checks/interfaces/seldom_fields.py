@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 from ...package.file_role import role_of
 from ..why_seldom import AT_TIMES, IN_TEST, WHY, Met
-from .unknown_fields import FieldUses, UnknownField
+from .field_uses import FieldUses
+from .unknown_fields import UnknownField
 
 LEFT = "; nothing starts or imports this module"
 UNCALLED, UNREACHED = "; nothing calls this method", "; nothing here leads to this function"

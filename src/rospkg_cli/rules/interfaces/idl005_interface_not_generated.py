@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.interfaces.asked_interfaces import UnlistedInterfaces
+from ...checks.interfaces.unlisted_interfaces import UnlistedInterfaces
 from ...edits.cmake_interfaces import add_interface_file
 from ...edits.plain_names import only_plain_names
 from ...example import INTERFACES_CMAKE, Example
@@ -66,22 +66,22 @@ def interface_not_generated(interfaces: UnlistedInterfaces) -> Iterator[Hit]:
     that no code of the workspace imports or includes, no other interface has, and no page names (`my_pkg/msg/Zone`).
     """
     generated = interfaces.generated
-    unlisted = list(generated.unlisted())
+    unlisted = list(interfaces.unlisted())
     if unlisted and generated.empty is not None:
         path, span = generated.empty.path, generated.empty.command.name_span
         names = f"`{unlisted[0].path}`" + (f" and {len(unlisted) - 1} more" if unlisted[1:] else "")
         yield Hit(path, span, f"this call names no interface: CMake stops; list {names}", Severity.ERROR)
         return
     for interface in unlisted:
-        aside = generated.is_commented_out(interface)
-        refusal = generated.refusal(interface)
-        is_meant = aside or refusal or generated.is_left_out(interface)
-        edit = None if is_meant else add_interface_file(generated, interface)
+        aside = interfaces.is_commented_out(interface)
+        refusal = interfaces.refusal(interface)
+        is_on_purpose = aside or refusal or interfaces.is_left_out(interface)
+        edit = None if is_on_purpose else add_interface_file(generated, interface)
         fix = only_plain_names(Fix("list it in CMakeLists.txt", (edit,)), interface.path) if edit else None
         where = "only in a comment, not" if aside else "not"
         message = f"`{interface.path}` is {where} in `rosidl_generate_interfaces`: nothing is generated of it"
-        is_idle = not is_meant and not interfaces.asked.has(interface)
+        is_idle = not is_on_purpose and not interfaces.asked.has(interface)
         message += ", and nothing here has the type" if is_idle else ""
-        level = Severity.INFO if is_meant or is_idle else None
-        todo = f"rosidl would refuse it ({refusal}): mend and list it, or delete it" if refusal else ""
+        level = Severity.INFO if is_on_purpose or is_idle else None
+        todo = f"rosidl would refuse it ({refusal}): correct and list it, or delete it" if refusal else ""
         yield Hit(interface.path, Span(0, 0), f"{message}; {todo or 'list it, or delete it'}", level, fix=fix)

@@ -44,8 +44,8 @@ def missing_interface(generated: RosidlTargets) -> Iterator[Hit]:
     page has people copy its files into a package of `ros2 pkg create`.
     """
     for listed in generated.missing():
-        meant = generated.meant.get(listed.path or "")
-        hint = f" (did you mean `{meant}`?)" if meant else ""
+        renamed = generated.renamed.get(listed.path or "")
+        hint = f" (did you mean `{renamed}`?)" if renamed else ""
         message = (
             f"`{listed.path}` does not exist{hint}: `rosidl_generate_interfaces` stops CMake; name an existing file"
         )

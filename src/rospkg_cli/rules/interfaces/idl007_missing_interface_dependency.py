@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.interfaces.rosidl_targets import RosidlTargets
+from ...checks.interfaces.rosidl_dependencies import RosidlDependencies
 from ...edits.cmake_find import add_find_package
 from ...edits.cmake_interfaces import add_interface_dependency
 from ...edits.plain_names import only_plain_names
@@ -25,7 +25,7 @@ FILES = {
 @rule(
     "IDL007",
     "missing-interface-dependency",
-    over=RosidlTargets,
+    over=RosidlDependencies,
     severity=Severity.ERROR,
     levels={Severity.WARNING: "the file is listed under a condition"},
     examples=(
@@ -43,7 +43,7 @@ FILES = {
         ),
     ),
 )
-def missing_interface_dependency(generated: RosidlTargets) -> Iterator[Hit]:
+def missing_interface_dependency(dependencies: RosidlDependencies) -> Iterator[Hit]:
     """
     ## What it does
     Finds packages whose types are used and that are missing in `DEPENDENCIES` of the interfaces.
@@ -58,8 +58,9 @@ def missing_interface_dependency(generated: RosidlTargets) -> Iterator[Hit]:
     actions do with `action_msgs`, and `vision_msgs` with `std_msgs`, or may do so, since nothing is known of it. Where
     the DEPENDENCIES can't be evaluated.
     """
+    generated = dependencies.generated
     offered: set[int] = set()
-    for need in generated.unlisted_needs():
+    for need in dependencies.unlisted():
         start = need.target.call.command.span.start
         edit = None if start in offered and not need.target.dependencies else add_interface_dependency(generated, need)
         offered.add(start)

@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 
 from ...checks.enumeration import in_ticks
 from ...checks.interfaces.field_faults import together
+from ...checks.interfaces.field_uses import FieldUses
 from ...checks.interfaces.seldom_fields import NEVER, worst_first
-from ...checks.interfaces.unknown_fields import FieldUses, UnknownField
+from ...checks.interfaces.unknown_fields import UnknownField
 from ...example import Example, manifest, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule

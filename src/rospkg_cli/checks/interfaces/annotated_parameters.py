@@ -1,4 +1,4 @@
-"""Fields of what an annotation alone calls a message, in functions that other code hands something."""
+"""Values that only an annotation says to be a message, in functions that other code may call with anything."""
 
 from __future__ import annotations
 
@@ -13,13 +13,14 @@ from .callback_types import callback_types
 from .message_classes import MessageClasses
 
 STARTERS = frozenset({"Thread", "Timer", "Process", "partial", "partialmethod", "submit", "run_in_executor", "apply"})
-"""What calls a function with arguments that stand beside it."""
+"""Functions and classes that call the function they are given, with arguments that follow it."""
 
 
-def is_told_by_word(file: PythonFile, span: Span, message: str, files: Iterable[PythonFile]) -> bool:
-    """Return whether a place is in a function whose annotation names a message, and that code calls unseen.
+def is_by_annotation_alone(file: PythonFile, span: Span, message: str, files: Iterable[PythonFile]) -> bool:
+    """Return whether a place is in a function with a parameter annotated as a message, whose callers are not known.
 
-    What a function is registered for shows what it is called with; a call in another file does not.
+    Where the function is registered as a callback, its registration says what it is called with. Where it is passed to
+    a thread or a partial, or called from another file, nothing does.
     """
     around = [each for each in functions_of(file.tree) if file.span(each).holds(span)]
     if not around:
@@ -34,7 +35,7 @@ def is_told_by_word(file: PythonFile, span: Span, message: str, files: Iterable[
 
 
 def handed(file: PythonFile) -> Iterator[str]:
-    """Yield the functions that a file has something call with arguments of its own."""
+    """Yield the names of functions that a file passes to a thread, a timer, a partial or the like."""
     for call in nodes_of_kind(file.tree, ast.Call):
         if last_name(call.func) in STARTERS:
             for each in (*call.args, *(keyword.value for keyword in call.keywords)):
@@ -43,7 +44,7 @@ def handed(file: PythonFile) -> Iterator[str]:
 
 
 def is_called_in(other: PythonFile, function: FunctionNode, file: PythonFile) -> bool:
-    """Return whether a file that names the module of a function calls one of its name."""
+    """Return whether another file names the module of a function and calls a function of this name."""
     stem = posixpath.basename(file.path).removesuffix(".py")
     calls = nodes_of_kind(other.tree, ast.Call) if stem in other.source.text else []
     return any(last_name(each.func) == function.name for each in calls)
