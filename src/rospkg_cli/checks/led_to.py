@@ -15,7 +15,7 @@ from ..package.params.named_yaml import ANY
 from .opening_places import OpeningPlaces
 from .repository.pages_and_scripts import pages_and_scripts
 from .share.opened_elsewhere import CODE
-from .urdf.opened_robots import COMMAND
+from .urdf.robot_texts import COMMAND
 
 YAML = (".yaml", ".yml")
 LAUNCHED = (".py", ".xml", ".launch", *YAML)

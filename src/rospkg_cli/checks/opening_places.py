@@ -29,7 +29,7 @@ from .share_uses import ShareUses
 from .urdf.launched_robots import names
 from .urdf.met_robots import OUTPUT
 from .urdf.named_with_folder import means_inner_copy
-from .urdf.opened_robots import COMMAND, has_folders
+from .urdf.robot_texts import COMMAND, has_folders
 from .yaml_elsewhere import is_named_yaml
 
 YAML = (".yaml", ".yml")

@@ -94,7 +94,7 @@ class UnreadableFile:
     def level_of_robot(self) -> tuple[Level | None, str]:
         """Return the level of a robot, a world or a behavior tree, by who opens it."""
         path = self.file.path
-        if not self.files.readable_text(path).strip() and not self.opened.is_named_in_full(path):
+        if not self.files.readable_text(path).strip() and not self.opened.texts.are_naming_in_full(path):
             return "info", "; no file of the package names it"
         is_met = path.endswith(XACRO) and self.met.has(path)
         if is_met or any(map(self.opening.has, (path, *self.opened.including(path)))):

@@ -36,7 +36,7 @@ class ControlReaders:
     @cached_property
     def are_here(self) -> bool:
         """Whether a text of the package, but robots, names one, or a package of the workspace needs or starts it."""
-        own = (text for path, text in self.opened.texts if not path.endswith(XACRO))
+        own = (text for path, text in self.opened.texts.every if not path.endswith(XACRO))
         names = (name for facts in self.opened.workspace.packages for name in names_of(facts))
         return any(READERS.search(each) for each in (*own, *names))
 

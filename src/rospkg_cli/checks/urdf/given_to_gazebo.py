@@ -40,10 +40,10 @@ class GivenToGazebo:
     def has(self, path: str) -> bool:
         """Return whether every text that names a robot is a launch file that gives its path to Gazebo alone."""
         name = path.rpartition("/")[2]
-        naming = [*self.opened.naming(path)]
-        if not naming or self.opened.is_named_elsewhere(path) or self.is_in_a_view(name):
+        naming = [*self.opened.texts.naming(path)]
+        if not naming or self.opened.packages.has(path) or self.is_in_a_view(name):
             return False
-        texts = dict(self.opened.texts)
+        texts = dict(self.opened.texts.every)
         files = {each.path: each for each in self.launches}
         return all(
             each in files and not READS.search(texts[each]) and any(gives(node, name) for node in files[each].nodes)

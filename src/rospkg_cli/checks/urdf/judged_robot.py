@@ -120,7 +120,7 @@ class JudgedRobot:
         if robot.endswith(".xacro") or "xacro:" in self.robot.source.text:
             return True
         name = robot.rpartition("/")[2]
-        return any(XACRO.search(text) for path, text in self.opened.texts if path != robot and name in text)
+        return any(XACRO.search(text) for path, text in self.opened.texts.every if path != robot and name in text)
 
     def unless_filled_in(self) -> str:
         """Return what is said of a robot with blanks in the place of names or values; "" of one without."""
@@ -168,7 +168,7 @@ class JudgedRobot:
     def is_replaced(self, fault: Fault) -> bool:
         """Return whether a fault is in a default that each launch file replaces: xacro never reads it."""
         defaults = (each for each in ancestors(self.robot.document.root, fault.span) if each.tag == "xacro:arg")
-        return any(self.opened.is_always_given(self.robot.path, each.get("name") or "") for each in defaults)
+        return any(self.opened.arguments.has(self.robot.path, each.get("name") or "") for each in defaults)
 
 
 def is_same(one: Fault, other: Fault) -> bool:

@@ -18,8 +18,9 @@ from ...unreadable import READABLE
 from ..left_files import LeftFiles
 from ..repository.pages_and_scripts import pages_and_scripts
 from .named_with_folder import means_inner_copy
-from .opened_robots import OpenedRobots, has_folders
+from .opened_robots import OpenedRobots
 from .opening_texts import ROBOTS
+from .robot_texts import has_folders
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,7 @@ class LaunchedRobots:
         from ..share.opened_elsewhere import opening_elsewhere
 
         others = (*pages_and_scripts(self.files), *opening_elsewhere(self.files, self.package.name, self.workspace))
-        plain = plain_texts(self.launch_files, (*self.opened.texts, *(("", text) for text in others)))
+        plain = plain_texts(self.launch_files, (*self.opened.texts.every, *(("", text) for text in others)))
         if not plain:
             return self.paths
         launches = tuple((path, plain.get(path, text)) for path, text in self.launches)
@@ -66,7 +67,7 @@ class LaunchedRobots:
 
         Where `includes` is given, it says as well whether a text includes a file of a name.
         """
-        robots = {path: text for path, text in self.opened.texts if path.endswith(ROBOTS)}
+        robots = {path: text for path, text in self.opened.texts.every if path.endswith(ROBOTS)}
         waiting = [
             path
             for path in robots
@@ -85,7 +86,7 @@ class LaunchedRobots:
     def is_named(self, path: str, launches: Sequence[tuple[str, str]], packages: Sequence[PackageFacts]) -> bool:
         """Return whether one of some launch files, of this package or others, names a robot, and no other is so."""
         name, own = path.rpartition("/")[2], self.package.name
-        others = self.opened.having(name)
+        others = self.opened.packages.having(name)
         for _, text in launches:
             words = words_of(text)
             is_another = own not in words and any(other in words for other in others)
@@ -101,7 +102,7 @@ class LaunchedRobots:
     @cached_property
     def launches(self) -> tuple[tuple[str, str], ...]:
         """The path and the text of each launch file, but for those that nothing installs or names."""
-        return tuple(each for each in self.opened.texts if is_launch(each[0]) and not self.is_left(each[0]))
+        return tuple(each for each in self.opened.texts.every if is_launch(each[0]) and not self.is_left(each[0]))
 
     def is_left(self, path: str) -> bool:
         """Return whether nothing leads to a launch file or a script."""

@@ -10,7 +10,8 @@ from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ..repository.pages_and_scripts import own_pages, pages_above
 from .launched_robots import LaunchedRobots
-from .opened_robots import COMMAND, ENDS, OpenedRobots
+from .opened_robots import OpenedRobots
+from .robot_texts import COMMAND, ENDS
 
 TYPED = regex(COMMAND)
 CODE = (".py", ".cpp", ".cc", ".hpp", ".h")
@@ -51,7 +52,7 @@ class MetRobots:
 
     def is_opened(self, path: str) -> bool:
         """Return whether code of the package, or a command of a page or a script, names a file in full."""
-        if self.opened.is_copy(path) or self.opened.is_other_copy(path):
+        if self.opened.texts.is_copy(path) or self.opened.is_other_copy(path):
             return False
         name = re.compile(rf"(?<![\w.-]){re.escape(path.rpartition('/')[2])}{ENDS}(?![\w-])")
         opening = self.commands if not self.is_generated(path, name) else map(without_conversion, self.commands)
@@ -79,7 +80,7 @@ class MetRobots:
     @cached_property
     def code(self) -> tuple[str, ...]:
         """The code of the package that opens a robot, but for launch files, and for what nothing leads to."""
-        texts = ((path, text) for path, text in self.opened.texts if path.endswith(CODE))
+        texts = ((path, text) for path, text in self.opened.texts.every if path.endswith(CODE))
         texts = ((path, text) for path, text in texts if role_of(path) != "launch" and OPENS.search(text))
         return tuple(text for path, text in texts if not self.launched.is_left(path))
 

@@ -7,8 +7,8 @@ from ..fault import Fault, softer
 from ..python.left_blank import is_to_be_replaced
 from ..repository.left_to_people import UNTIL_NAMED, why_left
 from .met_robots import OPENED_WHEN_ON
-from .missing_files import RobotInWorkspace
 from .missing_resource import MissingResource, wrong
+from .robot_in_workspace import RobotInWorkspace
 
 LEVELS = (None, "warning", "info")
 

@@ -50,7 +50,7 @@ def is_given_by_spawners(ways: WaysIntoRobots, path: str, argument: str) -> bool
     own, stem = ways.reached.package.name, path.rpartition("/")[2].partition(".")[0]
     others = (facts.robot_words for facts in ways.reached.workspace.packages if facts.name != own)
     found = [words for each in others for words in each if own in words]
-    texts = (text for other, text in ways.opened.texts if other.endswith(LAUNCH))
+    texts = (text for other, text in ways.opened.texts.every if other.endswith(LAUNCH))
     found += [words_of(text) | given_in(text) for text in texts if stem in text]
     spawning = [words for words in found if not SPAWNERS.isdisjoint(words)]
     given = (any(each == f"{argument}=" or each.startswith(f"{argument}:=") for each in words) for words in spawning)

@@ -63,7 +63,7 @@ class WaysIntoRobots:
 
     def is_given(self, path: str, argument: str) -> bool:
         """Return whether each launch file gives an argument to a robot, or to what includes it."""
-        return any(self.opened.is_always_given(each, argument) for each in (path, *self.opened.including(path)))
+        return any(self.opened.arguments.has(each, argument) for each in (path, *self.opened.including(path)))
 
     def is_unread(self, element: Element) -> bool:
         is_lazy = element.get("lazy_eval") != "false" and element.get("scope") is None
@@ -102,7 +102,7 @@ class WaysIntoRobots:
         found: dict[str, Value] = {}
         for name, defaults in self.reached.off.arguments.items():
             values = self.values.get(name)
-            if values is not None and len(values) == 1 and self.opened.is_always_given(path, name):
+            if values is not None and len(values) == 1 and self.opened.arguments.has(path, name):
                 found[name] = next(iter(values))
             elif values is None or len(values | {literal(each) for each in defaults}) != 1:
                 found[name] = XacroUnknown(f"$(arg {name})")

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from ...checks.fault import Fault, softer
 from ...checks.urdf.bare_meshes import bare_meshes, without_scheme
-from ...checks.urdf.missing_files import RobotInWorkspace
 from ...checks.urdf.missing_level import missing_fault
 from ...checks.urdf.missing_resource import MissingResource, advice, also
 from ...checks.urdf.personal_paths import Place, Told, personal_paths, told_apart
+from ...checks.urdf.robot_in_workspace import RobotInWorkspace
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
 from ...rule import rule
@@ -107,18 +107,18 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     or the containers of the repository have, or where these mount a folder.
     """
     for each in scope.missing():
-        same = list(scope.beside.lacking(scope.robot, each))
+        same = list(scope.in_folder.lacking(scope.robot, each))
         if any(path < scope.robot.path for path, _ in same):
             continue  # which is told there
         again = tuple(Related(scope.robot.path, other.span, also(each, other)) for other in each.others)
         again += tuple(Related(path, span, f"`{each.path}` here too") for path, span in same)
         level, message = judged(scope, each)
         yield Hit(scope.robot.path, each.span, message, level, again)
-    named = scope.beside.untold(scope.robot, list(personal_paths(scope.robot.document)))
+    named = scope.in_folder.untold(scope.robot, list(personal_paths(scope.robot.document)))
     for found, told in told_apart(named, scope.robot.document, scope.files):
         yield of_several(scope, found, told)
     bare = bare_meshes(scope.robot.document, scope.files, scope.package) if not scope.is_idle else {}
-    if found := scope.beside.untold(scope.robot, list(bare)):
+    if found := scope.in_folder.untold(scope.robot, list(bare)):
         is_met = scope.misses_bare(bare)
         yield of_several(scope, found, (*without_scheme(bare, is_shown=is_met), None if is_met else "info"))
 
