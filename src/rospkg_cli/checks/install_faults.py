@@ -13,6 +13,7 @@ from .cmake.share_folders import RuntimeFolders
 from .setup.data_destinations import DataDestinations
 from .setup.left_out_files import left_out
 from .setup.share_files import ShareFiles, folder_of
+from .setup.uninstalled_files import UninstalledFiles
 
 
 @dataclass(frozen=True)
@@ -20,8 +21,12 @@ class InstallFaults:
     package: PackageFacts
     workspace: Workspace
     cmake: CMake | None
-    shared: ShareFiles | None
+    uninstalled: UninstalledFiles | None
     folders: RuntimeFolders | None
+
+    @property
+    def shared(self) -> ShareFiles | None:
+        return self.uninstalled.shared if self.uninstalled is not None else None
 
     @property
     def setup(self) -> SetupPy | None:
@@ -48,10 +53,10 @@ class InstallFaults:
     def reported_folders(self) -> frozenset[str]:
         """The folders of which nothing is installed, and those of globs without a match, as written and corrected."""
         found = set(self.folders.uninstalled()) if self.folders is not None and self.cmake is not None else set()
-        if self.setup is not None and self.shared is not None:
+        if self.setup is not None and self.shared is not None and self.uninstalled is not None:
             empty = {folder_of(glob.pattern) for glob in self.shared.empty_globs}
             corrected = (self.shared.suggestion(folder) for folder in empty)
-            found |= {*self.shared.uninstalled_runtime_folders, *empty, *filter(None, corrected)}
+            found |= {*self.uninstalled.folders, *empty, *filter(None, corrected)}
         return frozenset(found)
 
     @cached_property
@@ -59,9 +64,9 @@ class InstallFaults:
         """The files next to those that a glob finds or that are listed, and all in the folders next to them."""
         if self.folders is not None and self.cmake is not None:
             return frozenset(path for path, _ in self.folders.left_out())
-        if self.setup is None or self.shared is None:
+        if self.setup is None or self.uninstalled is None:
             return frozenset()
-        next_to = {each.path for each in self.shared.uninstalled_neighbours}
-        next_to |= {path for path, _ in left_out(self.shared)}
-        inside = (path for folder in next_to for path in self.shared.package.files.below(folder))
+        next_to = {each.path for each in self.uninstalled.neighbours}
+        next_to |= {path for path, _ in left_out(self.uninstalled)}
+        inside = (path for folder in next_to for path in self.uninstalled.package.files.below(folder))
         return frozenset(next_to.union(inside))

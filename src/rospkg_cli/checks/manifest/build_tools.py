@@ -6,7 +6,7 @@ from ...light_dataclasses import dataclass
 from ...ros.manifest import BUILDS
 from ..depends.brought_dependencies import Bringer
 from ..depends.declared_dependencies import DeclaredDependencies
-from .manifest_inputs import ManifestAndCMake
+from .manifest_and_cmake import ManifestAndCMake
 
 
 @dataclass(frozen=True)

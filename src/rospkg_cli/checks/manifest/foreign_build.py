@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...lazy_regex import regex
 from ...package.cmake.foreign_commands import foreign_commands
-from .manifest_inputs import ManifestAndCMake
+from .manifest_and_cmake import ManifestAndCMake
 
 OF_ROS = regex(r"install|(?:ament|rosidl|rclcpp_components|pluginlib|generate_parameter|autoware)_\w+")
 """Commands that make, install or register something of ROS 2."""

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.cmake.commented_installs import said_in
 from ...checks.cmake.package_ends import PackageEnds
 from ...checks.cmake.unknown_commands import UnknownCommands
-from ...checks.manifest.manifest_inputs import IDLE
+from ...checks.manifest.manifest_and_cmake import IDLE
 from ...edits.cmake_commands import add_at_end
 from ...example import Example
 from ...finding import Fix, Hit, Safety, Severity

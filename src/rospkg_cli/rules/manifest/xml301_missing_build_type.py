@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.manifest.foreign_build import foreign_maker
-from ...checks.manifest.manifest_inputs import ManifestAndCMake
+from ...checks.manifest.manifest_and_cmake import ManifestAndCMake
 from ...checks.repository.linked_build import merging_file
 from ...edits.manifest import add_export
 from ...example import Example, manifest

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from ...checks.enumeration import in_ticks
 from ...checks.manifest.ignored_build_file import is_told_elsewhere, lost_of_cmake, lost_of_setup
-from ...checks.manifest.manifest_inputs import ManifestAndCMake
+from ...checks.manifest.manifest_and_cmake import ManifestAndCMake
 from ...example import CMAKE, SETUP_PY, Example, manifest
 from ...finding import Hit, Severity
 from ...lazy_regex import regex

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.share_files import ShareFiles
+from ...checks.setup.uninstalled_files import UninstalledFiles
 from ...edits.data_files import install_folder
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
@@ -27,7 +27,7 @@ def good(folder: str, pattern: str) -> str:
 @rule(
     "SET206",
     "data-folder-not-installed",
-    over=ShareFiles,
+    over=UninstalledFiles,
     severity=Severity.WARNING,
     levels={
         Severity.ERROR: "code, a launch file or the README opens it in the share directory (RViz goes on without)",
@@ -46,7 +46,7 @@ def good(folder: str, pattern: str) -> str:
         ),
     ),
 )
-def data_folder_not_installed(shared: ShareFiles) -> Iterator[Hit]:
+def data_folder_not_installed(uninstalled: UninstalledFiles) -> Iterator[Hit]:
     """
     ## What it does
     Finds folders of launch files, parameters, robots, worlds or maps that setup.py does not install.
@@ -68,12 +68,12 @@ def data_folder_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     and launch files of which each stops at a keyword that Foxy took last (`node_executable=`), where neither pages nor
     names say that they are for it, and nothing opens them. Launch files are opened by `ros2 launch`.
     """
-    package = shared.package
+    package, shared = uninstalled.package, uninstalled.shared
     setup = package.setup
     if not package.knows_data_files:
         return
-    for folder in shared.uninstalled_runtime_folders:
-        files = shared.useful(folder)
+    for folder in uninstalled.folders:
+        files = uninstalled.useful(folder)
         if shared.uses.makes(folder, files):
             continue
         edits = install_folder(setup, package.name, folder, files)

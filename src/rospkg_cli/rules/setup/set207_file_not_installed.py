@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ...checks.setup.left_out_files import left_out
-from ...checks.setup.share_files import ShareFiles, UninstalledNeighbour
+from ...checks.setup.uninstalled_files import UninstalledFiles, UninstalledNeighbour
 from ...edits.data_files import widen_glob
 from ...example import Example, setup_py
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -29,7 +29,7 @@ def launch(pattern: str) -> str:
 @rule(
     "SET207",
     "file-not-installed",
-    over=ShareFiles,
+    over=UninstalledFiles,
     severity=Severity.WARNING,
     levels={Severity.INFO: "where nothing here opens them in the package's share directory"},
     examples=(
@@ -40,7 +40,7 @@ def launch(pattern: str) -> str:
         ),
     ),
 )
-def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
+def file_not_installed(uninstalled: UninstalledFiles) -> Iterator[Hit]:
     """
     ## What it does
     Finds launch and parameter files that the globs for their folder do not match.
@@ -62,18 +62,18 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
     ## Fix safety
     A wider glob may install more than is wanted.
     """
-    package = shared.package
-    for path, beside in left_out(shared):
+    package = uninstalled.package
+    for path, listed in left_out(uninstalled):
         start = f"`{path}` is not installed, but the others of its folder are"
         fails = f"`ros2 launch {package.name} {path.rpartition('/')[2]}` does not find it"
         message = f"{start}: {fails}; add it here, or remove it"
-        level = None if shared.opened.opens(path) else Severity.INFO
-        yield Hit(beside.setup_text.path, beside.setup_text.shown, message, level)
+        level = None if uninstalled.shared.opened.opens(path) else Severity.INFO
+        yield Hit(listed.setup_text.path, listed.setup_text.shown, message, level)
     groups: dict[tuple[Span, bool], list[UninstalledNeighbour]] = {}
-    for missed in shared.uninstalled_neighbours if package.knows_data_files else ():
+    for missed in uninstalled.neighbours if package.knows_data_files else ():
         groups.setdefault((missed.glob.span, missed.path.endswith("/")), []).append(missed)
     for (span, is_folder), group in groups.items():
-        first, *others = sorted(group, key=lambda each: not shared.is_wanted(each))
+        first, *others = sorted(group, key=lambda each: not uninstalled.is_wanted(each))
         edits = widen_glob(package.setup, first.glob, first.path)
         fix = Fix(f"widen the glob so that it finds {first.path}", edits, Safety.UNSAFE) if edits else None
         why = "unlike the folders next to it" if is_folder else f"`{first.glob.pattern}` finds only its neighbours"
@@ -82,12 +82,12 @@ def file_not_installed(shared: ShareFiles) -> Iterator[Hit]:
             f"{shown} not installed, {why}: the build is green, and share/{package.name} lacks "
             f"{'them' if others else 'it'}; add {'a glob' if is_folder else 'them' if others else 'it'} to `data_files`"
         )
-        related = tuple(Related(place, Span(0, 0), "not installed either") for place in places(shared, others))
-        level = None if shared.is_wanted(first) else Severity.INFO
+        related = tuple(Related(place, Span(0, 0), "not installed either") for place in places(uninstalled, others))
+        level = None if uninstalled.is_wanted(first) else Severity.INFO
         yield Hit(package.setup.path, span, message, level, related=related, fix=fix)
 
 
-def places(shared: ShareFiles, missed: Sequence[UninstalledNeighbour]) -> Iterator[str]:
+def places(uninstalled: UninstalledFiles, missed: Sequence[UninstalledNeighbour]) -> Iterator[str]:
     """Yield a file for each that is missed: of a folder the first of its files."""
     for each in missed:
-        yield next(iter(shared.useful(each.path.rstrip("/"))), each.path) if each.path.endswith("/") else each.path
+        yield next(iter(uninstalled.useful(each.path.rstrip("/"))), each.path) if each.path.endswith("/") else each.path
