@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from ..checks.enumeration import in_ticks
-from ..checks.plugins.unknown_plugins import WrongPlugin
+from ..checks.plugins.well_known_plugins import WrongPlugin
 from ..finding import Edit, Fix, Hit, Related, Safety, Severity
 from ..lazy_regex import regex
 from .plain_names import only_plain_names

@@ -15,8 +15,9 @@ from ...package.plugins.loaders import PluginLoader, PluginLoaders
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
 from ...suggest import near_names, nearest
+from .exported_classes import spaceless
 from .named_plugins import NamedPlugins
-from .plugin_package import PluginPackage, spaceless
+from .plugin_package import PluginPackage
 
 
 @dataclass(frozen=True)

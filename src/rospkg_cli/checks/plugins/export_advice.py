@@ -71,7 +71,7 @@ class PluginExports:
         )
         if self.package.exported and not self.named.is_asked([each.plugin for each in entries]):
             return f"{message}; nothing here names {them}", "info"
-        if not any(map(self.package.library, {each.library for each in entries})):
+        if not any(map(self.package.libraries.target, {each.library for each in entries})):
             return f"{message}; no target here makes the library, another package may", "info"
         return self.weighed(message, level, [each.plugin for each in entries])
 
@@ -91,7 +91,7 @@ class PluginExports:
         )
 
     def is_compiled(self, source: str) -> bool:
-        return is_compiled(self.package.compiled, self.package.sources, source)
+        return is_compiled(self.package.libraries.compiled, self.package.sources, source)
 
     def of_that_name(self, entry: DescribedPlugin) -> list[str]:
         """Return the described plugins of other packages whose class has the same name."""

@@ -25,7 +25,7 @@ MACRO_NAME = regex(r"_*[A-Z][A-Z0-9_]*_*")
 @dataclass(frozen=True)
 class ExportedClass:
     type: str
-    """As the macro has it: pluginlib looks for exactly this text."""
+    """As it is written in the macro: pluginlib looks for exactly this text."""
     base: str
     path: str
     span: Span
@@ -42,7 +42,7 @@ def exported_classes(files: Iterable[CppFile]) -> Iterator[ExportedClass]:
 
 
 def wraps_export(file: CppFile) -> bool:
-    """Return whether a file defines a macro that exports classes, of whatever names it puts together."""
+    """Return whether a file defines a macro that exports classes, whose names it may compose."""
     return any(name in each.body for each in file.defines for name in MACROS)
 
 
@@ -54,6 +54,11 @@ def is_plain(name: str) -> bool:
 def tail(name: str) -> str:
     """Return a class's name without its namespaces and template arguments."""
     return name.partition("<")[0].rpartition("::")[2].rpartition("/")[2]
+
+
+def spaceless(name: str) -> str:
+    """Return the name of a class without blanks, so that `A<B >` and `A<B>` compare as equal."""
+    return "".join(name.split())
 
 
 def is_registered_otherwise(files: Iterable[CppFile], name: str) -> bool:

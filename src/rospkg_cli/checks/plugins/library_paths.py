@@ -13,8 +13,9 @@ from ...package.install_table import InstallTable
 from ...suggest import near_names
 from ..cmake.target_references import TargetReferences
 from ..fault import Level
+from .exported_classes import spaceless
 from .named_plugins import NamedPlugins
-from .plugin_package import DescribedPlugin, PluginPackage, spaceless
+from .plugin_package import DescribedPlugin, PluginPackage
 
 LibraryFault = Literal["prefixed", "unknown", "static", "absent"]
 SUFFIXES = (".so", ".dylib", ".dll", ".a")
@@ -62,14 +63,14 @@ class PluginLibraries:
 
     def problems_of(self, entry: DescribedPlugin, path: Attribute) -> Iterator[WrongLibraryPath]:
         name = path.value.strip()
-        target = self.package.library(name)
+        target = self.package.libraries.target(name)
         if target is None:
-            if self.package.sees_all_libraries(name):
+            if self.package.libraries.are_known(name):
                 yield WrongLibraryPath(entry, path, "unknown", *self.suggestion(entry, name))
         elif (
             "/" not in name
             and name.startswith("lib")
-            and self.package.library(name[3:]) == target
+            and self.package.libraries.target(name[3:]) == target
             and not self.is_made(name)
         ):
             yield WrongLibraryPath(entry, path, "prefixed", name[3:], True)
@@ -89,7 +90,7 @@ class PluginLibraries:
     def suggestion(self, entry: DescribedPlugin, name: str) -> tuple[str, bool]:
         """Return the library that holds the class, else the one whose name is hidden in a path or a file name."""
         makers = [e for e in self.package.exported if spaceless(e.type) == spaceless(entry.type)]
-        homes = {home for each in makers for home in self.package.libraries_of(each)}
+        homes = {home for each in makers for home in self.package.libraries.of_source(each.path)}
         if len(homes) == 1:
             home = homes.pop()
             return self.cmake.output_names.get(home, home), True
@@ -97,7 +98,7 @@ class PluginLibraries:
         for suffix in SUFFIXES:
             stem = stem.removesuffix(suffix)
         for each in (stem, stem.removeprefix("lib")):
-            if self.package.library(each) is not None and self.is_made(each):
+            if self.package.libraries.target(each) is not None and self.is_made(each):
                 return each, each in homes
         return "", False
 

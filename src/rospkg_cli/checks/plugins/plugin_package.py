@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
-from ...languages.cmake.values import UNKNOWN
 from ...languages.cpp.file import CppFile
 from ...languages.cpp.read import SUFFIXES
 from ...light_dataclasses import dataclass
@@ -15,20 +14,19 @@ from ...package.cmake.meant_paths import meant_paths
 from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts
 from ...package.plugins.description import PluginClass, PluginDescription
-from ..cmake.source_targets import SourceTargets
+from .described_libraries import DescribedLibraries
 from .exported_classes import (
     ExportedClass,
     exported_classes,
     is_plain,
     is_registered_otherwise,
+    spaceless,
     tail,
     wraps_export,
 )
 
-PREBUILT = (".so", ".a", ".dylib", ".dll")
 COMPONENTS = frozenset({"rclcpp::Node", "rclcpp_components::NodeFactory"})
-"""What class_loader registers of them is a component, which no plugin description has."""
-FETCHES = frozenset({"externalproject_add", "fetchcontent_declare", "fetchcontent_makeavailable", "ament_vendor"})
+"""Base classes of components: class_loader registers these, and no plugin description lists them."""
 
 
 @dataclass(frozen=True)
@@ -57,8 +55,8 @@ class PluginPackage:
     descriptions: tuple[PluginDescription, ...]
 
     @cached_property
-    def compiled(self) -> SourceTargets:
-        return SourceTargets(self.cmake)
+    def libraries(self) -> DescribedLibraries:
+        return DescribedLibraries(self.files, self.cmake)
 
     @cached_property
     def exported(self) -> tuple[ExportedClass, ...]:
@@ -70,7 +68,7 @@ class PluginPackage:
 
     @cached_property
     def entries(self) -> tuple[DescribedPlugin, ...]:
-        """What CMake exports and what is C++, in order; nothing of ROS 1, where package.xml does that."""
+        """The C++ plugins of the descriptions that CMake exports, in order; none for ROS 1."""
         if not self.facts.is_ament:
             return ()
         return tuple(
@@ -83,14 +81,14 @@ class PluginPackage:
 
     @cached_property
     def is_readable(self) -> bool:
-        """Whether all sources could be read, and CMake could be followed."""
+        """Whether all sources could be read, and all CMake files could be evaluated."""
         paths = sum(path.endswith(SUFFIXES) for path in self.files.paths)
         return self.cmake.is_complete and len(self.sources) == paths
 
     def without_source(self) -> Iterator[DescribedPlugin]:
-        """Yield the described plugins whose class no source exports, as far as that is known.
+        """Yield the described plugins whose class no source exports.
 
-        What a macro exports that the package defines of pluginlib's is not.
+        There is none where that is not known: where a macro of the package wraps the export macro of pluginlib.
         """
         if self.is_readable and not any(map(wraps_export, self.sources)):
             for entry in self.entries:
@@ -99,37 +97,15 @@ class PluginPackage:
                     yield entry
 
     def is_own(self, entry: DescribedPlugin) -> bool:
-        """Return whether the library of an entry is made of sources that can be seen, or of nothing that is known."""
-        target = self.library(entry.library)
+        """Return whether all sources of the library of an entry are known, or no target builds it."""
+        target = self.libraries.target(entry.library)
         if target is not None:
-            return self.compiled.is_complete(target)
-        return self.sees_all_libraries(entry.library)
-
-    def sees_all_libraries(self, name: str) -> bool:
-        """Return whether every library that may have a name is known: made by CMake, of a known name."""
-        fetched = any(call.name in FETCHES for call in self.cmake.calls)
-        known = all(each.word.is_known for each in self.cmake.targets if each.is_library)
-        known = known and not any(UNKNOWN in new for new in self.cmake.output_names.values())
-        return self.cmake.is_complete and known and not fetched and not self.prebuilt.intersection(stems(name))
-
-    @cached_property
-    def prebuilt(self) -> frozenset[str]:
-        """The names of the library files in the package, without `lib`."""
-        names = (path.rpartition("/")[2] for path in self.files.paths if path.endswith(PREBUILT) or ".so." in path)
-        return frozenset(name.partition(".")[0].removeprefix("lib") for name in names)
-
-    def library(self, name: str) -> str | None:
-        """Return the target that makes the library of a description's path; None where none is known to."""
-        named = {new: target for target, new in self.cmake.output_names.items() if UNKNOWN not in new}
-        for stem in stems(name):
-            target = self.cmake.target(named.get(stem, stem))
-            if target is not None and target.is_library:
-                return target.name
-        return None
+            return self.libraries.compiled.is_complete(target)
+        return self.libraries.are_known(entry.library)
 
     @cached_property
     def _described(self) -> dict[str, list[PluginDescription]]:
-        """Class → the descriptions that have it, exported or not."""
+        """By class, the descriptions that have it, exported or not."""
         found: dict[str, list[PluginDescription]] = {}
         for description in self.descriptions:
             for plugin in description.classes:
@@ -138,7 +114,7 @@ class PluginPackage:
 
     @cached_property
     def compiled_exports(self) -> tuple[ExportedClass, ...]:
-        """The exported classes of sources that certainly go into a library that is installed for use."""
+        """The exported classes whose source is certainly compiled into a library that is no test."""
         if not self.facts.is_ament:
             return ()
         return tuple(
@@ -147,22 +123,22 @@ class PluginPackage:
             if not each.is_conditional
             and role_of(each.path) == "run"
             and is_plain(each.type)
-            and self.libraries_of(each)
+            and self.libraries.of_source(each.path)
         )
 
     def undescribed(self) -> Iterator[ExportedClass]:
-        """Yield the exported classes that no description names, of libraries that are there for plugins."""
-        libraries = {self.library(entry.library) for entry in self.entries}
+        """Yield the exported classes that no description names, of libraries with plugins."""
+        libraries = {self.libraries.target(entry.library) for entry in self.entries}
         suggested = {found.type for entry in self.without_source() if (found := self.suggestion(entry)) is not None}
         for each in self.compiled_exports:
-            for_plugins = not self.entries or libraries.intersection(self.libraries_of(each))
+            for_plugins = not self.entries or libraries.intersection(self.libraries.of_source(each.path))
             if each.base in COMPONENTS:
                 continue
             if for_plugins and spaceless(each.type) not in self._described and each.type not in suggested:
                 yield each
 
     def unexported(self) -> Iterator[tuple[PluginDescription, ExportedClass]]:
-        """Yield the descriptions that CMake does not export, with the first class that so can't be found."""
+        """Yield the descriptions that CMake does not export, with the first class that pluginlib can't find for it."""
         from ...package.plugins.other_exports import may_export  # few packages have plugins
 
         seen = set()
@@ -175,37 +151,14 @@ class PluginPackage:
                     if not may_export(self.cmake, description.file):
                         yield description, each
 
-    def libraries_of(self, exported: ExportedClass) -> list[str]:
-        """Return the libraries that the source of an exported class is compiled into, under any build option."""
-        names = sorted(self.compiled.targets_of(exported.path))
-        targets = [self.cmake.target(name) for name in names]
-        return [
-            each.name
-            for each in targets
-            if each is not None and each.is_library and not each.call.testing and not each.call.maybe
-        ]
-
     def suggestion(self, entry: DescribedPlugin) -> ExportedClass | None:
-        """Return the one exported class without an entry that an entry may mean: of its name, or its base and library.
+        """Return the one exported class that an entry probably refers to; None where there is none, or several.
 
-        None where there is none, or more than one.
+        It has no entry of its own, and the same name, or else the same base class and library.
         """
         free = [each for each in self.exported if spaceless(each.type) not in self._described]
         alike = [each for each in free if tail(each.type) == tail(entry.type)]
         if not alike:
-            library, base = self.library(entry.library), tail(entry.plugin.base.value)
-            alike = [each for each in free if library in self.libraries_of(each) and tail(each.base) == base]
+            library, base = self.libraries.target(entry.library), tail(entry.plugin.base.value)
+            alike = [e for e in free if library in self.libraries.of_source(e.path) and tail(e.base) == base]
         return alike[0] if len({each.type for each in alike}) == 1 else None
-
-
-def spaceless(name: str) -> str:
-    return "".join(name.split())
-
-
-def stems(path: str) -> tuple[str, ...]:
-    """Return the names that the library of a description's path may have, as pluginlib looks for it.
-
-    These are the path as it is, without `lib`, and without its folders.
-    """
-    names = (path, path[3:] if path.startswith("lib") else path, path.rpartition("/")[2])
-    return tuple(dict.fromkeys(names))
