@@ -1,4 +1,4 @@
-"""Where the expansion of a robot is, and what it tells."""
+"""Where the expansion of a robot is, and the problems that it found so far."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from ....languages.xml.parser import Element
 from ....light_dataclasses import dataclass, field, replace
 from ....source import Source, Span
-from .expansion import Expansion, FoundProblem, XacroProblem
+from .expansion import Expansion, FoundProblem, Node, XacroProblem
 from .library import XacroLibrary
 from .texts import TextEvaluator
 from .values import Value, XacroPlace, XacroScope
@@ -28,23 +28,31 @@ class Context:
 
 @dataclass
 class ExpansionState:
-    """What is known while a robot is expanded: where, with which names, and what was wrong so far."""
+    """The state of an expansion: the place, the names in scope, and the problems so far."""
 
     library: XacroLibrary
     found: Expansion = field(default_factory=Expansion)
     scope: XacroScope = field(default_factory=XacroScope)
     with_defaults: bool = False
-    """Whether each argument has its default, and not any value."""
+    """Whether each argument has its default value; otherwise its value is not known."""
 
     def __post_init__(self) -> None:
         self.texts = TextEvaluator(self.undefined, self.undeclared)
         self.at = Context(Source("", ""), self.scope)
 
+    def inside(self, element: Element, into: list[Node], context: Context) -> None:
+        """Expand the children of an element, and add them to a list; `Expander` does."""
+        raise NotImplementedError
+
+    def element(self, element: Element, into: list[Node], context: Context) -> None:
+        """Expand one element, and add what it becomes to a list; `Expander` does."""
+        raise NotImplementedError
+
     def problem(self, kind: XacroProblem, span: Span, name: str, known: Iterable[str], macro: str = "") -> None:
         at, closed = self.at, not self.found.is_open
-        told = FoundProblem(kind, at.source, span, name, frozenset(known), at.is_certain, closed, macro)
-        if len(self.found.problems) < MAX_PROBLEMS and told not in self.found.problems:
-            self.found.problems.append(told)
+        problem = FoundProblem(kind, at.source, span, name, frozenset(known), at.is_certain, closed, macro)
+        if len(self.found.problems) < MAX_PROBLEMS and problem not in self.found.problems:
+            self.found.problems.append(problem)
 
     def undefined(self, place: XacroPlace, name: str, scope: XacroScope) -> None:
         before, self.at = self.at, replace(self.at, source=place.source)
