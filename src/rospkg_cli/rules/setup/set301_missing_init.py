@@ -75,10 +75,10 @@ def missing_init(lost: LostModules) -> Iterator[Hit]:
         inside = [path for path in tree.package.files.below(folder) if path.endswith(".py")]
         if all(role_of(path) == "test" for path in inside) or tree.holds_launch_files(folder):
             continue
-        name = tree.dotted(folder)
+        name = tree.names.dotted(folder)
         link = tree.link_of(name)
         is_listed = name in tree.setup.package_names
-        imported = tree.imports_from(folder) and not is_listed
+        imported = tree.names.imports_from(folder) and not is_listed
         if is_listed:
             what = "setuptools says so at each build, and find_packages() would pass it over"
         else:
@@ -99,9 +99,9 @@ def missing_init(lost: LostModules) -> Iterator[Hit]:
 
 def level_of(lost: LostModules, folder: str, inside: list[str]) -> tuple[Severity | None, str]:
     """Return how grave it is that a folder is not installed, and why it is no more; None where a program stops."""
-    tree, name = lost.tree, lost.tree.dotted(folder)
+    tree, name = lost.tree, lost.tree.names.dotted(folder)
     is_listed = name in tree.setup.package_names
-    imported = tree.imports_from(folder) and not is_listed
+    imported = tree.names.imports_from(folder) and not is_listed
     is_for_nobody = is_listed or tree.is_set_aside(folder) or are_scripts(inside, tree.package.files)
     may_matter = imported and tree.started.may_reach(name)
     if not may_matter and (is_for_nobody or not tree.may_be_for_others(folder)):

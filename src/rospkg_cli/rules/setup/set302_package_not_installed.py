@@ -98,7 +98,7 @@ def without_packages(lost: LostModules) -> Hit:
     """Return what is wrong with a setup() that names no packages at all."""
     tree, own = lost.tree, lost.tree.package.name
     has_resource, is_old = tree.setup.kind("resource") == "dir", lost.programs.has_old_setuptools
-    is_met = has_resource and (not is_old or tree.is_imported_elsewhere(tree.setup.folder_of(own)))
+    is_met = has_resource and (not is_old or tree.names.is_imported_elsewhere(tree.setup.folder_of(own)))
     ends = f"a newer setuptools stops, and one before 61 installs nothing of `{own}`"
     if not has_resource or is_old:
         ends = f"setuptools before 61 installs nothing of `{own}`{', and a newer one stops' if has_resource else ''}"
@@ -115,7 +115,7 @@ def level_of(lost: LostModules, name: str) -> tuple[Severity | None, str]:
         left = lost.left(name)
         return Severity.WARNING if left else None, left
     folder = tree.setup.folder_of(name)
-    is_used = tree.started.may_reach(name) and tree.imports_from(folder)
+    is_used = tree.started.may_reach(name) and tree.names.imports_from(folder)
     is_met = is_used or tree.may_be_for_others(folder)
     why = lost.why_found(name) if is_met else ""
     return Severity.WARNING if is_met and not why else Severity.INFO, why
