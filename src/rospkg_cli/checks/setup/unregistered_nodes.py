@@ -16,6 +16,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...source import Span
+from .missing_modules import MissingModules
 from .module_exports import absolute
 from .python_package import PythonPackage
 
@@ -63,12 +64,13 @@ class UnregisteredNodes:
         if any(each.fault or each.meant_group for each in setup.entry_points):
             return
         known = {entry.module for entry in setup.entry_points}
-        missing = (module for module in known if module and self.package.is_missing(module))
-        meant = set(map(self.package.suggestion, missing))  # which SET101 tells
+        modules = MissingModules(self.package)
+        missing = (module for module in known if module and modules.has(module))
+        intended = set(map(modules.suggestion, missing))  # which SET101 reports
         nodes = {m: main for m in setup.modules if m not in known and (main := self.main_of(m)) is not None}
         for module, main in nodes.items():
             folder = module.rpartition(".")[0]
-            if module in meant or self.is_started(module.rpartition(".")[2]):
+            if module in intended or self.is_started(module.rpartition(".")[2]):
                 continue
             has_others = any(each.module.rpartition(".")[0] == folder for each in self.package.nodes)
             file = self.package.modules.at(setup.modules[module])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.missing_modules import MissingModules
 from ...checks.setup.python_package import PythonPackage
 from ...checks.setup.started_entry_points import StartedEntryPoints
 from ...example import SETUP_PY, Example, scripts, setup_py
@@ -58,11 +59,11 @@ def entry_point_module_missing(started: StartedEntryPoints) -> Iterator[Hit]:
     script fetches or writes the module by its name, where a comment says that it is not there yet, and in a folder of a
     course whose page has people copy its files into a package of `ros2 pkg create`.
     """
-    package = started.package
+    package, missing = started.package, MissingModules(started.package)
     for entry in package.setup.entry_points:
-        if not entry.module or entry.fault or not package.is_missing(entry.module):
+        if not entry.module or entry.fault or not missing.has(entry.module):
             continue
-        meant = package.suggestion(entry.module)
+        meant = missing.suggestion(entry.module)
         hint = f"; did you mean `{meant}`?" if meant else ""
         left = started.left(entry)
         made = not meant and is_made(package, entry)

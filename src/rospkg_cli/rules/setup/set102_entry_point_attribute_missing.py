@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.python.unwritten_modules import why_left_to_write
+from ...checks.setup.module_contents import ModuleContents
 from ...checks.setup.started_entry_points import StartedEntryPoints
 from ...example import Example, scripts, setup_py
 from ...finding import Hit, Severity
@@ -54,9 +55,9 @@ def entry_point_attribute_missing(started: StartedEntryPoints) -> Iterator[Hit]:
     nothing in the workspace starts or names the program, while another one of the package is started, and an info in an
     exercise: a comment says that the function, or all that the module would hold, is still to be written.
     """
-    package = started.package
+    package, contents = started.package, ModuleContents(started.package)
     for entry in package.setup.entry_points:
-        if entry.fault or not entry.attribute or package.has_attribute(entry.module, entry.attribute):
+        if entry.fault or not entry.attribute or contents.has_attribute(entry.module, entry.attribute):
             continue
         path = package.setup.file_of(entry.module) or ""
         file = package.modules.at(path)
@@ -64,7 +65,7 @@ def entry_point_attribute_missing(started: StartedEntryPoints) -> Iterator[Hit]:
         near = nearest(entry.attribute.partition(".")[0], names)
         hint = f"; did you mean `{near}`?" if near else "; define it there, or name what is"
         start = f"`ros2 run {package.name} {entry.name}`" if entry.is_script else f"loading `{entry.name}`"
-        if package.runs_when_imported(entry.module):
+        if contents.runs_when_imported(entry.module):
             message = (
                 f"`{path}` has no top-level `{entry.attribute}`: it runs because importing it starts it, and ends with "
                 "AttributeError; put that into a function"
@@ -73,8 +74,8 @@ def entry_point_attribute_missing(started: StartedEntryPoints) -> Iterator[Hit]:
             continue
         what, left = f"has no top-level `{entry.attribute.partition('.')[0]}`", started.left(entry)
         message = f"`{path}` {what}: the build is green, and {start} raises AttributeError{hint}"
-        is_seldom = bool(left) or package.is_webots_driver(entry.module)
-        if module := package.ros1_module(entry.module):
+        is_seldom = bool(left) or contents.is_webots_driver(entry.module)
+        if module := contents.ros1_module(entry.module):
             what, is_seldom = f"imports `{module}` of ROS 1 and has no top-level `{entry.attribute}`", bool(left)
             message = f"`{path}` {what}: {start} raises ModuleNotFoundError; port it, or take this line out"
         level = Severity.WARNING if is_seldom else None

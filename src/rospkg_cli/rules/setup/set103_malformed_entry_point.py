@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.setup.module_contents import ModuleContents
 from ...checks.setup.started_entry_points import StartedEntryPoints
 from ...edits.entry_points import repair_entry_point
 from ...example import Example, scripts, setup_py
@@ -71,10 +72,10 @@ def malformed_entry_point(started: StartedEntryPoints) -> Iterator[Hit]:
     ## Fix safety
     The intended entry point is a guess.
     """
-    package = started.package
+    package, contents = started.package, ModuleContents(started.package)
     for entry in package.setup.entry_points:
         if entry.fault:
-            runs = entry.fault == "no-attribute" and package.runs_when_imported(entry.module)
+            runs = entry.fault == "no-attribute" and contents.runs_when_imported(entry.module)
             end = (
                 "it runs because importing the module starts it, and ends with TypeError"
                 if runs
