@@ -17,7 +17,7 @@ from rospkg_cli.package.launch.launch_signature import LaunchSignature
 from rospkg_cli.package.launch.python_events import MAX_VISITS, ExecutionOrder
 from rospkg_cli.package.launch.read_python import read_python_launch
 from rospkg_cli.package.launch.workspace_launch_files import WorkspaceLaunchFiles
-from rospkg_cli.package.setup.setup_cfg import parse_setup_cfg
+from rospkg_cli.package.setup.parse_setup_cfg import parse_setup_cfg
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import MemoryTree

@@ -11,7 +11,8 @@ from reading import one, package
 
 from rospkg_cli.checks.read_sentences import what_is_wrong
 from rospkg_cli.example import CMAKE, manifest
-from rospkg_cli.package.setup.setup_cfg import OPTION, SetupCfg, parse_setup_cfg
+from rospkg_cli.package.setup.parse_setup_cfg import OPTION, parse_setup_cfg
+from rospkg_cli.package.setup.setup_cfg import SetupCfg
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
 from rospkg_cli.unreadable import UnreadableError

@@ -31,8 +31,9 @@ from .plugins.read_descriptions import read_plugin_descriptions
 from .python.python_imports import PackageImports, read_package_imports
 from .python_modules import PythonModules, read_installed_modules, read_modules
 from .read_install_table import read_install_table
+from .setup.parse_setup_cfg import read_setup_cfg
 from .setup.read_setup_py import read_setup_py
-from .setup.setup_cfg import SetupCfg, read_setup_cfg
+from .setup.setup_cfg import SetupCfg
 from .setup.setup_py import SetupPy
 from .urdf.reader import read_robot_files
 from .urdf.robot_file import RobotFile

@@ -1,23 +1,20 @@
-"""Links and joints of a robot as xacro leaves them, with names whose unknown parts are compared as they are written."""
+"""Faults among the names of links and joints of an expanded robot; unknown parts of names compare as written."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 from ...light_dataclasses import dataclass, replace
 from ...package.urdf.expansion.expansion import ExpandedAttribute, Expansion, Node
 from ...package.urdf.expansion.values import XacroUnknown, shown
-from ...suggest import near_names, nearest
+from ...suggest import nearest
 from ..fault import Fault, Level
 from .expanded_places import Found, own_place
 from .lost_prefix import lost_prefix, without_prefix
+from .similar_names import only_near
 from .validation import VAIN, one_fault
 
-WORD = re.compile(r"[_\W]+")
-LONG = 6
-"""Letters of a word of which two may be wrong."""
 IF = ", where the condition around it holds"
 
 
@@ -25,7 +22,7 @@ IF = ", where the condition around it holds"
 class ExpandedTree:
     expansion: Expansion
     is_robot: bool
-    """Whether it is a robot of its own: else other files may have the rest of it."""
+    """Whether it is a robot of its own; otherwise other files may have the rest of it."""
 
     def faults(self) -> Iterator[Found]:
         """Yield the path of each fault in a file of the package, and the fault."""
@@ -56,7 +53,7 @@ class ExpandedTree:
 
     @cached_property
     def has_unknown_names(self) -> bool:
-        """Whether a part of a name is given from outside: then it may be any name."""
+        """Whether a name has a part that is not known: it may then be any name."""
         return any(isinstance(node.attributes["name"].value, XacroUnknown) for node in (*self.links, *self.joints))
 
     def repeated(self, kind: str, nodes: Iterable[Node]) -> Iterator[Found]:
@@ -74,16 +71,16 @@ class ExpandedTree:
             end = joint.first(tag)
             link = end.attributes.get("link") if end else None
             if end is not None and link is not None:
-                meant = lost_prefix(link, self.link_names, self.children) if tag == "child" else ""
-                if meant:
-                    yield from without_prefix(end, link, meant, "link")
+                full = lost_prefix(link, self.link_names, self.children) if tag == "child" else ""
+                if full:
+                    yield from without_prefix(end, link, full, "link")
                 else:
                     yield from self.unknown(end, link, self.link_names, "link", ": urdfdom refuses the robot")
         mimic = joint.first("mimic")
         if mimic is not None and "joint" in mimic.attributes:
             given = mimic.attributes["joint"]
-            if meant := lost_prefix(given, self.joint_names, frozenset()):
-                yield from without_prefix(mimic, given, meant, "joint")
+            if full := lost_prefix(given, self.joint_names, frozenset()):
+                yield from without_prefix(mimic, given, full, "joint")
             else:
                 yield from self.unknown(mimic, given, self.joint_names, "joint", "")
 
@@ -94,7 +91,7 @@ class ExpandedTree:
 
     @cached_property
     def asked(self) -> frozenset[str]:
-        """The links that joints join, those that are not there too."""
+        """The links that joints name, including those that the robot does not have."""
         return self.links_at("child") | self.links_at("parent")
 
     def links_at(self, tag: str) -> frozenset[str]:
@@ -102,17 +99,17 @@ class ExpandedTree:
         return frozenset(shown(end.attributes["link"].value) for end in ends if end and "link" in end.attributes)
 
     def named(self) -> Iterator[Found]:
-        """Yield what is said of joints and links that the robot does not have: to ros2_control, and to Gazebo."""
+        """Yield the joints and links that ros2_control and Gazebo elements name, and the robot does not have."""
         yield from self.lost_joints()
         for node in self.expansion.children:
             if node.tag == "gazebo" and "reference" in node.attributes:
                 if shown(node.attributes["reference"].value) in self.asked - self.link_names:
-                    continue  # the joint tells it
+                    continue  # the finding is at the joint
                 names, harm = self.link_names | self.joint_names, ": Gazebo leaves out what this says"
                 yield from self.unknown(node, node.attributes["reference"], names, "link or joint", harm, "info")
 
     def lost_joints(self) -> Iterator[Found]:
-        """Yield the joints that ros2_control moves and the robot lacks, those of one file and level as one."""
+        """Yield the joints that ros2_control moves and the robot lacks; those of one file and level are one fault."""
         lost: dict[tuple[str, Level | None], list[Fault]] = {}
         for node in self.expansion.children:
             for child in node.children if node.tag == "ros2_control" else ():
@@ -148,32 +145,5 @@ class ExpandedTree:
         yield place[0].path, Fault(place[1], f"no {kind} is called `{name}`{hint}{harm}{when}", milder)
 
 
-def only_near(name: str, names: Iterable[str]) -> str | None:
-    """Return the one name that a letter makes of another, or two of long words; none that is a sibling of it."""
-    close = near_names(name, names, 1)
-    found = close or near_names(name, names)
-    if len(found) != 1 or "@" in name or are_siblings(name, found[0]):
-        return None
-    words = [word for word in WORD.split(name) if word not in WORD.split(found[0])]
-    return found[0] if close or all(len(word) >= LONG for word in words) else None
-
-
 def name_of(node: Node) -> str:
     return shown(node.attributes["name"].value)
-
-
-def are_siblings(a: str, b: str) -> bool:
-    """Return whether two names differ by a number or a letter that stands alone, as `wheel_l` and `wheel_r` do."""
-    words = WORD.split(a), WORD.split(b)
-    if len(words[0]) != len(words[1]):
-        return False
-    different = [pair for pair in zip(*words, strict=True) if pair[0] != pair[1]]
-    return all((is_mark(one) and is_mark(other)) or numberless(one) == numberless(other) for one, other in different)
-
-
-def is_mark(word: str) -> bool:
-    return len(word) <= 2
-
-
-def numberless(word: str) -> str:
-    return re.sub(r"\d+", "0", word)

@@ -8,7 +8,7 @@ from ...languages.xml.parser import Element
 from ...source import Span
 from ...suggest import did_you_mean
 from ..fault import Fault
-from .element_checks import first, name_span
+from .element_attributes import first, name_span
 
 
 class KinematicTree:

@@ -6,15 +6,16 @@ from collections.abc import Iterator
 
 from ...languages.xml.parser import Element
 from ..fault import Fault
-from .element_checks import INERTIA, ElementCheck
+from .element_attributes import AttributeCheck
+from .link_check import INERTIA
 
 OTHERS = frozenset({"gazebo", "plugin", "sensor", "ros2_control", "transmission", "sdf"})
 """Elements that urdfdom does not read."""
 NUMBERS = {"mass": ("value",), "inertia": INERTIA}
 
 
-def loose_faults(root: Element, check: ElementCheck) -> Iterator[Fault]:
-    """Yield numbers that can't be read, of what no link or joint holds itself; whole elements may be elsewhere."""
+def loose_faults(root: Element, check: AttributeCheck) -> Iterator[Fault]:
+    """Yield numbers that can't be read, in elements that xacro puts into a link or a joint; others may be elsewhere."""
     for part, in_joint in loose_parts(root):
         vectors = check.vectors(part, ("xyz", "rpy")) if part.tag == "origin" else ()
         names = NUMBERS.get(part.tag, ())
@@ -26,7 +27,7 @@ def loose_faults(root: Element, check: ElementCheck) -> Iterator[Fault]:
 
 
 def loose_parts(root: Element) -> Iterator[tuple[Element, bool]]:
-    """Yield origins and masses behind an element of xacro, and whether a joint is around them."""
+    """Yield origins and masses inside of an element of xacro, and whether a joint is around them."""
     waiting = [(root, False, False)]
     while waiting:
         around, is_loose, in_joint = waiting.pop()

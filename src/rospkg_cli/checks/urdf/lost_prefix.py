@@ -26,10 +26,10 @@ def lost_prefix(given: ExpandedAttribute, names: frozenset[str], taken: frozense
     return found[0] if len(found) == 1 and found[0] not in taken else ""
 
 
-def without_prefix(node: Node, given: ExpandedAttribute, meant: str, kind: str) -> Iterator[Found]:
+def without_prefix(node: Node, given: ExpandedAttribute, full: str, kind: str) -> Iterator[Found]:
     """Yield a name without the prefix that all names of its macro have."""
     name = shown(given.value)
     place = own_place(node, given.span, name)
     if place is not None:
-        message = f"no {kind} is called `{name}`{UNLESS}`{meant}`{UNLESS_EMPTY}write `{meant}`"
+        message = f"no {kind} is called `{name}`{UNLESS}`{full}`{UNLESS_EMPTY}write `{full}`"
         yield place[0].path, Fault(place[1], message, "warning")

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 from ...languages.xml.parser import Element
 from ...source import Span
 from ..fault import Fault
-from .element_checks import first, name_span
+from .element_attributes import first, name_span
 
 BLOCKS = frozenset({"xacro:if", "xacro:unless", "xacro:macro"})
 """Elements of xacro whose children all come out, or none."""

@@ -12,8 +12,10 @@ from ...package.urdf.robot_file import RobotFile
 from ...source import Span
 from ...suggest import did_you_mean
 from ..fault import Fault, Level, joined
-from .element_checks import ElementCheck, first
+from .element_attributes import first
+from .joint_check import JointCheck
 from .kinematic_tree import KinematicTree
+from .link_check import LinkCheck
 from .loose_parts import loose_faults
 from .repeated_names import is_named_only, repeated, repeated_in_blocks
 from .robot_words import control_faults, misspelt_parts
@@ -54,7 +56,8 @@ def unsorted_faults(robot: RobotFile, piece: bool) -> Iterator[Fault]:
         if not robot.is_xacro:
             yield Fault(root.open, f"the root of a URDF is `<robot>`, not `<{root.tag}>`: urdfdom refuses it")
         return
-    check = ElementCheck(document.source, is_xacro=is_expanded(root, robot.path))
+    expanded = is_expanded(root, robot.path)
+    check, link_check = JointCheck(document.source, is_xacro=expanded), LinkCheck(document.source, is_xacro=expanded)
     if robot.is_xacro:
         yield from loose_faults(root, check)
     yield from control_faults(root)
@@ -62,7 +65,7 @@ def unsorted_faults(robot: RobotFile, piece: bool) -> Iterator[Fault]:
     if not links and not joints:
         return  # part of a robot, for other files to include
     for link in links:
-        yield from check.link(link)
+        yield from link_check.link(link)
     for joint in joints:
         yield from check.joint(joint)
         yield from check.to_itself(joint)

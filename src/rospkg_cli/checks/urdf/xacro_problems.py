@@ -9,7 +9,7 @@ from ...package.urdf.expansion.expansion import FoundProblem, XacroProblem
 from ...suggest import is_slip, nearest
 from ..enumeration import in_ticks
 from ..fault import Fault, Level, joined, softer
-from .expanded_tree import only_near
+from .similar_names import only_near
 from .xacro_calls import XacroCalls
 
 STOPS = "xacro stops here"

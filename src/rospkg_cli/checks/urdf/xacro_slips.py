@@ -12,7 +12,7 @@ from ...light_dataclasses import replace
 from ...package.urdf.expansion.macros import MacroParameter, parameters_of
 from ...source import Span
 from ..fault import Fault, softer
-from .element_checks import JOINT_NUMBERS
+from .joint_check import JOINT_NUMBERS
 
 SURPLUS = regex(r"\$\{[^{}]*\}\}")
 """An expression with a brace behind it that closes nothing."""

@@ -13,7 +13,7 @@ from ...source import Span
 from ...unreadable import UnreadableError
 from ..install_table import InstalledFile, UnknownPart
 from ..setup.entry_points import EntryPoint, parse_entry_point
-from ..setup.setup_cfg import parse_setup_cfg
+from ..setup.parse_setup_cfg import parse_setup_cfg
 from ..setup.setup_cfg_arguments import items_of
 from .install_destinations import below_prefix
 from .install_keywords import PACKAGE_KEYWORDS
