@@ -14,6 +14,7 @@ from .described_names import DescribedNames
 from .exported_classes import tail
 from .plugin_names import SEPARATOR, are_related, is_brought, is_something_else, plain
 from .plugin_uses import uses
+from .well_known_plugins import WellKnownPlugins, WrongPlugin
 
 BUILT_IN = frozenset({"rviz_common"})
 """Packages with plugins that are registered without a description."""
@@ -32,11 +33,15 @@ class UnknownPlugin:
 
 @dataclass(frozen=True)
 class PluginReferences:
-    described: DescribedNames
+    workspace: Workspace
 
-    @property
-    def workspace(self) -> Workspace:
-        return self.described.workspace
+    @cached_property
+    def described(self) -> DescribedNames:
+        return DescribedNames(self.workspace)
+
+    def misspelt(self) -> Iterator[WrongPlugin]:
+        """Yield the misspelt names of plugins of well-known packages, which are not in the workspace."""
+        return WellKnownPlugins(self.described).misspelt()
 
     def unknown(self) -> Iterator[UnknownPlugin]:
         """Yield the unknown names in the linted packages.

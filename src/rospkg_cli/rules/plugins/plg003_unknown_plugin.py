@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ...checks.plugins.described_names import DescribedNames
 from ...checks.plugins.unknown_plugins import PluginReferences, UnknownPlugin
-from ...checks.plugins.well_known_plugins import WellKnownPlugins
 from ...edits.plain_names import only_plain_names
 from ...edits.well_known_plugins import same_renames, well_known
 from ...example import CMAKE, Example, manifest
@@ -94,9 +92,9 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     ## Fix safety
     The name is changed only with `--unsafe-fixes`: the description may be what is wrong.
     """
-    described = DescribedNames(workspace)
-    yield from map(well_known, same_renames(WellKnownPlugins(described).misspelt()))
-    for unknown, *others in same_names(PluginReferences(described).unknown()):
+    references = PluginReferences(workspace)
+    yield from map(well_known, same_renames(references.misspelt()))
+    for unknown, *others in same_names(references.unknown()):
         if unknown.user.folder in workspace.selected:
             yield at_use(unknown, others)
         elif unknown.suggestion is not None and unknown.owner.folder in workspace.selected:
