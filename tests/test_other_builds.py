@@ -111,6 +111,9 @@ TESTS = "install(TARGETS test_a RUNTIME DESTINATION lib/${PROJECT_NAME})\n"
             "error",
         ),
         ("add_executable(demo demo.cpp)\nadd_library(a a.cpp)\n", "error"),
+        (f"{LIBRARY}ament_add_gtest(test_a src/test_a.cpp)\n", "warning"),
+        (f"if(WITH_TESTS)\n  ament_add_gmock(test_a src/test_a.cpp)\nendif()\n{LIBRARY}", "warning"),
+        ("ament_add_gtest(test_a test/test_a.cpp)\nadd_executable(demo demo.cpp)\nadd_library(a a.cpp)\n", "error"),
     ],
 )
 def test_a_package_without_programs_lacks_its_build_type(rest: str, level: str) -> None:

@@ -7,6 +7,7 @@ import re
 from ...files import PackageFiles
 from ...languages.cmake.targets import Target
 from ...package.cmake.cmake_project import CMake
+from ...package.cmake.needed_files import COMPILED
 from ...package.cmake.target_folders import ASIDE, EXAMPLES, parts_of
 from ...package.cmake.target_links import TargetLinks
 from ...package.cmake.uninstalled_targets import UninstalledTargets
@@ -19,8 +20,13 @@ TESTS = ASIDE - EXAMPLES
 def has_run_programs(cmake: CMake, files: PackageFiles, package: str) -> bool:
     """Return whether a program may be started by its name: it is installed, or nothing is, and no test alone."""
     programs = [each for each in cmake.targets if each.is_executable and not each.call.testing]
-    left = [each for each in programs if parts_of(each) & TESTS or is_kept(cmake, each)]
+    left = [each for each in programs if is_for_tests(each) or is_kept(cmake, each)]
     return len(left) < len(programs) or any(is_run(files, package, each) for each in left)
+
+
+def is_for_tests(program: Target) -> bool:
+    """Return whether a command for tests makes a program, or it lies in a folder of tests."""
+    return program.call.name in COMPILED or bool(parts_of(program) & TESTS)
 
 
 def is_kept(cmake: CMake, program: Target) -> bool:

@@ -67,8 +67,9 @@ def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
     CMake builds and installs nothing, as in a folder that npm builds, where a macro that no file here defines makes the
     package (`add_acme_package(my_pkg …)`) and nothing of ament is called or declared, or where a folder without
     dependencies, code and launch files is marked for other tools. It is a warning where neither ament_cmake nor plain
-    CMake is certain, or where nothing in it can be started: tests that are installed, and programs that a library does
-    not install, are not meant to be, unless a page or a script runs one (`ros2 run my_pkg test_camera`).
+    CMake is certain, or where nothing in it can be started: tests, which `ament_add_gtest()` and the like make or which
+    lie in a folder of tests, and programs that a library does not install, are not meant to be, unless a page or a
+    script runs one (`ros2 run my_pkg test_camera`).
 
     ## References
     - [REP-149, build_type](https://ros.org/reps/rep-0149.html): "If no build_type is provided, catkin is assumed."
