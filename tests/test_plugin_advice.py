@@ -40,6 +40,42 @@ def test_what_helps_a_class_that_no_source_exports(files: dict[str, str], advice
     )
 
 
+REGISTERED = 'BT_REGISTER_NODES(factory) {\n  factory.registerNodeType<Planner>("Plan");\n}\n'
+
+
+@pytest.mark.parametrize(
+    ("nodes", "parameters", "level"),
+    [
+        (REGISTERED, plg002.UNNAMED, "info"),
+        (REGISTERED.replace("NodeType<Planner", "Builder<my_pkg::Planner"), plg002.UNNAMED, "info"),
+        (REGISTERED, plg002.NAMED, "error"),
+        (REGISTERED.replace("<Planner>", "<Other>"), plg002.UNNAMED, "warning"),
+        (REGISTERED.replace("  factory", "  // factory"), plg002.UNNAMED, "warning"),
+        ("", plg002.UNNAMED, "warning"),
+    ],
+)
+def test_a_node_of_behavior_trees_needs_no_description(nodes: str, parameters: str, level: str) -> None:
+    (finding,) = lint(src__planner_DOT_cpp=CLASS + nodes, config__nav2_DOT_yaml=parameters)
+    assert finding.severity.value == level
+    assert ("PLUGINLIB_EXPORT_CLASS" in finding.message) is (level != "info")
+    assert finding.message.endswith(
+        "`src/planner.cpp` registers it for behavior trees, which need no description: remove it here"
+    ) is (level == "info")
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "level"),
+    [
+        ("README.md", "Set `plugin: my_pkg/Planner`.\n", "warning"),
+        ("src/server.cpp", 'pluginlib::ClassLoader<B> one("nav2_core", "nav2_core::GlobalPlanner");\n', "error"),
+    ],
+)
+def test_a_node_of_behavior_trees_that_may_be_loaded_as_a_plugin(path: str, text: str, level: str) -> None:
+    files = {**FILES, "src/planner.cpp": CLASS + REGISTERED, "config/nav2.yaml": plg002.UNNAMED, path: text}
+    (finding,) = lint_files(files, ["PLG002"]).findings
+    assert (finding.severity.value, "behavior trees" in finding.message) == (level, False)
+
+
 def test_a_source_that_nothing_compiles_exports_nothing() -> None:
     other = "PLUGINLIB_EXPORT_CLASS(old::Planner, nav2_core::GlobalPlanner)\n"
     (finding,) = lint(src__planner_DOT_cpp="\n", src__other_DOT_cpp=other)

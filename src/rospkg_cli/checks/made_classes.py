@@ -24,6 +24,8 @@ MAKES = (
     r"|(?<![\w:]){0}::make_(?:shared|unique)\s*\(|[;{{}}:]\s*(?:static\s+)?{0}\s+\w+\s*[;({{]"
 )
 """By a call, or as a member or a variable of the class itself; what only points to one makes none."""
+REGISTERS = r"\bregister(?:NodeType|Builder)\s*<\s*{0}\s*>"
+"""How BehaviorTree.CPP is given the class of a node."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +43,10 @@ class MadeClasses:
     def maker(self, name: str) -> str:
         """Return the source that makes objects of a class; "" where none does."""
         return self.having(MAKES, name)
+
+    def registering(self, name: str) -> str:
+        """Return the source that registers a class as a node of behavior trees; "" where none does."""
+        return self.having(REGISTERS, name)
 
     def having(self, form: str, name: str) -> str:
         """Return the first source with a form of code about a class."""

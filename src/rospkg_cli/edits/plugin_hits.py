@@ -38,6 +38,8 @@ def undescribed_classes(exports: PluginExports) -> Iterator[Hit]:
 
 def without_source(exports: PluginExports, entry: DescribedPlugin) -> Hit:
     kind, file, meant = entry.plugin.type, entry.description.file, exports.package.suggestion(entry)
+    if meant is None and (text := exports.unneeded(entry)):
+        return Hit(file, kind.value_span, text, Severity.INFO)
     if meant is None:
         text, level = exports.weighed(*exports.advice(entry), [entry.plugin])
         return Hit(file, kind.value_span, text, Severity(level))

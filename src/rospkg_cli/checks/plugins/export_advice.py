@@ -46,6 +46,14 @@ class PluginExports:
             return f"{start}; {macro} to `{source}`, which no target compiles, and compile it in", "warning"
         return f"{start}; {macro} to its source, or remove it here", "error"
 
+    def unneeded(self, entry: DescribedPlugin) -> str:
+        """Return the message of a class that is described and only a node of behavior trees; "" of all others."""
+        source = self.named.tree_node(entry.plugin)
+        return source and (
+            f"no source exports `{entry.type}`: loading the plugin `{entry.plugin.lookup_name}` fails; `{source}` "
+            "registers it for behavior trees, which need no description: remove it here"
+        )
+
     def defining(self, entry: DescribedPlugin) -> list[str]:
         """Return the sources that have the class of an entry."""
         return [file.path for file in self.package.sources if defines(file, tail(entry.type))]

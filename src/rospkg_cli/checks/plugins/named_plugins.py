@@ -50,6 +50,15 @@ class NamedPlugins:
             return "info", f"; nothing here names it, and `{maker}` makes it itself"
         return "warning", "; nothing here names it, others may"
 
+    def tree_node(self, plugin: PluginClass) -> str:
+        """Return the source that registers a class as a node of behavior trees; "" where it may be loaded as a plugin.
+
+        A behavior tree gets it from the library itself, which its program loads by name.
+        """
+        if self.made is None or self.is_asked([plugin]) or self.is_base_loaded(plugin.base.value):
+            return ""
+        return self.made.registering(plugin.type.value)
+
     def is_asked(self, plugins: Iterable[PluginClass]) -> bool:
         """Return whether anything names one of some plugins, or shows or loads all of their kind."""
         texts = (*self.texts, *self.pages)

@@ -51,8 +51,8 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
         Severity.WARNING: "nothing here loads the plugin by its name; a source exports a class, and no description has "
         "it, or no target compiles the source",
         Severity.INFO: "nothing names the plugin, where others of the package are named, or code makes its class "
-        "itself, or nothing defines it, or makes its library; the class is the base of another one that is exported, "
-        "or class_loader loads it",
+        "itself or registers it for behavior trees, or nothing defines it, or makes its library; the class is the base "
+        "of another one that is exported, or class_loader loads it",
     },
     examples=(
         Example(
@@ -107,8 +107,9 @@ def unexported_plugin(exports: PluginExports) -> Iterator[Hit]:
     robots, views, launch files or code of the workspace name it, or a loader of its base class is here, or one that
     loads all plugins (image_transport). Where only a page names it, or nothing, others may load it: a warning. It is an
     info where other plugins of the package are named, where nothing names the class and code of the package makes
-    objects of it itself, where nothing defines or names the class, or no target makes its library, and for a class
-    without a description where the package uses class_loader, which needs none.
+    objects of it itself or registers it as a node of behavior trees (BehaviorTree.CPP loads the library, and reads no
+    description), where nothing defines or names the class, or no target makes its library, and for a class without a
+    description where the package uses class_loader, which needs none.
 
     ## Fix safety
     The type of a description is set to what the source exports. A missing export of the description in CMake is added
