@@ -26,7 +26,7 @@ from rospkg_cli.engine.discovery.discover import packages_below
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.languages.cmake.command_blocks import nest
 from rospkg_cli.languages.cmake.lexer import tokens
-from rospkg_cli.languages.cmake.syntax import parse
+from rospkg_cli.languages.cmake.parser import parse
 from rospkg_cli.package.cmake.cmake_project import CMake
 from rospkg_cli.package.package import Package
 from rospkg_cli.source import Source

@@ -30,7 +30,8 @@ from pathlib import Path
 
 from rospkg_cli.engine.discovery.discover import packages_below
 from rospkg_cli.languages.cmake.evaluated_command import EvaluatedCommand
-from rospkg_cli.languages.cmake.values import BINARY, PREFIX, SOURCE, UNKNOWN, Word, split_list
+from rospkg_cli.languages.cmake.list_text import split_list
+from rospkg_cli.languages.cmake.values import BINARY, PREFIX, SOURCE, UNKNOWN, Word
 from rospkg_cli.package.cmake.cmake_project import CMake
 
 from .cmake_world import World, make_world, name_of, open_package

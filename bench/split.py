@@ -74,7 +74,7 @@ def worker_in(folder: Path) -> tuple[Worker, Session]:
 
 def parse_all(worker: Worker) -> None:
     """Parse each file once by the parser that lint has for it, and keep nothing."""
-    from rospkg_cli.languages.cmake.syntax import parse as parse_cmake
+    from rospkg_cli.languages.cmake.parser import parse as parse_cmake
     from rospkg_cli.languages.cpp.file import read_cpp
     from rospkg_cli.languages.python.syntax import parse as parse_python
     from rospkg_cli.languages.xml.parser import read_xml

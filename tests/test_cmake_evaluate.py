@@ -10,7 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rospkg_cli.example import manifest
-from rospkg_cli.languages.cmake.values import UNKNOWN, substitute
+from rospkg_cli.languages.cmake.argument_words import substitute
+from rospkg_cli.languages.cmake.values import UNKNOWN
 
 HEAD = "project(my_pkg)\n"
 

@@ -10,7 +10,7 @@ from rospkg_cli.checks.read_sentences import syntax_sentence
 from rospkg_cli.example import BACKDROPS
 from rospkg_cli.languages.cmake.command_blocks import Block, nest
 from rospkg_cli.languages.cmake.lexer import tokens
-from rospkg_cli.languages.cmake.syntax import parse
+from rospkg_cli.languages.cmake.parser import parse
 from rospkg_cli.source import Source
 from rospkg_cli.testing import lint_files
 

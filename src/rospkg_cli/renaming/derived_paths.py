@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ..files import PackageFiles
-from ..languages.cmake.syntax import parse
+from ..languages.cmake.parser import parse
 from ..lazy_regex import regex
 from ..source import Source
 from ..unreadable import UnreadableError

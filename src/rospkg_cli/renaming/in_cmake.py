@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ..languages.cmake.syntax import CommandArgument, CommandInvocation, parse
+from ..languages.cmake.parser import parse
+from ..languages.cmake.syntax import CommandArgument, CommandInvocation
 from ..lazy_regex import regex
 from ..source import Source, Span
 from .common import OF_CMAKE

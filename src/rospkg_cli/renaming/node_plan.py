@@ -9,7 +9,7 @@ from ..change.draft import Draft
 from ..change.moved_tree import MovedTree
 from ..files import PackageFiles
 from ..finding import Edit
-from ..languages.cmake.syntax import parse
+from ..languages.cmake.parser import parse
 from ..package.collect_facts import collect_facts
 from ..package.manifest import Manifest
 from ..package.package import Package

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.cmake.command_blocks import Block
-from ...languages.cmake.condition import BINARY
+from ...languages.cmake.comparisons import BINARY
 from ...languages.cmake.file import CMakeFile
 from ...languages.cmake.syntax import CommandArgument, CommandInvocation
 from ...lazy_regex import regex

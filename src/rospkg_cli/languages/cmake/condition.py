@@ -2,45 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from typing import Protocol
 
-from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from .regex import max_steps, search
-from .values import UNKNOWN, Value, Word, list_to_text
+from .comparisons import BINARY, compare, list_contains
+from .list_text import list_to_text
+from .regex import max_steps
+from .truth import Truth, and_, as_constant, not_, or_
+from .values import UNKNOWN, Value, Word
 
-Truth = bool | None
-
-TRUE = frozenset({"ON", "YES", "TRUE", "Y"})
-FALSE = frozenset({"", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"})
-NUMBER = regex(r"[+-]?\d+(\.\d+)?")
-NUMBER_FIRST = regex(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)")
-"""What EQUAL and LESS read of a text: sscanf stops where the number does.
-
-Linear: it is only tried at the start of a word.
-"""
-VERSION = regex(r"\d{1,9}(\.\d{1,9})*")
-
-NUMBERS: Mapping[str, Callable[[float, float], bool]] = {
-    "EQUAL": lambda a, b: a == b,
-    "LESS": lambda a, b: a < b,
-    "GREATER": lambda a, b: a > b,
-    "LESS_EQUAL": lambda a, b: a <= b,
-    "GREATER_EQUAL": lambda a, b: a >= b,
-}
-STRINGS: Mapping[str, Callable[[str, str], bool]] = {
-    "STREQUAL": lambda a, b: a == b,
-    "STRLESS": lambda a, b: a < b,
-    "STRGREATER": lambda a, b: a > b,
-    "STRLESS_EQUAL": lambda a, b: a <= b,
-    "STRGREATER_EQUAL": lambda a, b: a >= b,
-    "PATH_EQUAL": lambda a, b: a == b,
-}
 UNARY = frozenset({"EXISTS", "COMMAND", "DEFINED", "TARGET", "POLICY", "TEST", "IS_DIRECTORY", "IS_ABSOLUTE",
                    "IS_SYMLINK", "IS_READABLE", "IS_WRITABLE", "IS_EXECUTABLE"})  # fmt: skip
-BINARY = frozenset({*NUMBERS, *STRINGS, *(f"VERSION_{name}" for name in NUMBERS), "MATCHES", "IN_LIST",
-                    "IS_NEWER_THAN"})  # fmt: skip
 
 
 class ConditionContext(Protocol):
@@ -57,18 +30,6 @@ class ConditionContext(Protocol):
 
     def spend(self, cost: int) -> None:
         """Charge the cost of a comparison."""
-
-
-def and_(a: Truth, b: Truth) -> Truth:
-    return False if a is False or b is False else True if a and b else None
-
-
-def or_(a: Truth, b: Truth) -> Truth:
-    return True if a or b else False if a is False and b is False else None
-
-
-def not_(a: Truth) -> Truth:
-    return None if a is None else not a
 
 
 def evaluate(words: Sequence[Word], world: ConditionContext) -> Truth:
@@ -140,15 +101,9 @@ class ConditionReader:
             b = right.text
         if UNKNOWN in a or UNKNOWN in b:
             return None
-        if operator in STRINGS:
-            return STRINGS[operator](a, b)
         if operator == "MATCHES":
             self.world.spend(max_steps(b, a) >> 6)
-            return search(b, a)
-        if operator in NUMBERS:
-            numbers = [float(match.group(1)) for text in (a, b) if (match := NUMBER_FIRST.match(text))]
-            return NUMBERS[operator](*numbers) if len(numbers) == 2 else False if a.strip() else None
-        return compare_versions(operator.removeprefix("VERSION_"), a, b)
+        return compare(operator, a, b)
 
     def content(self, word: Word) -> str:
         """Return a word, or what the variable of that name holds."""
@@ -169,28 +124,3 @@ class ConditionReader:
             return False
         text = list_to_text(value)
         return None if UNKNOWN in text else as_constant(text) is not False
-
-
-def as_constant(text: str) -> Truth:
-    upper = text.upper()
-    if upper in TRUE or (NUMBER.fullmatch(text) and float(text) != 0):
-        return True
-    if upper in FALSE or upper.endswith("-NOTFOUND") or NUMBER.fullmatch(text):
-        return False
-    return None
-
-
-def list_contains(value: Value, text: str) -> Truth:
-    sure = [word.text for word in value if not word.maybe]
-    if text in sure:
-        return True
-    return None if any(word.maybe or UNKNOWN in word.text for word in value) else False
-
-
-def compare_versions(operator: str, a: str, b: str) -> Truth:
-    if operator not in NUMBERS or not (VERSION.fullmatch(a) and VERSION.fullmatch(b)):
-        return None
-    pair = [[int(part) for part in text.split(".")] for text in (a, b)]
-    width = max(map(len, pair))
-    left, right = ([*numbers, *[0] * (width - len(numbers))] for numbers in pair)
-    return NUMBERS[operator](float((left > right) - (left < right)), 0.0)

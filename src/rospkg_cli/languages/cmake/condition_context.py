@@ -5,8 +5,8 @@ from __future__ import annotations
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from .call_stack import IS_SET
-from .condition import Truth
 from .interpreter import Interpreter
+from .truth import Truth
 from .values import BINARY, PREFIX, UNKNOWN, Value
 
 OLDEST_POLICY = "CMP0128"

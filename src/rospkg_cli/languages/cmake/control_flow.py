@@ -7,11 +7,12 @@ from collections.abc import Callable, Mapping
 from ...light_dataclasses import replace
 from .call_stack import Frame, LeaveError
 from .command_blocks import Block, Branch
-from .condition import Truth, and_, evaluate, not_
+from .condition import evaluate
 from .condition_context import InterpreterContext
 from .functions import define_function, run_block
 from .interpreter import Interpreter
 from .loops import run_foreach, run_while
+from .truth import Truth, and_, not_
 from .variable_scope import Snapshot
 
 Reached = tuple[Truth, Truth]

@@ -14,7 +14,8 @@ from ...source import Source, Span
 from ...unreadable import UnreadableError
 from ..syntax_problem import SyntaxProblem
 from .command_blocks import Block, nest
-from .syntax import CMakeSyntax, CommandInvocation, parse
+from .parser import parse
+from .syntax import CMakeSyntax, CommandInvocation
 
 ROOT = "CMakeLists.txt"
 MAX_LENGTH = 500_000

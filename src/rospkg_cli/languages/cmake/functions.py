@@ -8,7 +8,8 @@ from .call_stack import FunctionDefinition, LeaveError
 from .command_blocks import Block
 from .evaluated_command import EvaluatedCommand
 from .interpreter import Interpreter
-from .values import UNKNOWN, Value, as_value
+from .list_text import as_value
+from .values import UNKNOWN, Value
 from .variable_scope import VariableScope
 
 AGAIN = regex(r"\$\{|\\")

@@ -10,13 +10,14 @@ from collections.abc import Callable, Mapping, Sequence
 
 from ...light_dataclasses import dataclass, replace
 from ...unreadable import UnreadableError
+from .argument_words import words_of
 from .call_stack import ExhaustedError, FunctionDefinition, LeaveError, environment
 from .command_blocks import Block
 from .evaluated_command import EvaluatedCommand
 from .file import ROOT, CMakeFile, assigned_names, read_file
 from .interpreter_state import InterpreterState
 from .syntax import CommandInvocation
-from .values import Word, cost, words_of
+from .values import Word, cost
 
 
 @dataclass(kw_only=True)

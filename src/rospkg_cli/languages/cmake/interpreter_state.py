@@ -21,7 +21,8 @@ from .call_stack import (
 )
 from .evaluated_command import EvaluatedCommand, path_in_package
 from .file import ROOT, CMakeFile
-from .values import UNKNOWN, Value, Word, as_value, cost
+from .list_text import as_value
+from .values import UNKNOWN, Value, Word, cost
 from .variable_scope import Snapshot, VariableScope
 
 

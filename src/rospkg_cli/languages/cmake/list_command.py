@@ -8,8 +8,9 @@ from ...lazy_regex import regex
 from ...light_dataclasses import replace
 from .evaluated_command import EvaluatedCommand
 from .interpreter import Interpreter
+from .list_text import as_value
 from .regex import max_steps, replace_all, search
-from .values import UNKNOWN, Value, Word, as_value, limited, texts
+from .values import UNKNOWN, Value, Word, limited, texts
 
 NUMBER = regex(r"-?\d{1,9}")
 

@@ -10,7 +10,8 @@ from .command_blocks import Block
 from .condition import evaluate
 from .condition_context import InterpreterContext
 from .interpreter import Interpreter
-from .values import UNKNOWN, Value, Word, as_value
+from .list_text import as_value
+from .values import UNKNOWN, Value, Word
 
 MAX_ROUNDS = 500
 

@@ -7,8 +7,9 @@ from collections.abc import Sequence
 
 from .evaluated_command import EvaluatedCommand, path_in_package
 from .interpreter import Interpreter
+from .list_text import list_to_text
 from .regex import find_all, max_steps, replace_all
-from .values import MAX_TEXT, SOURCE, UNKNOWN, list_to_text
+from .values import MAX_TEXT, SOURCE, UNKNOWN
 
 
 def run_string(interpreter: Interpreter, call: EvaluatedCommand) -> None:

@@ -8,7 +8,8 @@ from ...lazy_regex import regex
 from .evaluated_command import EvaluatedCommand, flags_and_values
 from .file import ROOT
 from .interpreter import Interpreter
-from .values import PREFIX, UNKNOWN, as_value, list_to_text
+from .list_text import as_value, list_to_text
+from .values import PREFIX, UNKNOWN
 
 SUPERBUILD = regex(r"SUPER_?BUILD", re.IGNORECASE)
 """What an option is called by which a package first builds what it needs, and then itself once more."""

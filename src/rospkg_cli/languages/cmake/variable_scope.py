@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ...light_dataclasses import dataclass, field
-from .values import Value, merge_branches
+from .branch_values import merge_branches
+from .values import Value
 
 Snapshot = tuple[dict[str, Value], ...]
 

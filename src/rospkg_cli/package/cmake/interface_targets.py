@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, flags_and_values, path_in_package
-from ...languages.cmake.values import Word, as_value
+from ...languages.cmake.list_text import as_value
+from ...languages.cmake.values import Word
 from ...light_dataclasses import dataclass
 
 
