@@ -27,9 +27,11 @@ PAST = r"old|backups?|bak|(?:tmp|temp)[_-]old|junk|broken|not[ _-]?working"
 ENDS = r"old|backups?|bak"
 """What a folder called after what it holds may end with (`urdf_backup`)."""
 KINDS = r"files|code|pkgs|packages|nodes|scripts|versions?|stuff|models?|launch|urdfs?|configs?|mesh(?:es)?|worlds?|src"
+COPIED = r".* copy(?: \d+)?|.* - copy(?: \(\d+\))?"
+"""How desktops call a copy of a folder: `urdf copy 2`, `urdf - Copy (2)`."""
 LEFT = regex(
     rf"[_.-]*(?:(?:{GONE}|{PAST})(?:[ _-](?:{KINDS}))?|(?:{KINDS})[ _-](?:{GONE}|{ENDS})|"
-    rf"(?:{UNUSED})[ _-].*|.*[_.-](?:{UNUSED}))[_.-]*",
+    rf"(?:{UNUSED})[ _-].*|.*[_.-](?:{UNUSED}))[_.-]*|{COPIED}",
     re.IGNORECASE,
 )
 """Folders for what nobody uses any more; none for words that a robot's task may have (`trash`, `garbage`)."""

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of, nodes_of_kind
+from ...languages.python.nodes import FunctionNode, nodes_of, nodes_of_kind
 from ...languages.python.stopped_places import StoppedPlaces
 from ...source import Span
 
@@ -65,12 +65,26 @@ def is_left_by_interrupt(statement: ast.stmt) -> bool:
         case ast.Expr(value=ast.Call(func=ast.Attribute(attr=name))):
             return name == SPIN
         case ast.While():
-            is_left = nodes_of_kind(statement, ast.Break) or has_catch(statement)
+            is_left = has_own_break(statement) or has_catch(statement)
             return ast.unparse(statement.test) in LASTING and not is_left
         case ast.With(body=body):
             return any(is_left_by_interrupt(each) for each in body)
         case ast.Try(body=body, handlers=handlers):
             return not any(catches(each) for each in handlers) and any(is_left_by_interrupt(each) for each in body)
+    return False
+
+
+def has_own_break(loop: ast.While) -> bool:
+    """Return whether a `break` ends the loop itself, and not one inside of it, whose `else` belongs to the outer one."""
+    waiting: list[ast.AST] = [*loop.body]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, ast.Break):
+            return True
+        if isinstance(node, ast.For | ast.AsyncFor | ast.While):
+            waiting += node.orelse
+        elif not isinstance(node, FunctionNode | ast.ClassDef):
+            waiting += ast.iter_child_nodes(node)
     return False
 
 
