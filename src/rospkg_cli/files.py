@@ -23,6 +23,9 @@ STAND_INS = {
 }
 """How a file begins that git holds in place of the one that people work with, who fetch or unlock that."""
 
+MAX_PAGE = 200_000
+"""How many letters a page has at most that people read; what is longer is data or a log."""
+
 T = TypeVar("T")
 T_co = TypeVar("T_co", covariant=True)
 
@@ -147,6 +150,11 @@ class PackageFiles:
             return self.source(path).text
         except UnreadableError:
             return ""
+
+    def page_text(self, path: str) -> str:
+        """Return what a page or script says; "" for more than anybody writes: measurements and logs are `.txt`, too."""
+        text = self.readable_text(path)
+        return text if len(text) <= MAX_PAGE else ""
 
     def holds(self, path: str, word: bytes) -> bool:
         """Return whether a word of ASCII stands in a file, which need not be decoded for that.

@@ -75,7 +75,7 @@ def is_left_by_interrupt(statement: ast.stmt) -> bool:
 
 
 def has_own_break(loop: ast.While) -> bool:
-    """Return whether a `break` ends the loop itself, and not one inside of it, whose `else` belongs to the outer one."""
+    """Return whether a `break` ends the loop itself, and not one of a loop inside of it."""
     waiting: list[ast.AST] = [*loop.body]
     while waiting:
         node = waiting.pop()

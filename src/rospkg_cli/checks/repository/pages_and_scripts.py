@@ -42,7 +42,7 @@ def pages_and_scripts(files: PackageFiles) -> tuple[str, ...]:
 
 def own_pages(files: PackageFiles) -> tuple[str, ...]:
     paths = [path for path in files.paths if path.endswith(TEXTS) and not path.endswith("CMakeLists.txt")]
-    return tuple(map(files.readable_text, paths))
+    return tuple(map(files.page_text, paths))
 
 
 def pages_above(files: PackageFiles) -> tuple[str, ...]:

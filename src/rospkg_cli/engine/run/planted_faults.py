@@ -73,5 +73,5 @@ def is_planted(files: PackageFiles, folder: str) -> bool:
 
 def planting(files: PackageFiles, path: str) -> list[str]:
     """Return the lines of a page that say that something in code is wrong on purpose."""
-    lines = files.readable_text(path).split("\n")
+    lines = files.page_text(path).split("\n")
     return [each for each in lines if PLANTED.search(each) and OF_CODE.search(each) and not INJECTS.search(each)]
