@@ -66,3 +66,13 @@ def test_without_the_fix_they_are_not_all_found(one_colcon: Shell, workspace: Pa
     one_colcon.run("colcon", "build", "--continue-on-error", cwd=workspace)
     lost = {name for name in BROKEN if not os.access(workspace / "install" / name / "lib" / name / "talker", os.X_OK)}
     assert {"no_cfg", "other_cfg", "half_cfg", "joined", "lost_marker"} <= lost
+
+
+@pytest.mark.network
+def test_links_follow_install_scripts_where_develop_is_missing(colcon: Shell, workspace: Path) -> None:
+    """SET002 is an info there: setuptools takes `install_scripts` for a `script_dir` that is not given."""
+    package = workspace / "src" / "half_cfg"
+    (package / "setup.cfg").write_text("[install]\ninstall_scripts=$base/lib/half_cfg\n")
+    built = colcon.run("colcon", "build", "--symlink-install", "--packages-select", package.name, cwd=workspace)
+    assert built.returncode == 0
+    assert os.access(workspace / "install/half_cfg/lib/half_cfg/talker", os.X_OK)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.setup.script_dir import ScriptDir
+from ...checks.setup.script_dir import SCRIPT_OPTIONS, ScriptDir
 from ...edits.setup_cfg import put_option, replace_value
 from ...example import SETUP_CFG, Example, manifest, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
@@ -28,7 +28,8 @@ HALF = "«[develop]»\nscript_dir=$base/lib/my_pkg\n"
     levels={
         Severity.WARNING: "only `[develop]` is wrong, which `colcon build --symlink-install` alone reads, or only "
         "`[install]`, where the repository is built that way",
-        Severity.INFO: "they go below `share`, and none runs a node: other packages may start them by their path",
+        Severity.INFO: "they go below `share`, and none runs a node: other packages may start them by their path; or "
+        "`[develop] script_dir` alone is missing, for which builds take `install_scripts`",
     },
     examples=(
         Example(bad={**PACKAGE, "setup.cfg": WRONG}, good={"setup.cfg": SETUP_CFG}, fix=Safety.SAFE),
@@ -47,12 +48,13 @@ def wrong_script_dir(home: ScriptDir) -> Iterator[Hit]:
     """
     ## What it does
     Finds a setup.cfg that does not install executables to `lib/<package>`.
-    `[install] install_scripts` or `[develop] script_dir` is missing, or names another folder of the prefix.
+    `[install] install_scripts` is missing, or it or `[develop] script_dir` names another folder of the prefix.
 
     ## Why is this bad?
     `ros2 run` and launch files look in `lib/<package>` alone. The build is green, and then there is "No executable
     found". A copied setup.cfg that names the package it came from is the usual cause. `[develop]` is read by
-    `colcon build --symlink-install`, `[install]` by every other build.
+    `colcon build --symlink-install`, `[install]` by every other build, and by that one where `[develop]` is missing
+    (`set_undefined_options` of setuptools' `easy_install`; measured with setuptools 58 to 82).
 
     ## When it is quiet
     Where the value is no folder below `$base`, or a deep one (but for those below `share`), and for `$base/bin`, which
@@ -77,9 +79,13 @@ def wrong_script_dir(home: ScriptDir) -> Iterator[Hit]:
     missing = [(section, key) for section, key, value in home.wrong if value is None]
     if missing and home.cfg is not None:
         shown = " and ".join(f"`[{section}] {key}`" for section, key in missing)
+        is_defaulted = missing == [SCRIPT_OPTIONS[0]]
         message = (
-            f"setup.cfg lacks {shown}:{when} executables go to bin/, where `ros2 run {name} …` and launch files don't "
-            f"look; set it to `{wanted}`"
+            f"setup.cfg lacks {shown}: `colcon build --symlink-install` takes `install_scripts` for it, so nothing "
+            f"fails; `ros2 pkg create` writes both"
+            if is_defaulted
+            else f"setup.cfg lacks {shown}:{when} executables go to bin/, where `ros2 run {name} …` and launch files "
+            f"don't look; set it to `{wanted}`"
         )
         fix = Fix(f"set {shown} to `{wanted}`", put_option(home.cfg, missing, wanted))
-        yield Hit(home.cfg.path, home.cfg.span, message, level, fix=fix)
+        yield Hit(home.cfg.path, home.cfg.span, message, Severity.INFO if is_defaulted else level, fix=fix)
