@@ -31,6 +31,7 @@ def told(lines: str, source: str = IMAGE, **files: str) -> list[tuple[str, str]]
         NODE,
         f"{NODE}target_link_libraries(node rclcpp::rclcpp pthread yaml-cpp Eigen3::Eigen)\n",
         f"{NODE}ament_target_dependencies(node rclcpp)\n",
+        f"add_library(sensing SHARED src/part.cpp)\n{NODE}target_link_libraries(node usb-1.0)\n",
         "add_library(part SHARED src/part.cpp)\ntarget_link_libraries(part PRIVATE ${sensor_msgs_TARGETS})\n"
         f"{NODE}target_link_libraries(node part)\n",
         f"include_directories(BEFORE include ${{Boost_INCLUDE_DIRS}})\n{NODE}",
@@ -57,6 +58,7 @@ def test_a_target_needs_what_it_includes(lines: str) -> None:
         "add_library(part SHARED src/part.cpp)\ntarget_link_libraries(part PUBLIC ${sensor_msgs_TARGETS})\n"
         f"{NODE}target_link_libraries(node part)\n",
         f"{NODE}target_link_libraries(node nobodys::lib)\n",
+        f"add_library(sensing SHARED src/part.cpp)\n{NODE}target_link_libraries(node sensnig)\n",
         f"{NODE}ament_target_dependencies(node nobodys)\n",
         f"{NODE}target_link_libraries(node ${{MORE}} $<TARGET_OBJECTS:x>)\n",
         f"{NODE}target_include_directories(node PRIVATE ${{sensor_msgs_INCLUDE_DIRS}})\n",

@@ -18,7 +18,9 @@ from ...ros.libraries import keys_of_linked
 from ...ros.names import NameKind
 from ...ros.private_links import KEPT_FROM_JAZZY
 from ...source import Span
+from ...suggest import near_names
 from ..cmake.missing_export_dependencies import BY_MACRO
+from ..cmake.mistyped_links import LEAST
 from ..cmake.unknown_commands import UnknownCommands
 from ..repository.older_distribution import OlderDistribution
 from .brought_by_links import BEFORE_JAZZY, SOMEWHERE, BroughtByLinks, is_of_interfaces
@@ -202,8 +204,15 @@ class UnlinkedIncludes:
             return [name]
         if link.package and is_of_interfaces(name):
             return [name]
-        is_known = not link.package and "::" not in text
-        return [] if is_known or keys_for_cmake(name) else None
+        if len(text) >= LEAST and near_names(text, self.made):
+            return None
+        is_library = not link.package and "::" not in text
+        return [] if is_library or keys_for_cmake(name) else None
+
+    @cached_property
+    def made(self) -> frozenset[str]:
+        """The targets that the package makes: a link that is nearly one of them is a slip (CMK110)."""
+        return frozenset(each.name for each in self.includes.cmake.targets if not each.call.testing)
 
     def is_library(self, word: Word) -> bool:
         """Return whether a word is a variable for the path of a library that CMake looks for."""
