@@ -9,6 +9,7 @@ from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.languages.cpp.file import read_cpp
 from rospkg_cli.languages.python.file import parse_python
 from rospkg_cli.languages.yaml.nodes import documents
+from rospkg_cli.package.params import cpp_parameter_types
 from rospkg_cli.package.params import cpp_parameters as cpp
 from rospkg_cli.package.params import python_parameters as python
 from rospkg_cli.package.params.declared_parameter import DeclaredParameter
@@ -67,7 +68,10 @@ def test_what_declares_nothing_that_can_be_told(text: str) -> None:
 
 def test_types_of_variables() -> None:
     texts = [Source("a.hpp", 'double rate_;\nstd::vector<std::string> ids_{"a"};\nint x; double x;\n')]
-    assert cpp.variables_of(texts, ["rate_", "ids_", "x", "other"]) == {"rate_": "double", "ids_": "string[]"}
+    assert cpp_parameter_types.variables_of(texts, ["rate_", "ids_", "x", "other"]) == {
+        "rate_": "double",
+        "ids_": "string[]",
+    }
 
 
 @pytest.mark.parametrize(

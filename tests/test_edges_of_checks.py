@@ -14,7 +14,7 @@ from rospkg_cli.checks.depends import transitive_dependencies
 from rospkg_cli.checks.depends.compiled_sources import compiled_sources
 from rospkg_cli.checks.depends.header_providers import HeaderProviders
 from rospkg_cli.checks.depends.undeclared_find_package import FindPackageDependencies
-from rospkg_cli.checks.launch.entity_schema import substitution_faults
+from rospkg_cli.checks.launch.entity_values import substitution_faults
 from rospkg_cli.checks.manifest.manifest_inputs import ManifestAndFiles
 from rospkg_cli.checks.plugins.plugin_names import is_something_else
 from rospkg_cli.checks.share.share_references import references_folder

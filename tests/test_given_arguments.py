@@ -47,7 +47,7 @@ LOUD = [("warning", "; add it, or correct the path")]
     ],
 )
 def test_commands_of_pages_may_always_give_another_file(page: str, is_given: bool) -> None:
-    why = ", where no `map:=` is given, as each command does that pages and comments tell"
+    why = ", where no `map:=` is given, as it is in every command that documentation and comments show"
     expected = [("info", f"{why}; add it, or correct the path")] if is_given else LOUD
     assert told(README_DOT_md=f"# Navigation\n\n    {page}\n") == expected
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.params.launched_names import is_slip
+from rospkg_cli.checks.params.known_names import is_slip
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.languages.cpp.file import read_cpp
 from rospkg_cli.languages.python.file import parse_python

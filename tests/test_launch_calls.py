@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.checks.launch.call_errors import call_faults
-from rospkg_cli.checks.launch.robot_description import robot_parameters
+from rospkg_cli.checks.launch.robot_parameters import robot_parameters
 from rospkg_cli.checks.launch.wrong_imports import wrong_imports
 from rospkg_cli.example import manifest
 from rospkg_cli.files import PackageFiles

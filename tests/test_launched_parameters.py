@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.params.launch_parameters import MAX_DEPTH
+from rospkg_cli.checks.params.parameter_file_paths import MAX_DEPTH
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.testing import lint_files
 

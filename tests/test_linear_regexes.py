@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.launch.robot_description import ROBOT_FILE
+from rospkg_cli.checks.launch.robot_parameters import ROBOT_FILE
 from rospkg_cli.edits.toml import candidate_entries
 from rospkg_cli.example import manifest, setup_py
 from rospkg_cli.languages.cmake.condition_context import FROM_OUTSIDE

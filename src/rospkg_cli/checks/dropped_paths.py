@@ -18,7 +18,7 @@ from ..package.launch.uncalled_functions import uncalled_functions
 from ..ros.share_layout import LAUNCH
 from ..source import Span
 from ..unreadable import READABLE
-from .launch.missing_references import LaunchContext
+from .launch.launch_context import LaunchContext
 from .launch.unread_values import UnreadValues
 from .python.run_imports import RunImports
 from .reached_places import ReachedPlaces

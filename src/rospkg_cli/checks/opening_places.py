@@ -17,7 +17,7 @@ from ..package.urdf.robot_words import is_launch, words_of
 from ..package.workspace import Workspace
 from ..source import Span
 from ..unreadable import READABLE
-from .launch.missing_references import LaunchContext
+from .launch.launch_context import LaunchContext
 from .launch.unread_values import UnreadValues
 from .left_files import LeftFiles
 from .opened_in_share import OpenedInShare

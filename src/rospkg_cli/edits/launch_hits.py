@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from ..checks.depends.declared_dependencies import DeclaredDependencies
 from ..checks.enumeration import enumerated, in_ticks
-from ..checks.launch.package_references import PackageReference
+from ..checks.launch.package_reference import PackageReference
 from ..finding import Fix, Hit, Related, Severity
 from ..source import Span
 from .manifest import add_dependency

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ..checks.params.declaring_packages import ParameterGroup, given_type
+from ..checks.params.parameter_group import ParameterGroup
+from ..checks.params.rcl_types import given_type
 from ..finding import Edit, Fix, Safety
 from ..package.params.parameter_file import Parameter
 from ..source import Span

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..checks.launch.node_executables import ExecutableUse, WellKnownUse
+from ..checks.launch.executable_use import ExecutableUse, WellKnownUse
 from ..checks.launch.without_package import PathUse
 from ..package.package_facts import PackageFacts
 from .offers import node_command

@@ -19,7 +19,7 @@ from .interfaces.interface_index import interface_names
 from .interfaces.message_fields import message_fields
 from .interfaces.typed_with import typed_with
 from .interfaces.unlisted_interfaces import unlisted_interfaces
-from .launch.launch_file import launch_summaries, loaded_components, started_nodes
+from .launch.launch_facts import launch_summaries, loaded_components, started_nodes
 from .launch.parsed_yaml import parsed_keys, parsed_yaml
 from .launch.read_signature import launch_signatures
 from .manifest import Manifest

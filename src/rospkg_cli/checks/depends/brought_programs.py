@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from ...light_dataclasses import dataclass
-from ..launch.package_references import PackageReference
+from ..launch.package_reference import PackageReference
 from ..launch.program_prefixes import PROGRAMS
 from .brought_dependencies import Bringer, brought
 from .undeclared_launch_packages import LaunchDependencies

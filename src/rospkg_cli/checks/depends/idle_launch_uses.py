@@ -12,7 +12,7 @@ from ...package.python.python_imports import PackageImports
 from ...source import Span
 from ..launch.example_files import is_example
 from ..launch.idle_parts import idle_parts
-from ..launch.package_references import PackageReference
+from ..launch.package_reference import PackageReference
 from ..left_files import LeftFiles
 from .launch_file_imports import is_imported, stem_of
 

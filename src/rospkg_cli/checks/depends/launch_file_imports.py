@@ -10,7 +10,7 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.python.python_imports import own_modules
 from ...ros.imports import may_serve
 from ..launch.launched_programs import is_program
-from ..launch.package_references import PackageReference
+from ..launch.package_reference import PackageReference
 from .declared_dependencies import DeclaredDependencies
 from .import_provider import import_providers
 

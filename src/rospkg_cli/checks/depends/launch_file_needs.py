@@ -15,7 +15,8 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.launch.never_launched import never_shown
 from ...package.launch.off_values import with_values
 from ...ros.implied_dependencies import LAUNCH
-from ..launch.package_references import PackageReference, package_references
+from ..launch.package_reference import PackageReference
+from ..launch.package_references import package_references
 from .declared_dependencies import DeclaredDependencies
 from .launch_file_imports import import_uses
 from .named_sources import named_sources

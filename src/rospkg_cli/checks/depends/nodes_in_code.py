@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, implied_by
-from ..launch.package_references import NAME, PackageReference
+from ..launch.package_reference import NAME, PackageReference
 from .undeclared_launch_packages import LaunchDependencies
 
 

@@ -13,7 +13,7 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.python.python_imports import PackageImports
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_TESTS, LAUNCH, implied_by
 from ...unreadable import READABLE
-from ..launch.package_references import PackageReference
+from ..launch.package_reference import PackageReference
 from ..left_files import LeftFiles
 from .declared_dependencies import DeclaredDependencies
 from .launch_file_needs import LaunchFileNeeds

@@ -15,7 +15,7 @@ from ...package.params.parameter_file import ParameterFile
 from ...package.workspace import Workspace
 from ...source import Span
 from ...unreadable import READABLE
-from ..launch.missing_references import LaunchContext
+from ..launch.launch_context import LaunchContext
 from ..launch.undeclared_files import is_written_in_vain
 from ..launch.unread_values import UnreadValues
 from ..launch.who_meets import level_met

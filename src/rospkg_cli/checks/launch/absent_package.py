@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .package_references import OF_DESKTOP, PackageReference
+from .package_reference import OF_DESKTOP, PackageReference
 
 
 def ends_with(use: PackageReference, name: str, where: str) -> str:

@@ -14,7 +14,7 @@ from ...source import Span
 from ...suggest import near_names
 from ..fault import Fault
 from .bridge_pairs import pair_problems
-from .missing_references import LaunchContext
+from .launch_context import LaunchContext
 
 BRIDGES = frozenset({"ros_gz_bridge", "ros_ign_bridge"})
 TYPE = regex(r"@([a-z]\w*)/(?:(\w+)/)?([A-Z]\w*)(?=[@\[\]\s]|$)")

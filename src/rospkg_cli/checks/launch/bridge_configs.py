@@ -17,7 +17,7 @@ from ..fault import Fault, TextRepair, softer_advice
 from ..yaml_elsewhere import is_named_yaml
 from .bridge_arguments import BRIDGES, HARM, wrong_groups
 from .bridge_pairs import GAZEBO_TYPE, unknown_pair
-from .missing_references import LaunchContext
+from .launch_context import LaunchContext
 
 ROS, GAZEBO, DIRECTION = "ros_type_name", "gz_type_name", "direction"
 DIRECTIONS = ("BIDIRECTIONAL", "GZ_TO_ROS", "ROS_TO_GZ")
@@ -91,8 +91,8 @@ class Bridges:
             if better:
                 yield Fault(node.span, f"there is no `{node.text}`: {HARM}; did you mean {better}?")
         elif loose is not None:
-            meant = f"{loose.group(1)}/msg/{loose.group(2)}"
+            intended = f"{loose.group(1)}/msg/{loose.group(2)}"
             written = node.located.text == node.text and not node.tag
-            repair = TextRepair(f"write `{meant}`", ((node.located.span, meant),)) if written else None
-            message = f"the bridge knows no type `{node.text}`: {HARM}; write `{meant}`"
+            repair = TextRepair(f"write `{intended}`", ((node.located.span, intended),)) if written else None
+            message = f"the bridge knows no type `{node.text}`: {HARM}; write `{intended}`"
             yield Fault(node.span, message, repair=repair)

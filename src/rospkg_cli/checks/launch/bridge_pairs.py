@@ -28,8 +28,10 @@ def problem_alone(first: str) -> str:
     ros = ROS_TYPE.fullmatch(first)
     if ros is not None and "/msg/" in first:
         known = BRIDGED.get(f"{ros[1]}/{ros[2]}", ())
-        meant = f"`{first}[gz.msgs.{known[0]}`, or with `]` or `@`" if known else "`[` and the type of Gazebo behind it"
-        return f"`{first}` stands alone, without a direction and the type of Gazebo; write {meant}"
+        intended = (
+            f"`{first}[gz.msgs.{known[0]}`, or with `]` or `@`" if known else "`[` and the type of Gazebo behind it"
+        )
+        return f"`{first}` stands alone, without a direction and the type of Gazebo; write {intended}"
     if GAZEBO_TYPE.fullmatch(first):
         return f"`{first}` stands alone, without the type of ROS; write `package/msg/Type[{first}`"
     return ""
@@ -55,8 +57,8 @@ def unknown_pair(first: str, second: str) -> str:
     is_slip = plain(gazebo[2]) in map(plain, known)
     if not is_slip and gazebo[2] not in others:
         return ""
-    meant = " or ".join(f"`{gazebo[1]}{name}`" for name in known)
-    return f"`{first}` goes with {meant}, not with `{second}`"
+    intended = " or ".join(f"`{gazebo[1]}{name}`" for name in known)
+    return f"`{first}` goes with {intended}, not with `{second}`"
 
 
 def plain(name: str) -> str:

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 from ...light_dataclasses import replace
 from ...source import Span
-from .unset_configurations import LaunchConfigurations
+from .launch_configurations import LaunchConfigurations
 from .unused_actions import UnusedAction, unused_actions
 
 Place = tuple[str, Span]
 
 
-def told_once(configurations: LaunchConfigurations) -> Iterator[tuple[UnusedAction, list[Place]]]:
+def reported_once(configurations: LaunchConfigurations) -> Iterator[tuple[UnusedAction, list[Place]]]:
     """Yield the unused actions that no earlier file has alike, each with its places in later files."""
     mine = list(unused_actions(configurations))
     files = [each for each in configurations.around if mine and each.path != configurations.file.path]
@@ -25,5 +25,5 @@ def told_once(configurations: LaunchConfigurations) -> Iterator[tuple[UnusedActi
 
 
 def key_of(action: UnusedAction) -> tuple[str, str, str, bool, bool]:
-    """Return what copies have in common: the action as it is written, and what is told of it."""
+    """Return what copies have in common: the action as it is written, and what is reported of it."""
     return action.what, action.written, action.harm, action.is_awaited, action.is_gone

@@ -1,4 +1,4 @@
-"""Whether Python comes to a line of a launch file before launch has the description that the file returns."""
+"""Whether Python runs a line of a launch file before launch has the description that the file returns."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ...source import Span
 
 
 def ends_description(file: PythonFile, span: Span) -> bool:
-    """Return whether each call of the function that launch calls comes to a place, or the import of the file does.
+    """Return whether each call of the function that launch calls reaches a place, or the import of the file does.
 
     Functions that this one calls, or hands to launch, may be left before it; so may a `try`.
     """

@@ -4,23 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ...lazy_regex import regex
 from ...light_dataclasses import replace
 from ...package.launch.entity import Entity
 from ...package.launch.launch_file import LaunchFile
-from ...package.launch.text import Substitution
-from ...ros.launch_entities import ACTIONS, INCLUDE_ARGUMENT, PARTS, ROS1_ENTITIES, ROS1_ONLY, SUBSTITUTIONS, EntityKind
+from ...ros.launch_entities import ACTIONS, INCLUDE_ARGUMENT, PARTS, ROS1_ENTITIES, ROS1_ONLY, EntityKind
 from ...suggest import did_you_mean, nearest
 from ..fault import Fault
 from ..read_sentences import syntax_sentence
+from .entity_values import quoted_arguments, substitution_faults, without_dollar
 
-BARE = regex(r"(?<![$\w)])\((var|find-pkg-share|find-pkg-prefix) (\w+)\)")
 AS_IN_PYTHON = {"executable": "exec", "package": "pkg", "default_value": "default", "condition": "if"}
 """Arguments of actions in Python that are called otherwise in XML and YAML."""
 WHOLE = ": launch refuses the whole file"
 SHOWN = 3
 """Names of entities in one message."""
-PROSE = frozenset({"description", "message", "reason"})
 
 
 def entity_faults(file: LaunchFile) -> Iterator[Fault]:
@@ -38,19 +35,8 @@ def entity_faults(file: LaunchFile) -> Iterator[Fault]:
     yield from without_dollar(file)
 
 
-def without_dollar(file: LaunchFile) -> Iterator[Fault]:
-    """Yield `(var x)` where `x` is an argument of the file, and `(find-pkg-share x)/…`: text, as launch reads it."""
-    declared = {argument.name.literal for argument in file.arguments}
-    for entity in file.root.walk() if file.root else ():
-        for name, written in entity.attributes.items() if entity.name != "log" else ():
-            for found in BARE.finditer(written.text) if name not in PROSE else ():
-                if found.group(1) != "var" or found.group(2) in declared:
-                    span = written.part(found.start(), found.end())
-                    yield Fault(span, f"`{found.group()}` is text, and no substitution: write `${found.group()}`")
-
-
-def told_apart(file: LaunchFile, faults: Iterable[Fault]) -> Iterator[Fault]:
-    """Yield faults with the names of the entities that they are in, where there are some: `arg` stands often."""
+def with_entity_names(file: LaunchFile, faults: Iterable[Fault]) -> Iterator[Fault]:
+    """Yield faults with the `name` of the entity they are in, where it has one: a file may have many `arg`."""
     names = {
         span: written.text
         for entity in (file.root.walk() if file.root else ())
@@ -76,7 +62,7 @@ def action_faults(entity: Entity) -> Iterator[Fault]:
             yield from part_faults(child, entity.name)
         elif kind.actions:
             yield from action_faults(child)
-        elif not kind.open and not (entity.name == "node" and child.name in ROS1_ENTITIES):  # LCH006 tells of those
+        elif not kind.open and not (entity.name == "node" and child.name in ROS1_ENTITIES):  # LCH006 reports those
             hint = did_you_mean(child.name, kind.inside)
             message = f"`{child.name}` is not allowed inside `{entity.name}`{hint}: launch refuses the whole file"
             yield Fault(child.name_span, message)
@@ -138,29 +124,3 @@ def attribute_faults(entity: Entity, kind: EntityKind) -> Iterator[Fault]:
         yield Fault(entity.name_span, f"`{entity.name}` lacks its attribute `{name}`: launch refuses the whole file")
     if {"if", "unless"} <= given.keys():
         yield Fault(given["unless"], f"`{entity.name}` has `if` and `unless`; launch takes one of them")
-
-
-def substitution_faults(found: Substitution) -> Iterator[Fault]:
-    """Yield what is wrong with the name of a substitution, and with the number of its arguments."""
-    if found.name not in SUBSTITUTIONS:
-        near = nearest(found.name, SUBSTITUTIONS, 1)
-        if near:
-            yield Fault(found.span, f"launch has no substitution `$({found.name} …)`; did you mean `$({near} …)`?")
-        return
-    count, (least, most) = len(found.arguments), SUBSTITUTIONS[found.name]
-    if not least <= count <= most:
-        wanted = str(least) if least == most else f"{least} to {most}"
-        message = f"`$({found.name} …)` takes {wanted} argument{'s' * (most != 1)}, not {count}"
-        yield Fault(found.span, f"{message}; quote an argument that holds blanks")
-
-
-def quoted_arguments(root: Entity, used: frozenset[str]) -> Iterator[Fault]:
-    """Yield `<param name="x" value="x"/>`, a literal value, where `x` is an argument of the file and used nowhere."""
-    declared = {
-        each.attributes["name"].text for each in root.walk() if each.name == "arg" and "name" in each.attributes
-    }
-    for each in root.walk():
-        name, value = each.attributes.get("name"), each.attributes.get("value")
-        if each.name == "param" and name and value and name.text == value.text and name.text in declared - used:
-            message = f"the parameter is the string `{value.text}`, not the argument of that name, which nothing uses"
-            yield Fault(value.span, f"{message}; write `$(var {value.text})`")

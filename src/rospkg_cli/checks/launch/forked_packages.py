@@ -1,4 +1,4 @@
-"""Packages that are meant in a fork, which may have kept what no distribution has any more."""
+"""Packages that may come from a fork, which may have kept what no distribution has any more."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ KNOWN = (NameKind.PACKAGE, NameKind.KEY)
 
 
 def is_of_fork(package: str, user: PackageFacts, workspace: Workspace) -> bool:
-    """Return whether a package declares a sister of another one that no distribution has, or had.
+    """Return whether a dependency of the user has the same prefix as a package and is in no distribution, old or new.
 
-    `velodyne_monitor` is in a fork of the repository of `velodyne_pointcloud` alone.
+    For `velodyne_pointcloud` that is `velodyne_monitor`, which only a fork of its repository has.
     """
     family = package.partition("_")[0]
     sisters = {each.name for each in user.dependencies if each.name.partition("_")[0] == family} - {package}

@@ -1,4 +1,4 @@
-"""Files that a launch file names only where a search for their like has found none, as it then says (LCH003)."""
+"""Files that a launch file names only where a search for such files has found none, which it logs (LCH003)."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ Block = list[ast.stmt]
 
 
 def is_found_none(file: PythonFile, span: Span) -> bool:
-    """Return whether a path is for people who have made none yet, and who are told so in the same branch."""
+    """Return whether a path is used only where a search finds no such file, in a branch that logs this."""
     return any(is_lacked_at(node, span, file) for node in nodes_of(file.tree))
 
 
 def is_lacked_at(node: ast.AST, span: Span, file: PythonFile) -> bool:
-    """Return whether a place is in a branch of a statement for where a search finds nothing, and people are told."""
+    """Return whether a place is in a branch of a statement that runs where a search finds nothing, and logs it."""
     for block, searched in lacking(node, file):
         around = Span(file.span(block[0]).start, file.span(block[-1]).end)
-        path = named_at(block, span, file) if around.contains(span) and tells(block) else None
+        path = named_at(block, span, file) if around.contains(span) and has_log(block) else None
         if path is not None:
             names = bound_once(file.tree)
             return any(fits(path, each, names) for each in searched)
@@ -67,7 +67,7 @@ def emptiness(test: ast.expr) -> tuple[str, bool] | None:
     return None
 
 
-def tells(block: Block) -> bool:
+def has_log(block: Block) -> bool:
     return any(isinstance(node, ast.Call) and is_log(node) for each in block for node in nodes_of(each))
 
 

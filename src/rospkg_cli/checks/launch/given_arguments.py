@@ -1,20 +1,21 @@
-"""Defaults of launch arguments that nobody gets, as everything that starts the file gives another value."""
+"""Defaults of launch arguments that are never used, as everything that starts the file gives another value."""
 
 from __future__ import annotations
 
 import posixpath
 
-from .missing_references import LaunchContext, MissingReference, defaults_of, is_within
-from .told_arguments import TOLD, ConfigurationsAndPages
-from .unset_configurations import LaunchConfigurations
+from .documented_arguments import DOCUMENTED, ConfigurationsAndPages
+from .launch_configurations import LaunchConfigurations
+from .launch_context import LaunchContext
+from .missing_reference import MissingReference, defaults_of, is_within
 
 INCLUDED = "which each launch file gives that includes this one"
 
 
 def why_given(scope: LaunchContext, missing: MissingReference) -> str:
-    """Return why nobody meets a missing file that is only a default; "" where somebody may.
+    """Return why a missing file that is only a default is never looked for; "" where it may be.
 
-    Each command that pages and comments tell gives the argument; where none starts the file, each that includes it.
+    Every documented command gives the argument; where none starts the file, every launch file that includes it does.
     """
     if missing.use != "default":
         return ""
@@ -28,7 +29,7 @@ def why_given(scope: LaunchContext, missing: MissingReference) -> str:
     name = names[0]
     pages = ConfigurationsAndPages(LaunchConfigurations(scope.workspace, scope.file), scope.files, scope.package)
     if pages.commands:
-        return f"where no `{name}:=` is given, {TOLD}" if pages.is_told(name) else ""
+        return f"where no `{name}:=` is given, {DOCUMENTED}" if pages.is_documented(name) else ""
     including = scope.workspace.launch.included.get(posixpath.basename(scope.file.path), [])
     is_given = bool(including) and all(name in each.defines for each in including)
     return f"where no `{name}:=` is given, {INCLUDED}" if is_given else ""

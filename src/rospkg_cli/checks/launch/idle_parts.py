@@ -1,4 +1,4 @@
-"""Parts of a launch file that no launch comes to: functions that nothing calls, and entities that are switched off."""
+"""Parts of a launch file that no launch reaches: functions that nothing calls, and entities that are switched off."""
 
 from __future__ import annotations
 

@@ -1,59 +1,24 @@
-"""What launch files give to those that they include, against what these take."""
+"""Rule input: arguments that launch files give to included ones, compared with those these declare (LCH015)."""
 
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from typing import Annotated
 
-from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.launch.file_references import FileReference, first_in
 from ...package.launch.launch_file import Include, LaunchFile
 from ...package.launch.launch_signature import LaunchSignature
 from ...ros.known_launch_files import known_arguments
 from ...source import Span
-from ...suggest import as_near, near_names, nearest
+from ...suggest import nearest
 from ...unreadable import READABLE
-from .missing_references import LaunchContext, MissingReference
-from .one_cause import CausedPlace, told_at
+from .argument_mismatch import ArgumentMismatch, mistyped, rivals_of
+from .launch_context import LaunchContext
+from .missing_reference import MissingReference
+from .one_cause import CausedPlace, reported_in
 from .who_meets import why_unmet
-
-SHORTEST = 5
-MOST = 3
-"""Of so many names that are as near, nobody can say which one is meant."""
-DIGITS = regex(r"\d")
-
-
-@dataclass(frozen=True, slots=True)
-class ArgumentMismatch:
-    span: Span
-    file: str
-    """The name of the included file."""
-    package: str
-    argument: str
-    is_missing: bool
-    """Whether it is required and missing; else it is passed and unknown."""
-    suggestion: str | None = None
-    """The argument that is meant; of a missing one, the misspelt one that is given."""
-    is_sure: bool = True
-    """Whether nothing that the file includes may take it."""
-    rivals: tuple[str, ...] = ()
-    """Other arguments that are about as near as the suggestion."""
-    is_default: bool = False
-    """Whether it is passed as what the meant argument is by default: nothing differs."""
-    why: str = ""
-    """Why no launch comes to the include; "" where it may."""
-
-    @property
-    def is_fault(self) -> bool:
-        """Whether it is more than an argument that is left over, or that a file further on may take."""
-        return self.is_missing or (self.is_sure and self.is_clear and not self.is_default)
-
-    @property
-    def is_clear(self) -> bool:
-        """Whether it can be told which argument is meant, or which few."""
-        return bool(self.suggestion) and len(self.rivals) < MOST
 
 
 @dataclass(frozen=True)
@@ -63,9 +28,9 @@ class IncludeContext:
     """All launch files of the package that can be read."""
 
     def together(self) -> Iterator[list[CausedPlace[ArgumentMismatch]]]:
-        """Yield the places in the package of each mismatch that is told in this file.
+        """Yield the places in the package of each mismatch that is reported in this file.
 
-        An argument that is missing under any name is one of each include: every one may need another value.
+        A missing argument is reported at each include: every one may need another value.
         """
         own = self.scope.file.path
         others = (file for file in self.around if file.path != own)
@@ -85,7 +50,7 @@ class IncludeContext:
             for each in IncludeContext(replace(self.scope, file=file)).mismatches()
             for why in (why_unmet(file, each.span, self.scope.workspace),)
         ]
-        yield from told_at(own, places)
+        yield from reported_in(own, places)
 
     def mismatches(self) -> Iterator[ArgumentMismatch]:
         """Yield the unknown and the missing arguments of includes, as far as the included file is known."""
@@ -146,15 +111,3 @@ class IncludeContext:
         for argument in sorted(lacking):
             wrong = instead.get(argument)
             yield ArgumentMismatch(given[wrong].span if wrong else include.span, name, package, argument, True, wrong)
-
-
-def mistyped(word: str, names: Collection[str]) -> str | None:
-    """Return the one name that differs from a word by one letter; not by a number, nor where both are short."""
-    near = [name for name in near_names(word, names, 1) if min(len(word), len(name)) >= SHORTEST]
-    near = [name for name in near if DIGITS.sub("", name) != DIGITS.sub("", word)]
-    return near[0] if len(near) == 1 else None
-
-
-def rivals_of(word: str, near: str | None, names: Collection[str]) -> tuple[str, ...]:
-    """Return the other names that are about as near to a word as the one that is suggested."""
-    return tuple(each for each in as_near(word, near, names) if each != near) if near else ()

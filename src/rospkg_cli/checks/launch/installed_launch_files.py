@@ -1,4 +1,4 @@
-"""Joined inputs: the launch files of a package together, as `ros2 launch` finds them by their names."""
+"""Rule inputs: the launch files of a package together, as `ros2 launch` finds them by their names."""
 
 from __future__ import annotations
 

@@ -26,12 +26,12 @@ WHOLE_WORDS = frozenset({"create"})
 NEAR = 4
 """Letters on each side of a seam that stand together nowhere in the file."""
 GAP = "\0"
-"""What stands for a part that is not known."""
+"""Takes the place of a part that is not known."""
 LISTS = ("cmd", "arguments", "ros_arguments", "command")
 
 
 def joined_options(call: Call, source: Source) -> Iterator[Fault]:
-    """Yield the texts of a command in which an option begins a literal, and continues a word all the same."""
+    """Yield the texts of a command in which a literal begins with an option, but continues the word before it."""
     is_command = class_of(call) == "Command"
     if class_of(call) not in PROCESSES and not is_command:
         return

@@ -1,4 +1,4 @@
-"""Python files beside launch files that `ros2 launch` is not meant to load: modules of others, and programs."""
+"""Python files in launch folders that are no launch files: modules that others import, and programs (LCH001)."""
 
 from __future__ import annotations
 

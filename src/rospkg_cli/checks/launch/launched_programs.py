@@ -1,4 +1,4 @@
-"""Python files among launch files that are programs: nodes and tools that somebody keeps there."""
+"""Python files among launch files that are programs: nodes and tools that are kept there."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Functions that nothing calls, in Python files beside launch files that nothing takes (LCH003, LCH004)."""
+"""Functions that nothing calls, in Python files next to launch files that nothing imports (LCH003, LCH004)."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from ...files import PackageFiles
 from ...package.launch.uncalled_functions import bodies, unnamed
 from ...source import Span
 from ..reached_definitions import is_collected
+from .launch_context import LaunchContext
 from .launch_modules import is_imported
-from .missing_references import LaunchContext
 
 
 def is_left(scope: LaunchContext, place: Span) -> bool:

@@ -1,4 +1,4 @@
-"""Launch files that nobody means to start, by their names and by what they say, where nothing names them."""
+"""Launch files that are left over: older copies by their names, and files that were never ported to ROS 2."""
 
 from __future__ import annotations
 
@@ -20,20 +20,21 @@ def is_given_up(path: str, files: PackageFiles) -> bool:
 
 
 def is_copy(path: str, files: PackageFiles) -> bool:
-    """Return whether the name of a launch file says that it is an older one: `a_old.launch.py`, or `a.py` beside
-    `a.launch.py`.
+    """Return whether the name of a launch file marks it as an older copy.
+
+    That is `a_old.launch.py`, or `a.py` next to `a.launch.py`.
     """
     stem = path.removesuffix(".py")
     is_bare = stem != path and not stem.endswith("launch")
-    beside = (f"{stem}.launch.py", f"{stem}_launch.py") if is_bare else ()
-    return is_set_aside(path) or any(map(files.has_file, beside))
+    newer = (f"{stem}.launch.py", f"{stem}_launch.py") if is_bare else ()
+    return is_set_aside(path) or any(map(files.has_file, newer))
 
 
 def is_unported(path: str, files: PackageFiles) -> bool:
     """Return whether a launch file still has nodes by `type=`, `$(find …)` or `$(arg …)`, at which ROS 2 refuses it.
 
-    The only one of a package is meant to start it, and so is one that is named for ROS 2, unless it has nothing but
-    settings of ROS 1: MoveIt's assistant called such parts `….launch.xml`, too.
+    The only launch file of a package does not count, nor one that is named as for ROS 2, unless it has nothing but
+    settings of ROS 1: MoveIt's setup assistant called such files `….launch.xml`, too.
     """
     others = [each for each in files.paths if role_of(each) == "launch" and each != path]
     if not path.endswith(MARKUP) or not others:

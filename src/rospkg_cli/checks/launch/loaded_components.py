@@ -1,4 +1,4 @@
-"""The components that launch files load, against what packages register."""
+"""Rule input: components that launch files load, compared with those that packages register (LCH011)."""
 
 from __future__ import annotations
 
@@ -18,8 +18,7 @@ from ...unreadable import READABLE
 from ..cmake.component_registration import ComponentRegistration
 from ..fault import Level
 from ..repository.older_distribution import OlderDistribution
-from .forked_packages import is_of_fork
-from .one_cause import CausedPlace, told_at
+from .one_cause import CausedPlace, reported_in
 from .who_meets import level_met
 
 
@@ -47,7 +46,7 @@ class UnknownComponent:
         if self.facts is None:
             return None
         near = nearest(self.name, self.facts.components)
-        is_class = near is not None and may_be_meant(tail(self.name), tail(near))
+        is_class = near is not None and may_be_intended(tail(self.name), tail(near))
         return near if is_class else same_class(self.name, self.facts)
 
 
@@ -62,7 +61,7 @@ class LoadedComponents:
     """All launch files of the package that can be read."""
 
     def unknown_together(self) -> Iterator[list[CausedPlace[UnknownComponent]]]:
-        """Yield the places in the package of each unknown component that is told in this file; the worst is first."""
+        """Yield the places of each unknown component that is reported in this file; the worst is first."""
         others = (file for file in self.around if file.path != self.file.path)
         files = (self.file, *others) if next(self.unknown(), None) else ()
         every = [replace(self, file=file) for file in files]
@@ -71,7 +70,7 @@ class LoadedComponents:
             for one in every
             for each in one.unknown()
         ]
-        yield from told_at(self.file.path, places)
+        yield from reported_in(self.file.path, places)
 
     def level_of(self, each: UnknownComponent) -> tuple[Level | None, str]:
         """Return the level of a component, None for the rule's own, and why it is not that."""
@@ -80,6 +79,8 @@ class LoadedComponents:
             return level, why
         if self.distribution.is_for_unsupported(self.file.path):
             return "info", "but in the distributions that the pages name"
+        from .forked_packages import is_of_fork  # few launch files load a removed component
+
         if is_of_fork(each.package, self.package, self.workspace):
             return "info", "but in a fork, it may be there"
         if not (level == "info" or self.distribution.is_newer_shown):
@@ -87,8 +88,8 @@ class LoadedComponents:
         return level or "warning", why
 
     @cached_property
-    def told(self) -> frozenset[tuple[str, str]]:
-        """The classes that a source of this package registers, and CMake not or under another name: CMK108 says so."""
+    def reported_elsewhere(self) -> frozenset[tuple[str, str]]:
+        """The classes that a source here registers and CMake does not, or under another name: CMK108 reports them."""
         if self.own is None or not self.own.package.is_ament:
             return frozenset()
         names = {each.name for each in self.own.without_cmake()} | self.own.misspelt
@@ -103,7 +104,7 @@ class LoadedComponents:
                 continue
             facts, plain = self.workspace.named(package), self.file.source.slice(node.plugin.span) == name
             if facts is not None:
-                known = name in facts.components or (package, name) in self.told
+                known = name in facts.components or (package, name) in self.reported_elsewhere
                 if not known and is_unregistered(name, facts):
                     yield UnknownComponent(package, node.plugin, name, facts, self.elsewhere(name, facts), plain)
             elif wrong := wrong_name("components", package, name):
@@ -139,7 +140,7 @@ def tail(name: str) -> str:
     return name.rpartition("::")[2]
 
 
-def may_be_meant(name: str, near: str) -> bool:
+def may_be_intended(name: str, near: str) -> bool:
     """Return whether a class may be another one, whatever their namespaces have in common."""
     return name == near or nearest(name, [near]) is not None
 

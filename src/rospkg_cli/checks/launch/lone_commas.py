@@ -12,7 +12,7 @@ from ...light_dataclasses import replace
 from ...package.launch.launch_classes import class_of
 from ...source import Span
 from ..fault import Fault
-from .argument_types import action_list_faults
+from .list_arguments import action_list_faults
 
 ADDS = frozenset({"add_action", "add_entity"})
 Commas = Mapping[Span, tuple[str, Span]]

@@ -1,4 +1,4 @@
-"""Faults of a launch file that only show in what it gives the system, and that stand where nothing reads or visits."""
+"""Faults of a launch file at places that launch never visits or whose value nothing reads, and why."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ from collections.abc import Iterable, Iterator
 
 from ..fault import Fault, Level, softer_advice
 from .idle_actions import NEVER_ADDED, NEVER_CALLED, OFF, UNUSED, level_read
-from .missing_references import LaunchContext
+from .launch_context import LaunchContext
 from .unread_values import UnreadValues
 from .who_meets import as_python_meets, why_unmet
 
 LOST = (NEVER_ADDED, NEVER_CALLED, OFF, UNUSED)
-"""Why nobody meets a fault in a plain launch."""
+"""Why a fault does not show in a plain launch."""
 LATE: tuple[Level | None, ...] = ("warning",)
 """The level of a fault with which the launch goes on; with others Python stops where it makes the value."""
 
 
 def where_met(scope: LaunchContext, faults: Iterable[Fault], late: tuple[Level | None, ...] = LATE) -> Iterator[Fault]:
-    """Yield faults as infos where no plain launch comes to them; those that are told so already as they are.
+    """Yield faults, as infos where no plain launch reaches them; those that are infos already as they are.
 
     `late` are the levels of what shows only once launch visits the action or reads the value.
     """
@@ -27,7 +27,7 @@ def where_met(scope: LaunchContext, faults: Iterable[Fault], late: tuple[Level |
 
 
 def why_lost(scope: LaunchContext, fault: Fault) -> str:
-    """Return why a plain launch does not come to a fault; "" where it may."""
+    """Return why a plain launch does not reach a fault; "" where it may."""
     level, why = level_read(scope.file, fault.span)
     if level == "info" and why in LOST:
         return why

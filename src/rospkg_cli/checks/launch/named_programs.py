@@ -1,4 +1,4 @@
-"""The programs that a launch file starts under the names of their packages: nodes, and what it runs otherwise."""
+"""The programs that a launch file starts by package and name: nodes, `ros2 run`, `ExecutableInPackage`."""
 
 from __future__ import annotations
 

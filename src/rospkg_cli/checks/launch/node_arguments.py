@@ -1,4 +1,4 @@
-"""LCH022: arguments of well-known programs that these refuse, or can't read, when they start."""
+"""LCH022: arguments that well-known programs refuse when they start."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ class StartedPrograms:
 
     def faults(self) -> Iterator[Fault]:
         """Yield what the programs refuse; one of the workspace may take anything."""
-        told = set[Span]()
+        seen = set[Span]()
         for fault in node_argument_faults(self.file, self.workspace):
-            if fault.span not in told:
-                told.add(fault.span)
+            if fault.span not in seen:
+                seen.add(fault.span)
                 yield fault
 
 
@@ -87,16 +87,16 @@ def passed_over(words: Sequence[ArgumentWord]) -> Iterator[Fault]:
             return
         if is_flag and name not in CREATE.all:
             better = OF_ENTITY.get(name) or (f"-{near}" if (near := nearest(name, CREATE.all)) else "")
-            meant = f"; write `{better}`" if better else ""
+            intended = f"; write `{better}`" if better else ""
             yield Fault(
-                words[index].span, f"`create` has no flag `{text.split('=')[0]}` and passes over it{meant}", "info"
+                words[index].span, f"`create` has no flag `{text.split('=')[0]}` and passes over it{intended}", "info"
             )
             return
         index += 2 if is_flag and name in CREATE.valued and "=" not in text else 1
 
 
 def option_of(text: str, program: ProgramOptions) -> str | None:
-    """Return the option that a word is, also shortened; None for a word that is none, "" for one that nobody knows."""
+    """Return the option that a word is, also shortened; None for a word that is none, "" for an unknown one."""
     if not text.startswith("-") or text == "-" or " " in text or NEGATIVE.match(text):
         return None
     name = text.split("=")[0]

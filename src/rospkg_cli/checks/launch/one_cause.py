@@ -1,4 +1,4 @@
-"""What has one cause in several launch files of a package: told once, where it is worst."""
+"""Faults of one cause in several launch files of a package, which are reported once, where they are worst."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ class CausedPlace(Generic[T]):
         return WORST_FIRST.index(self.level), self.path, self.span.start
 
 
-def told_at(path: str, places: Iterable[CausedPlace[T]]) -> Iterator[list[CausedPlace[T]]]:
-    """Yield the places of each cause that is told in a file: where the worst of them is, the first among equals.
+def reported_in(path: str, places: Iterable[CausedPlace[T]]) -> Iterator[list[CausedPlace[T]]]:
+    """Yield the places of each cause whose worst place is in a file; among equals the first place counts.
 
     That place is the first of the list.
     """

@@ -1,4 +1,4 @@
-"""Whether a package that everybody uses may be another one here, of this name: from a listed repository, or a clone."""
+"""Whether a well-known package may be another one of this name: from a listed repository, or a clone."""
 
 from __future__ import annotations
 
@@ -20,11 +20,10 @@ DISTRIBUTION = r"\bros-[\w${{}}<>]+-{0}(?![\w-])"
 
 
 def may_be_another(package: str, workspace: Workspace, files: PackageFiles) -> str:
-    """Return why a package that is not here may be another one than that of the distributions; "" where nothing says
-    so.
+    """Return why a package that is not here may be another one than the released one; "" where nothing says so.
 
-    It is the known one where it is of the core, which nobody builds anew, or where a page, a script or a container
-    installs that.
+    It is the known one where it is a core package, which is not rebuilt, or where a page, a script or a container
+    installs it by apt.
     """
     if package in core_packages():
         return ""

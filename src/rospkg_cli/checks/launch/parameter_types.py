@@ -65,7 +65,7 @@ def is_path_alone(items: Sequence) -> bool:
 
 
 def named_in_pair(values: Dict) -> str:
-    """Return the parameter that a pair of `name` and `value` is meant for, as `<param>` has them; "" for others."""
+    """Return the parameter that a pair of `name` and `value` is intended for, as `<param>` has them; "" for others."""
     found = {key.text: value for key, value in values.items.values() if isinstance(key, Text)}
     named = found.get("name")
     return named.text if found.keys() == {"name", "value"} and isinstance(named, Text) else ""

@@ -1,4 +1,4 @@
-"""Arguments that are true or false, and that Python tests as the texts they are: `'False'` is true."""
+"""Launch arguments that Python tests as texts, where every text that is not empty is true: `'False'` (LCH014)."""
 
 from __future__ import annotations
 

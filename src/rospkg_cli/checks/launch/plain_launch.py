@@ -1,4 +1,4 @@
-"""What a launch file says in what a plain `ros2 launch` comes to: without actions that are off by default."""
+"""The text of a launch file that a plain `ros2 launch` reaches: without actions that are off by default."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from ...package.launch.launch_file import DeclaredArgument, LaunchFile
 from ...package.launch.live_text import without, without_unread
 from ...package.launch.text import uncommented
 from ...source import Span
-from .idle_actions import TRUTHS, conditional
-from .missing_references import defaults_of
+from .action_conditions import TRUTHS, conditional
+from .missing_reference import defaults_of
 from .read_when_off import uses_of
 
 GIVEN = (

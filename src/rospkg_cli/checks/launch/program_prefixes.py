@@ -22,7 +22,7 @@ PROCESSES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer", "Exec
 WATCHERS = regex(
     r"(?:^|[\s/])(?:gdb(?:server)?|lldb|rr|valgrind|perf|heaptrack|[lms]trace|kcachegrind|hotspot|py-spy|i?pdb|pdb3)(?=\s|$)"
 )
-"""Debuggers and profilers: nobody needs one to use a program."""
+"""Debuggers and profilers, without which a program runs as well."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -54,7 +54,7 @@ def truth_values(launch: EvaluatedLaunch) -> dict[Span, Truth]:
 def use_faults(use: SubstitutionUse, written: str, *, is_tested: bool, is_shown: bool = False) -> Iterator[Fault]:
     """Yield what happens where Python works on a substitution as on a string; launch refuses a bool as a condition.
 
-    `written` is the whole expression; what `is_shown` only comes to the output.
+    `written` is the whole expression; what `is_shown` is only printed.
     """
     if use.kind == "refused":
         shown = type_name(use.operands[0])

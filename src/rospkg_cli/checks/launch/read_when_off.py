@@ -10,10 +10,11 @@ from ...languages.python.unread_values import only_read_in
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_file import LaunchFile
 from ...source import Span
-from .idle_actions import conditional
-from .missing_references import LaunchContext, MissingReference, defaults_of
+from .action_conditions import conditional
+from .launch_configurations import OWN, is_in_comment
+from .launch_context import LaunchContext
+from .missing_reference import MissingReference, defaults_of
 from .unread_values import UnreadValues
-from .unset_configurations import OWN, is_in_comment
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Joined input: what launch files name, against the rules that install it."""
+"""Rule input: the files that launch files name and that are not installed there (LCH004)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ from ...package.install_table import InstalledFile
 from ...package.setup.setup_py import SetupPy
 from ...source import Span
 from ..install_faults import InstallFaults
-from .missing_references import LaunchContext, MissingReference
+from .launch_context import LaunchContext
+from .missing_reference import MissingReference
+from .missing_references import missing_references
 
 
 @dataclass(frozen=True)
@@ -32,7 +34,7 @@ class ReferenceInstall:
 
     def missing(self) -> Iterator[MissingReference]:
         """Yield the files that are named, exist and are not installed, where no install rule reports it."""
-        for each in self.scope.missing():
+        for each in missing_references(self.scope):
             if each.state in ("not installed", "elsewhere") and not self.is_said(each):
                 yield each
 

@@ -12,7 +12,9 @@ from ...package.launch.launch_file import LaunchedNode, LaunchFile
 from ...package.launch.text import LaunchText, Substitution
 from ...source import Span
 from ..fault import Fault
-from .missing_references import LaunchContext, MissingReference
+from .launch_context import LaunchContext
+from .missing_reference import MissingReference
+from .who_meets import level_met
 
 PATH = regex(r"[/\\~]|\.(?:ya?ml|params?)$")
 FOR_FILES = regex(r"file|path|ya?ml|conf|param", re.IGNORECASE)
@@ -43,6 +45,16 @@ def relative_parameter_files(scope: LaunchContext) -> Iterator[RelativeParameter
         if found and text.span not in seen:
             seen.add(text.span)
             yield RelativeParameterFile(text.span, path, found[0], is_default)
+
+
+def relative_faults(scope: LaunchContext) -> Iterator[Fault]:
+    """Yield a fault for each of these paths, a warning at most."""
+    for found in relative_parameter_files(scope):
+        softer, why = level_met(scope.file, found.span, scope.workspace)
+        where = f"the share directory of `{scope.package.name}`"
+        text = f"`{found.path}` is looked for in the current directory: elsewhere the node does not find its parameters"
+        text = f"{text}{why and ', '}{why}; join it to {where}: `{found.installed}`"
+        yield Fault(found.span, text, softer or "warning")
 
 
 def given_files(file: LaunchFile) -> Iterator[tuple[LaunchText, bool]]:
@@ -94,12 +106,12 @@ def is_for_nodes(scope: LaunchContext, missing: MissingReference) -> bool:
     return all(any(text.contains(span) for text in texts) for span in spans)
 
 
-def has_others_beside(scope: LaunchContext, missing: MissingReference) -> bool:
+def has_other_values(scope: LaunchContext, missing: MissingReference) -> bool:
     """Return whether each node that is given a missing file has other parameters, too, which set what they hold."""
     spans = (missing.span, *missing.other_spans)
-    beside = []
+    has_more = []
     for node in scope.file.nodes:
         given = {each.file.span if each.file is not None else each.span for each in node.parameters}
         lost = {text.span for text, _ in files_of(scope.file, node) if any(map(text.span.contains, spans))}
-        beside += [len(given) > len(lost)] if lost else []
-    return bool(beside) and all(beside)
+        has_more += [len(given) > len(lost)] if lost else []
+    return bool(has_more) and all(has_more)

@@ -12,7 +12,7 @@ from ..enumeration import in_ticks
 from ..fault import Fault, TextRepair, joined
 
 LATER = "launch no longer takes"
-"""What Foxy takes; the rest is ROS 1's."""
+"""How the message begins about keywords that Foxy takes; the others are of ROS 1."""
 RENAMED = {
     "node_executable": "executable",
     "node_name": "name",
@@ -76,16 +76,16 @@ def removed(span: Span, name: str, now: str, has_both: bool) -> Fault:
 
 
 def together(found: Mapping[Span, tuple[str, bool]]) -> Iterator[Fault]:
-    """Yield what a file for an older launch_ros has as one fault: it stops at the first."""
+    """Yield the removed keywords of a file; those of an older launch_ros as one fault, as launch stops at the first."""
     now = {**RENAMED, **ROS1}
     faults = {span: removed(span, name, now[name], has_both) for span, (name, has_both) in found.items()}
     old = {span: name for span, (name, has_both) in found.items() if name in RENAMED and not has_both}
     if len(old) > 1:
-        yield joined([faults.pop(span) for span in old], *told_of(old.values()))
+        yield joined([faults.pop(span) for span in old], *renaming_texts(old.values()))
     yield from faults.values()
 
 
-def told_of(names: Collection[str]) -> tuple[str, str]:
-    """Return what is said of several keywords of Foxy, and the title of what renames them."""
+def renaming_texts(names: Collection[str]) -> tuple[str, str]:
+    """Return the message about several keywords of Foxy, and the title of the fix that renames them."""
     better = in_ticks(RENAMED[name] for name in names)
     return f"{LATER} {in_ticks(names)} of nodes and stops there; write {better}", f"write {better}"

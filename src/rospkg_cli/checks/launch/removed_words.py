@@ -1,4 +1,4 @@
-"""Removed arguments and words of commands in all launch files of a package, each told once (LCH005)."""
+"""Removed arguments and words of commands in all launch files of a package, each reported once (LCH005)."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from ...unreadable import READABLE
 from ..fault import Fault, Level, TextRepair, softer_advice
 from .call_errors import LaunchCalls
 from .idle_actions import IN_BRANCH, NO_ENTRY, level_at
-from .one_cause import CausedPlace, told_at
-from .removed_arguments import LATER, removed_arguments, told_of
+from .one_cause import CausedPlace, reported_in
+from .removed_arguments import LATER, removed_arguments, renaming_texts
 from .removed_commands import removed_commands
 from .who_meets import level_met, why_python_stops
 
@@ -21,7 +21,7 @@ from .who_meets import level_met, why_python_stops
 @dataclass(frozen=True, slots=True)
 class RemovedWord:
     fault: Fault
-    """As it is told where it stands alone."""
+    """As it is reported where it is the only one."""
     names: tuple[str, ...] = ()
     """The keywords that launch took in Foxy, where they can be renamed."""
     when: tuple[tuple[Level, str], ...] = ()
@@ -32,7 +32,8 @@ class RemovedWord:
         return LATER if self.names else self.fault.message
 
     @property
-    def told(self) -> Fault:
+    def at_its_level(self) -> Fault:
+        """The fault with the level, and the reason for it, of where the word stands."""
         fault = self.fault
         for level, why in self.when:
             least: Level = "info" if fault.level == "info" else level
@@ -48,19 +49,19 @@ class RemovedWords:
     """All launch files of the package that can be read."""
 
     def together(self) -> Iterator[tuple[Fault, list[CausedPlace[RemovedWord]]]]:
-        """Yield what is told in this file, and its places in the package; the worst is first."""
+        """Yield what is reported in this file, and its places in the package; the worst is first."""
         own = self.calls.file
         here = list(self.words_of(own))
         files = [each for each in self.around if each.path != own.path] if here else []
         words = [(own.path, word) for word in here]
         words += [(file.path, word) for file in files for word in self.words_of(file)]
-        places = (CausedPlace(word.cause, word.told.level, path, word.fault.span, word) for path, word in words)
-        for alike in told_at(own.path, places):
+        places = (CausedPlace(word.cause, word.at_its_level.level, path, word.fault.span, word) for path, word in words)
+        for alike in reported_in(own.path, places):
             first, names = alike[0].item, tuple(dict.fromkeys(name for each in alike for name in each.item.names))
             if set(names) != set(first.names):
-                message, title = told_of(names)
+                message, title = renaming_texts(names)
                 first = replace(first, fault=replace(first.fault, message=message, repair=TextRepair(title, ())))
-            yield first.told, alike
+            yield first.at_its_level, alike
 
     def words_of(self, file: LaunchFile) -> Iterator[RemovedWord]:
         """Yield the removed arguments of a file, and then the words; none of one that is kept for Foxy."""
@@ -89,6 +90,6 @@ class RemovedWords:
             yield RemovedWord(fault, (), (*older, *([(level, why)] if level else ())))
 
     def is_for_older(self, file: LaunchFile, *, is_info: bool) -> bool:
-        """Return whether a file is for Foxy; or may be, where that is not all the same as it is an info anyway."""
+        """Return whether a file is for Foxy; for what is no info anyway, also whether it may be."""
         distribution = self.calls.distribution
         return distribution.is_for_older(file.path) or not (is_info or distribution.is_newer_shown)

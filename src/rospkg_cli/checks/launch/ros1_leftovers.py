@@ -8,7 +8,7 @@ from typing import Annotated
 from ...light_dataclasses import dataclass, replace
 from ...package.launch.launch_file import LaunchFile
 from ...unreadable import READABLE
-from .missing_references import LaunchContext
+from .launch_context import LaunchContext
 from .started_launch_files import StartedLaunchFiles
 
 
@@ -21,9 +21,9 @@ class Ros1Leftovers:
 
     @cached_property
     def together(self) -> tuple[LaunchFile, ...]:
-        """All such files of the package that are started, or all others, for the first of them.
+        """All such files of the package that are started, or all that are not, for the first of them.
 
-        None for those that are told with it.
+        Empty for all but the first file, with which they are reported.
         """
         if not self.scope.is_ros1_leftover:
             return ()
@@ -33,11 +33,11 @@ class Ros1Leftovers:
         return tuple(found) if found[0].path == self.scope.file.path else ()
 
     def is_met(self, file: LaunchFile) -> bool:
-        """Return whether somebody starts a file in ROS 2: something that is not for ROS 1 names it."""
+        """Return whether a file is started in ROS 2: something that is not for ROS 1 names it."""
         return file.path in self.met
 
     @cached_property
     def met(self) -> frozenset[str]:
-        """The files for ROS 1 that something names which is not; one of these stops before it includes another."""
+        """The files for ROS 1 that something names which is not for ROS 1."""
         old = {each.path: each for each in (self.scope.file, *self.around) if each.is_ros1}
         return frozenset(path for path, file in old.items() if self.started.has(file, frozenset(old)))

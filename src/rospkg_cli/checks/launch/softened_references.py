@@ -1,4 +1,4 @@
-"""How grave it is that a file is missing which a launch file names: who opens it, and when (LCH003, LCH004)."""
+"""The level of a missing file that a launch file names: what opens it, and when (LCH003, LCH004)."""
 
 from __future__ import annotations
 
@@ -6,17 +6,18 @@ import posixpath
 
 from ...package.file_role import role_of
 from ...package.launch.collect_texts import READERS
-from ...package.launch.file_references import OPEN
+from ...package.launch.joined_path import OPEN
 from ...package.launch.launch_file import LaunchFile
 from ..fault import Level
 from ..repository.left_to_people import UNTIL_NAMED, files_of, why_left
 from .given_arguments import why_given
 from .idle_actions import NEVER_CALLED, NO_ENTRY, OFF, level_at, level_read
 from .include_arguments import IncludeContext
-from .missing_references import LaunchContext, MissingReference
-from .open_paths import ANYTHING
+from .launch_context import LaunchContext
+from .missing_reference import MissingReference
+from .partly_known_paths import ANYTHING
 from .read_when_off import ReadWhenOff
-from .relative_parameter_files import has_others_beside, is_for_nodes
+from .relative_parameter_files import has_other_values, is_for_nodes
 from .undeclared_files import undeclared_for
 from .unmet_lookups import package_lacked
 from .unread_values import UnreadValues
@@ -60,7 +61,7 @@ def level_of_places(file: LaunchFile, each: MissingReference) -> tuple[Level | N
 
 def is_in_left_helper(scope: LaunchContext, each: MissingReference) -> bool:
     """Return whether every place that names a file is in a function that nothing calls, where launch can't start it."""
-    from .left_helpers import is_left  # few files beside launch files have no entry point
+    from .left_helpers import is_left  # few files in launch folders have no entry point
 
     return all(is_left(scope, span) for span in (each.span, *each.other_spans))
 
@@ -80,11 +81,11 @@ def unmet_by_all(scope: LaunchContext, each: MissingReference) -> str:
 
 def has_others(scope: LaunchContext, each: MissingReference) -> bool:
     """Return whether it is only a parameter file of nodes that get other values, too."""
-    return is_for_nodes(scope, each) and has_others_beside(scope, each)
+    return is_for_nodes(scope, each) and has_other_values(scope, each)
 
 
 def left_to_people(scope: LaunchContext, each: MissingReference) -> str:
-    """Return why people are to bring the file themselves; "" where it is not so, and where another name is meant."""
+    """Return why the user is to bring the file; "" where nothing says so, and where another name is intended."""
     own = each.package == scope.package.name
     facts = scope.package if own else scope.workspace.named(each.package)
     if facts is None or each.state != "absent" or each.better_path or each.use == "include":
@@ -94,7 +95,7 @@ def left_to_people(scope: LaunchContext, each: MissingReference) -> str:
 
 
 def lacked_by_search(scope: LaunchContext, each: MissingReference) -> str:
-    """Return that a file is only named where a search finds none, as people are told; "" where it is not so."""
+    """Return that a file is only named where a search finds none, which is logged; "" where it is not so."""
     from .found_none import FOUND_NONE, is_found_none  # few packages miss a file
 
     file = scope.file.python

@@ -1,4 +1,4 @@
-"""Launch files of which their own first lines, or a page, say that nobody is to start them any more, or yet."""
+"""Launch files whose first lines, or a page, say that they are no longer used or not finished yet."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ..share.opened_elsewhere import opening_elsewhere
 from ..unintended_starts import UNDONE, UNFINISHED
 from ..unstarted_programs import SENTENCES, STALE
 
-TOLD = "a page says that this launch file is no longer used, or not finished yet"
+SAID_BY_PAGE = "a page says that this launch file is no longer used, or not finished yet"
 FAILS = regex(r"(?i)\b(?:this|the) (?:launch |launch ?file |file ){1,2}(?:no longer works|does(?: not|n't) work)\b")
 MARKUP = regex(r"\s*(?:<\?xml[^>]*\?>\s*)?(?:<launch\b[^>]*>\s*)?((?:<!--(?:[^-]|-(?!->)){0,2000}-->\s*)*)")
 """The comments with which a launch file in XML begins, also behind its first tag."""
@@ -25,7 +25,7 @@ STARTS = regex(r"\bros2[\s\"',]+launch\b")
 
 
 def why_stale(files: PackageFiles, package: PackageFacts, workspace: Workspace, path: str) -> str:
-    """Return who says that nobody is to start a launch file; "" where nobody does, or something starts it."""
+    """Return what says that a launch file is not to be started; "" where nothing does, or something starts it."""
     name = posixpath.basename(path)
     word = re.compile(rf"(?<![\w-]){re.escape(name)}(?!\.?\w)")
     lines = [each for text in pages_and_scripts(files) if name in text for each in SENTENCES.split(text)]
@@ -39,10 +39,10 @@ def why_stale(files: PackageFiles, package: PackageFacts, workspace: Workspace, 
     others = (*(live_text(files, each) for each in launches), *opening_elsewhere(files, package.name, workspace))
     if any(map(word.search, others)):
         return ""
-    return TOLD if is_stale else UNDONE
+    return SAID_BY_PAGE if is_stale else UNDONE
 
 
 def says_so(text: str) -> bool:
-    """Return whether a launch file begins with that it is given up, or not finished."""
+    """Return whether the first comment of a launch file says that it is given up, or not finished."""
     head = (MARKUP if text.lstrip().startswith("<") else HEAD).match(text)
     return head is not None and any(each.search(head[0]) for each in (SAYS, UNFINISHED, FAILS))

@@ -1,4 +1,4 @@
-"""Whether what a launch file makes and never adds is started by another action, of it or of a file beside it."""
+"""Whether what a launch file makes and never adds is started by another action, of it or of a file next to it."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ from .removed_arguments import is_taken_by_old_launch_alone
 
 
 def are_all_stopped(paths: Iterable[str], launches: Collection[LaunchFile], files: PackageFiles) -> bool:
-    """Return whether all files of some paths are launch files for Foxy, and nothing says that this is what is meant."""
+    """Return whether all files of some paths are launch files for Foxy, and nothing says that Foxy is intended."""
     known, older = {each.path: each for each in launches}, OlderDistribution(files)
     found = [(path, known.get(path)) for path in paths]
     stopped = (file is not None and is_taken_by_old_launch_alone(file) for _, file in found)

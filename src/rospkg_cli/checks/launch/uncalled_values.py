@@ -1,4 +1,4 @@
-"""Methods and functions that are passed to launch where their result is meant: `launch_arguments={…}.items`."""
+"""Methods and functions that are passed to launch where their result is needed: `launch_arguments={…}.items`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Missing files that a node gets as a parameter or a word which it is not shown to read: nothing opens them."""
+"""Missing files that a node gets as a parameter or argument which it is not shown to read (LCH003)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from ...package.launch.launch_file import LaunchedNode
 from ...package.package_facts import PackageFacts
 from ...ros.known_nodes import known_nodes, known_parameters, newer_parameters
 from ...source import Span
-from .missing_references import LaunchContext, MissingReference
+from .launch_context import LaunchContext
+from .missing_reference import MissingReference
 from .unread_arguments import why_unread
 
 OPENED = regex(r"file|path|ya?ml|(?:^|[_./])(?:map|ur[li])(?:$|[_./])", re.IGNORECASE)

@@ -13,13 +13,13 @@ from ...package.launch.visit_order import calls_of, visited_actions
 from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from .idle_actions import is_uncalled
-from .package_references import NAME
+from .package_reference import NAME
 from .unmet_lookup import UnmetLookup, is_met
 
 FUNCTIONS = dict.fromkeys(
     ("get_package_share_directory", "get_package_share_path", "get_package_prefix"), ("package_name", 0)
 )
-"""Functions that look for a package where Python comes to them, with the argument that names it, and its place."""
+"""Functions that look for a package when Python calls them, with the argument that names it, and its place."""
 LOOKS = dict.fromkeys(("FindPackageShare", "FindPackagePrefix", "FindPackage"), ("package", 0))
 """Substitutions that do so once they are performed."""
 MADE = ACTIONS | {"ComposableNode"}
@@ -27,7 +27,7 @@ MADE = ACTIONS | {"ComposableNode"}
 
 
 def unmet_in_python(file: LaunchFile, launch: EvaluatedLaunch, lacked: set[str]) -> Iterator[UnmetLookup]:
-    """Yield what every launch comes to: what Python looks for itself, and the first place in an action.
+    """Yield the lookups that every launch reaches: what Python looks for itself, and the first place in an action.
 
     In a function that launch calls, a look-up hides no more than the function.
     """

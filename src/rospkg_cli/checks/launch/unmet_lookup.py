@@ -16,13 +16,13 @@ class UnmetLookup:
     package: str
     span: Span
     hidden: tuple[Span, ...]
-    """What no launch comes to, as this ends it before."""
+    """The part that no launch reaches, as it ends here before."""
     is_early: bool = False
     """Whether Python raises there, as it reads the file or runs a function."""
 
 
 def is_met(file: LaunchFile, span: Span) -> bool:
-    """Return whether every launch comes to a place, if nothing ends it before."""
+    """Return whether every launch reaches a place, if nothing ends it before."""
     return level_at(file, span)[0] is None
 
 

@@ -1,4 +1,4 @@
-"""What no launch comes to in a launch file, as it ends before for lack of a package that nothing brings."""
+"""Places of a launch file that no launch reaches, as it ends before at a package that nothing brings."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from ...package.launch.launch_file import LaunchFile
 from ...package.launch.text import Substitution
 from ...package.workspace import Workspace
 from ...source import Span
-from .package_references import FILES_OF, NAME, package_references
+from .package_reference import FILES_OF, NAME
+from .package_references import package_references
 from .unmet_lookup import UnmetLookup, is_brought_by_nothing, is_met
 
 ALONE = frozenset({"node", "include", "executable", "node_container", "arg", "let"})
@@ -31,7 +32,7 @@ class UnmetLookups:
 
 
 def package_lacked(file: LaunchFile, span: Span, workspace: Workspace) -> str:
-    """Return the package for lack of which a launch ends before it comes to a place; "" where none is lacked."""
+    """Return the missing package at which a launch ends before it reaches a place; "" for none."""
     found = workspace.index_of(UnmetLookups).of(file, workspace)
     return next((each.package for each in found if any(one.contains(span) for one in each.hidden)), "")
 
@@ -60,7 +61,7 @@ def is_search(each: Substitution) -> bool:
 
 
 def unmet_in_entities(file: LaunchFile, root: Entity, lacked: set[str]) -> Iterator[UnmetLookup]:
-    """Yield the first place of a file in XML or YAML that every launch comes to: it hides its entity, and all below."""
+    """Yield the first place of a file in XML or YAML that every launch reaches: it hides its entity, and all below."""
     timers = [each.span for each in root.walk() if each.name in LATER]
     for use in package_references(file):
         is_now = use.does == FILES_OF and not any(each.contains(use.span) for each in timers)

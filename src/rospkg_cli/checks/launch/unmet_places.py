@@ -1,4 +1,4 @@
-"""Why no plain launch meets what is wrong at a place of a launch file, whatever it is."""
+"""Why a plain launch does not reach a place of a launch file, whatever is wrong there."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from ...source import Span
 from ...unreadable import READABLE
 from ..fault import Fault
 from .idle_actions import NEVER_CALLED, is_uncalled
+from .launch_context import LaunchContext
 from .lost_faults import why_lost
-from .missing_references import LaunchContext
 from .unstarted_launch_files import UNSTARTED, UnstartedLaunchFiles
 from .who_meets import why_python_stops
 
@@ -26,12 +26,12 @@ class UnmetPlaces:
     unstarted: UnstartedLaunchFiles | None = None
 
     def why_unstarted(self, path: str) -> str:
-        """Return why nobody starts a launch file, whatever is wrong with it; "" where somebody may."""
+        """Return why a launch file is never started; "" where it may be."""
         is_left = self.unstarted is not None and self.unstarted.has(path) and not self.is_imported(path)
         return UNSTARTED if is_left else self.why_stale(path)
 
     def why_stale(self, path: str) -> str:
-        """Return who says that nobody is to start a launch file any more, or yet; "" where nobody does."""
+        """Return what says that a launch file is no longer used, or not finished; "" where nothing does."""
         from .stale_launch_files import why_stale  # what findings alone need
 
         scope = next((each for each in self.scopes if each.file.path == path), None)
@@ -40,9 +40,9 @@ class UnmetPlaces:
         return why_stale(self.files, scope.package, scope.workspace, path)
 
     def why(self, path: str, span: Span, *, is_late: bool) -> str:
-        """Return why a plain launch does not come to a place; "" where it may, and in other files.
+        """Return why a plain launch does not reach a place; "" where it may, and in other files.
 
-        What is late shows itself when launch visits the action or reads the value; all else where Python comes to it.
+        What is late shows when launch visits the action or reads the value; all else when Python runs the line.
         """
         scope = next((each for each in self.scopes if each.file.path == path), None)
         if scope is None or self.is_imported(path):

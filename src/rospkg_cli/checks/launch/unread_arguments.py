@@ -6,14 +6,14 @@ from ...lazy_regex import regex
 from ...package.launch.launch_file import LaunchedNode
 from ...package.launch.text import uncommented
 from ...source import Span
-from .missing_references import LaunchContext
+from .launch_context import LaunchContext
 
 UNREAD = "but `{}` reads no argument"
 STARTS = regex(
     r"def\s+main\s*\(\s*args\s*(?::[^=)]*)?=\s*None\s*\)"
     r"|\brclpy\.init\(\s*(?:args\s*=\s*)?(?:sys\.argv|args)\s*\)"
 )
-"""What nearly every node does with its command line, which rclpy reads for what is meant for ROS."""
+"""What nearly every node does with its command line, from which rclpy takes the arguments for ROS."""
 READS = regex(r"\b(?:sys\.)?argv\b|\bargs\b|(?i:arg_?parse|optparse|getopt|docopt|absl|\bclick\b|\btyper\b|\bfire\b)")
 """What a program reads its command line with, and by what it may hand it on."""
 

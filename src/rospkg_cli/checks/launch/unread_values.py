@@ -16,8 +16,9 @@ from ...package.launch.text import uncommented
 from ...ros.known_launch_files import known_arguments
 from ...source import Span
 from .include_arguments import IncludeContext
-from .missing_references import LaunchContext, MissingReference, defaults_of, is_within
-from .unset_configurations import OWN, LaunchConfigurations
+from .launch_configurations import OWN, LaunchConfigurations
+from .launch_context import LaunchContext
+from .missing_reference import MissingReference, defaults_of, is_within
 
 Names = frozenset[str]
 ANY = "launch_configurations"
@@ -37,7 +38,7 @@ class UnreadValues:
         return alone or is_within(missing, tuple(defaults_of(self.arguments)))
 
     def holds(self, place: Span) -> bool:
-        """Return whether a text that is written at a place comes to nothing else than what nothing reads."""
+        """Return whether the text at a place is passed only to what nothing reads."""
         return any(each.contains(place) for each in self.places)
 
     @cached_property

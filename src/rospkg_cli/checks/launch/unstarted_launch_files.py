@@ -1,6 +1,4 @@
-"""Launch files that nothing installs: `ros2 launch` finds such a one by its path alone, and where nobody gives that,
-nobody meets what is wrong in it.
-"""
+"""Launch files that nothing installs and nothing starts by their path, so that their faults never show."""
 
 from __future__ import annotations
 
@@ -23,8 +21,8 @@ CMAKE = (".cmake", "CMakeLists.txt")
 OF_CODE = regex(r"\.(?:py|xml|launch|service|desktop|cpp)$|(?:^|/)CMakeLists\.txt$|\.cmake$")
 STARTS = r"(?:\bros2[\s\"',]+launch|\broslaunch|\blaunch_test|\bpython3?)[\s\"',]+(?:-\S+\s+)*"
 """What starts a launch file, up to its path or its package."""
-BESIDE = regex(r"\b__file__\b|\bThisLaunchFileDir\b|\$\(dirname\)")
-"""How code names what lies beside it."""
+OWN_FOLDER = regex(r"\b__file__\b|\bThisLaunchFileDir\b|\$\(dirname\)")
+"""How code names files in its own folder."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +57,7 @@ class UnstartedLaunchFiles:
     def starts(self, path: str, text: str, name: str, *, is_own: bool) -> bool:
         """Return whether a text, of the package or of others, starts or includes a file of a name by its path.
 
-        Who names the package looks in its share directory, where the file is not.
+        A command that names the package looks in its share directory, where the file is not.
         """
         text, word = text.replace("\\\n", " "), rf"(?<![\w-]){re.escape(name)}(?!\.?\w)"
         if re.search(rf"{STARTS}[^\s\"',`]*{word}", text):
@@ -68,7 +66,7 @@ class UnstartedLaunchFiles:
             return False
         if re.search(rf"(?<![\w.-]){re.escape(self.package.name)}/[^\s\"',]*{word}", text):
             return True
-        if OF_CODE.search(path) and not path.endswith(CMAKE) and not BESIDE.search(text):
+        if OF_CODE.search(path) and not path.endswith(CMAKE) and not OWN_FOLDER.search(text):
             return False
         by_package = rf"{STARTS}[^\s\"',/]+[\s\"',]+{word}"
         return is_own and re.search(word, re.sub(by_package, "", text)) is not None

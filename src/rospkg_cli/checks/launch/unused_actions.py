@@ -21,7 +21,8 @@ from ...ros.launch_calls import ACTIONS
 from ...source import Span
 from ...suggest import near_names
 from .awaited_actions import only_awaited
-from .unset_configurations import LaunchConfigurations
+from .launch_configurations import LaunchConfigurations
+from .unset_configurations import unset, unused
 
 HARM = {
     "Node": "it is never started",
@@ -57,7 +58,7 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
     if file is None or launch is None or not configurations.file.has_entry_point:
         return
     calls = {call.span: call for call in launch.calls if class_of(call) in ACTIONS}
-    told = told_arguments(configurations)
+    reported = reported_arguments(configurations)
     for each in only_awaited(file):
         call = calls.get(file.span(each.value))
         if call is not None and class_of(call) in HARM:
@@ -68,10 +69,10 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
             yield UnusedAction(span, what, harm, is_awaited=is_met, is_vain=each.is_vain, written=written)
     for name, node, value, line in (*((*each, 0) for each in unread(file)), *overwritten(file)):
         call = calls.get(file.span(value))
-        if call is None or is_told(call, told) or (not line and is_mentioned(name, file)):
+        if call is None or uses_reported(call, reported) or (not line and is_mentioned(name, file)):
             continue
         unknown = {each.name for each in undefined_names(file)} if name else ()
-        if not near_names(name, unknown):  # of a slip where it is read LCH013 tells
+        if not near_names(name, unknown):  # a misspelt use is reported by LCH013
             what = f"`{name}`" if name else f"this `{class_of(call)}`"
             kind = class_of(call)
             harm = HARM.get(kind, "it has no effect")
@@ -139,12 +140,12 @@ def is_mentioned(name: str, file: PythonFile) -> bool:
     return name.startswith("_") or (bool(name) and any(word.search(each) for each in (*comments, *texts)))
 
 
-def told_arguments(configurations: LaunchConfigurations) -> frozenset[str]:
+def reported_arguments(configurations: LaunchConfigurations) -> frozenset[str]:
     """Return the arguments that LCH008 and LCH017 report."""
-    unset = {each.name for each in configurations.unset()}
-    return frozenset(unset | {argument.name.literal or "" for argument in configurations.unused()})
+    names = {each.name for each in unset(configurations)}
+    return frozenset(names | {argument.name.literal or "" for argument in unused(configurations)})
 
 
-def is_told(call: Call, told: frozenset[str]) -> bool:
+def uses_reported(call: Call, reported: frozenset[str]) -> bool:
     name = call.get("name", 0) if class_of(call) == "DeclareLaunchArgument" else None
-    return name is not None and (text_of(name).literal or "") in told
+    return name is not None and (text_of(name).literal or "") in reported

@@ -1,4 +1,4 @@
-"""Who meets a fault in a launch file: what the file itself says, and what ends every launch before it comes there."""
+"""Whether a launch reaches a fault in a launch file: its action may be off, or every launch ends before."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ def level_met(file: LaunchFile, span: Span, workspace: Workspace) -> tuple[Level
 
 
 def why_unvisited(file: LaunchFile, span: Span, workspace: Workspace) -> str:
-    """Return why no plain launch comes to a place: its action is off, or the launch ends before; "" where one may."""
+    """Return why no plain launch reaches a place: its action is off, or the launch ends before; "" where one may."""
     level, why = level_met(file, span, workspace)
     return why if level == "info" else ""
 
 
 def why_unmet(file: LaunchFile, span: Span, workspace: Workspace) -> str:
-    """Return why no launch comes to a place, as it ends before for lack of a package; "" where it may."""
+    """Return why no launch reaches a place, as it ends before for lack of a package; "" where it may."""
     lacked = package_lacked(file, span, workspace)
     return ENDS_BEFORE.format(lacked) if lacked else ""
 
@@ -47,6 +47,6 @@ def as_python_meets(file: LaunchFile, fault: Fault, workspace: Workspace) -> Fau
 
 
 def why_python_stops(file: LaunchFile, span: Span, workspace: Workspace) -> str:
-    """Return why Python does not come to a line, as it stops above for lack of a package; "" where it may."""
+    """Return why Python does not reach a line, as it stops above for lack of a package; "" where it may."""
     lacked = package_lacked_above(file, span, workspace)
     return ENDS_BEFORE.format(lacked) if lacked else ""

@@ -1,4 +1,4 @@
-"""Nodes without a package, whose executable is none that the PATH has."""
+"""Nodes without a package, whose executable is not on the PATH (LCH002)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ...package.launch.text import LaunchText
 from ...ros.well_known import packages_with_program
 from ..fault import Level
 from .entity_schema import entity_faults
-from .missing_references import LaunchContext
+from .launch_context import LaunchContext
 from .who_meets import level_met
 
 PROGRAMS = ("node", "lifecycle_node", "node_container")
@@ -33,7 +33,7 @@ class NodesWithoutPackage:
     def uses(self) -> Iterator[PathUse]:
         """Yield the nodes whose executable a package has, one here or a well-known one, and none puts into bin/."""
         file = self.scope.file
-        is_refused = any(entity_faults(file))  # as a whole, which LCH007 tells
+        is_refused = any(entity_faults(file))  # as a whole, which LCH007 reports
         for node in file.nodes if not (self.scope.is_unused_test or is_refused) else ():
             executable = node.executable
             if is_without_package(node) and executable is not None and executable.literal:

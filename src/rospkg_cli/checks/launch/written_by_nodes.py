@@ -10,7 +10,8 @@ from ...lazy_regex import regex
 from ...package.file_role import role_of
 from ...source import Span
 from ..paths.written_paths import WORD
-from .missing_references import LaunchContext, MissingReference
+from .launch_context import LaunchContext
+from .missing_reference import MissingReference
 from .undeclared_files import names_at
 
 KEPT = regex(

@@ -1,4 +1,4 @@
-"""What a Python launch file imports from launch and launch_ros, against what these export."""
+"""Names that a Python launch file imports from a module of launch or launch_ros that does not have them (LCH013)."""
 
 from __future__ import annotations
 
@@ -38,12 +38,12 @@ def wrong_imports(file: PythonFile) -> Iterator[WrongImport]:
             module = node.module
             near = "" if module in EXPORTS else nearest(module, siblings(module), 2) or ""
             for alias in node.names:
-                home, meant = (near if alias.name in EXPORTS.get(near, ()) else "", "")
+                home, intended = (near if alias.name in EXPORTS.get(near, ()) else "", "")
                 if module in EXPORTS and module not in OPEN and alias.name not in (*EXPORTS[module], "*"):
-                    home, meant = meant_by(module, alias.name)
-                if home or meant:
+                    home, intended = intended_by(module, alias.name)
+                if home or intended:
                     start = file.span(alias).start
-                    yield WrongImport(alias.name, module, Span(start, start + len(alias.name)), home, meant)
+                    yield WrongImport(alias.name, module, Span(start, start + len(alias.name)), home, intended)
 
 
 def wrong_attributes(file: PythonFile) -> Iterator[WrongImport]:
@@ -75,7 +75,7 @@ def siblings(module: str) -> list[str]:
     return [each for each in EXPORTS if package in TOPS and each.rpartition(".")[0] == package]
 
 
-def meant_by(module: str, name: str) -> tuple[str, str]:
+def intended_by(module: str, name: str) -> tuple[str, str]:
     """Return the module that exports a name, and else the name of this module that it is a slip of; "" for none.
 
     A newer launch may export what only resembles a known name.

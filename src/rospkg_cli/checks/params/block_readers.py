@@ -13,8 +13,10 @@ from .displaced_blocks import displaced_blocks
 from .handed_on import may_hand_on
 from .idle_nodes import may_start, start_of
 from .inner_nodes import COSTMAPS
-from .launch_parameters import LaunchParameters, NodeArguments
+from .launch_parameters import LaunchParameters
+from .misnamed_blocks import misnamed_blocks
 from .mistyped_blocks import WILD, last
+from .node_parameters import NodeArguments
 from .parameter_file_use import ParameterFileUses
 from .refused_files import is_refused
 
@@ -53,7 +55,7 @@ class BlockReaders:
         return not has_components and is_refused(self.uses.of(file))
 
     def is_unopened(self, file: ParameterFile) -> bool:
-        """Return whether nothing names a file, or launch files give it to nodes alone that nobody starts."""
+        """Return whether nothing names a file, or launch files give it only to nodes that are never started."""
         from .ignored_files import is_ignored  # few packages have something to ask it of
 
         given = self.given(file)
@@ -78,7 +80,7 @@ class BlockReaders:
         return [each for each in self.launched.node_arguments if file in each.files]
 
     def is_met(self, each: NodeArguments) -> bool:
-        """Return whether somebody may start a node: its action is added, and its launch file is not left out."""
+        """Return whether a node may be started: its action is added, and its launch file is not left out."""
         is_out = is_set_aside(each.launch.path) or self.launched.is_left_out(each.launch)
         return may_start(start_of(each.launch, each.node, self.launched.workspace)) and not is_out
 
@@ -101,9 +103,12 @@ class BlockReaders:
         return not any(may_hand_on(each, name, workspace) for each in giving.values())
 
     def is_for_others(self, block: NodeBlock, given: list[NodeArguments]) -> bool:
-        """Return whether a block is for a node that none of those that are started is, as far as names tell."""
-        told = (*(each for _, each, _ in self.launched.misnamed()), *(b for _, b, _ in displaced_blocks(self.launched)))
-        if any(each is block for each in told) or is_out_of_reach(block, self.launched):
+        """Return whether a block is for a node that none of those that are started is, as far as names show."""
+        reported = (
+            *(each for _, each, _ in misnamed_blocks(self.launched)),
+            *(b for _, b, _ in displaced_blocks(self.launched)),
+        )
+        if any(each is block for each in reported) or is_out_of_reach(block, self.launched):
             return True
         name = COSTMAPS.get(last(block), last(block))
         packages = {each.node.package.literal if each.node.package else None for each in given}

@@ -1,4 +1,4 @@
-"""Which programs of a package a source is of, as far as CMake or the names of files tell."""
+"""Which programs of a package a source is of, as far as CMake or the names of files show."""
 
 from __future__ import annotations
 

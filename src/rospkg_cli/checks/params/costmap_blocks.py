@@ -34,7 +34,7 @@ def is_out_of_reach(block: NodeBlock, launched: LaunchParameters) -> bool:
 
 
 def unread_costmaps(launched: LaunchParameters) -> Iterator[tuple[ParameterFile, NodeBlock, NodeBlock]]:
-    """Yield the blocks that no costmap reads, where the block of its server stands beside, with that one."""
+    """Yield the blocks that no costmap reads, each with the block of its server in the same file."""
     for file in launched.files:
         named = {last(block): block for block in file.blocks}
         lost = [block for block in file.blocks if is_out_of_reach(block, launched)]
@@ -50,10 +50,10 @@ def costmap_defaults(name: str) -> tuple[str, ...]:
     return (DEFAULTS.get(name) or default_of("nav2_costmap_2d", name),)
 
 
-def told_of(block: NodeBlock, maker: NodeBlock, same: str) -> str:
-    """Return what is said of a block for the costmap that a server makes, which has the other block.
+def costmap_message(block: NodeBlock, maker: NodeBlock, same: str) -> str:
+    """Return the message about a block for the costmap that a server makes.
 
-    `same` is why nobody misses it, or "".
+    `maker` is the block of that server; `same` says why the lost values change nothing, or is "".
     """
     name, server = block.key.text, maker.key.text
     message = f"no node is called `{name}`: the costmap that `{server}` makes is `{name}/{name}`"

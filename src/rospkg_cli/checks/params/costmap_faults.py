@@ -1,4 +1,4 @@
-"""PRM003: blocks for costmaps of nav2 that no costmap reads, beside the block of the server that makes it."""
+"""PRM003: blocks for costmaps of nav2 that no costmap reads, in files with the block of the server that makes it."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ..fault import Fault
 from .block_readers import BlockReaders
-from .costmap_blocks import costmap_defaults, told_of, unread_costmaps
+from .costmap_blocks import costmap_defaults, costmap_message, unread_costmaps
 from .unchanged_values import ONLY_DEFAULTS, holds_defaults
 
 
@@ -15,4 +15,4 @@ def costmap_faults(readers: BlockReaders) -> Iterator[tuple[str, Fault]]:
     for file, block, server in unread_costmaps(readers.launched):
         same = ONLY_DEFAULTS if holds_defaults(block, costmap_defaults) else ""
         is_mild = bool(same) or readers.is_idle(file.path, server.key.span)
-        yield file.path, Fault(block.key.span, told_of(block, server, same), "info" if is_mild else None)
+        yield file.path, Fault(block.key.span, costmap_message(block, server, same), "info" if is_mild else None)

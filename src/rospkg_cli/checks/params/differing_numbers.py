@@ -7,8 +7,9 @@ from collections.abc import Collection, Iterable, Iterator
 from ...package.file_role import is_set_aside, role_of
 from ...package.params.parameter_file import Parameter, ParameterFile
 from ...source import Span
-from .declaring_packages import given_type, is_its_own
+from .declaring_packages import is_its_own
 from .mistyped_blocks import WILD, last
+from .rcl_types import given_type
 
 Numbers = dict[tuple[str, str], list[tuple[ParameterFile, Parameter]]]
 """By the name of a node and that of its parameter."""

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ..yaml_elsewhere import is_named_elsewhere
-from .launch_parameters import LaunchParameters, NodeArguments
+from .launch_parameters import LaunchParameters
 from .mistyped_blocks import last
+from .node_parameters import NodeArguments
 
 
 def displaced_blocks(launched: LaunchParameters) -> Iterator[tuple[ParameterFile, NodeBlock, NodeArguments]]:
@@ -36,7 +37,7 @@ def is_only_here(launched: LaunchParameters, file: ParameterFile) -> bool:
 
 
 def why_not(launched: LaunchParameters, file: ParameterFile, block: NodeBlock) -> str:
-    """Return how a node may read such a block all the same; "" where none can.
+    """Return how a node may still read such a block; "" where none can.
 
     A file has the node's name in several namespaces, of which the launch file takes one, or another package starts it.
     """
@@ -47,7 +48,7 @@ def why_not(launched: LaunchParameters, file: ParameterFile, block: NodeBlock) -
     return ", unless another package starts it elsewhere" if is_elsewhere else ""
 
 
-def told_of(block: NodeBlock, given: NodeArguments) -> str:
+def displaced_message(block: NodeBlock, given: NodeArguments) -> str:
     """Return what is wrong with a block that a node does not read."""
     message = f"`{block.name}` is no node: the one that `{given.launch.path}` starts is `{given.full_name}`"
     return f"{message}, which never reads the block"

@@ -15,7 +15,8 @@ from ...ros.known_nodes import known_parameters
 from ..python.node_bases import is_of_rclpy
 from .declaring_packages import is_its_own
 from .own_python_reads import hands_itself, modules_of
-from .unknown_reads import MILD, ParameterReads, UnknownRead, allows_any
+from .parameter_reads import ParameterReads, allows_any
+from .unknown_read import MILD, UnknownRead
 from .unread_variables import is_dropped_in_python
 
 OF_LIBRARIES = ("robot_description", "diagnostic_updater.")

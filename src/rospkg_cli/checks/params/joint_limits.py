@@ -33,7 +33,7 @@ KNOWN = frozenset({
 
 
 Unread = tuple[ScalarNode, ScalarNode, tuple[str, ...]]
-"""A name that nothing reads, its value, and the names that may be meant."""
+"""A name that nothing reads, its value, and the names that may be intended."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,9 +41,9 @@ class MistypedLimit:
     path: str
     span: Span
     name: str
-    meant: tuple[str, ...]
+    intended: tuple[str, ...]
     others: tuple[Span, ...]
-    """Where the same name stands for other joints."""
+    """Where the same name is given for other joints."""
     is_met: bool = True
     """Whether something is shown to open the file, and a value is more than what stands there by default."""
 
@@ -62,10 +62,10 @@ class JointLimits:
                 for each in self.unread(path):
                     found.setdefault(each[0].text, []).append(each)
                 for name, same in found.items():
-                    (key, _, meant), *others = same
+                    (key, _, intended), *others = same
                     is_met = self.is_opened(path) and not all(value.text in UNCHANGED for _, value, _ in same)
                     again = tuple(each.span for each, _, _ in others)
-                    yield MistypedLimit(path, key.span, name, meant, again, is_met)
+                    yield MistypedLimit(path, key.span, name, intended, again, is_met)
 
     def is_opened(self, path: str) -> bool:
         """Return whether something names the file, or MoveIt looks for it by its usual name."""

@@ -46,7 +46,7 @@ def is_in_later(behind: Iterable[NodeParameters], block: NodeBlock, name: str, f
     return any(each.name == name for one in same for each in one.parameters)
 
 
-def is_meant_given(path: str, name: str, launches: Iterable[LaunchFile]) -> bool:
+def is_intended_given(path: str, name: str, launches: Iterable[LaunchFile]) -> bool:
     """Return whether all that launch files hand a parameter file to get a parameter of a name from them, later."""
     later = [behind for node in nodes_of(launches) if (behind := behind_file(node, path)) is not None]
     return bool(later) and all(any(True for _ in given(each, name)) for each in later)

@@ -9,8 +9,8 @@ from ...ros.known_nodes import known_nodes
 from ...ros.names import NameKind
 from ...source import Span
 from .block_readers import BlockReaders, may_read
-from .launch_parameters import NodeArguments
 from .mistyped_blocks import WILD, last
+from .node_parameters import NodeArguments
 from .parameter_file_use import ParameterFileUse
 
 UNSHOWN = "where a C++ node reads the block, as nothing here shows"
@@ -33,7 +33,7 @@ class ListReaders:
 
     @property
     def native(self) -> list[NodeArguments]:
-        """The nodes of the package's launch files that somebody starts, but for those that may well be in Python."""
+        """The nodes of the package's launch files that are started, but for those that may be in Python."""
         met = (each for each in self.readers.launched.node_arguments if self.readers.is_met(each))
         return [each for each in met if self.is_native(*names_of(each))]
 

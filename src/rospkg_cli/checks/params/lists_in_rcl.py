@@ -1,4 +1,4 @@
-"""What rcl makes of a list that has mappings in it: it sees neither, only what stands in them, one after the other."""
+"""What rcl makes of a list that has mappings in it: it reads their keys and values one after the other."""
 
 from __future__ import annotations
 

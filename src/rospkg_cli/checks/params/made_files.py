@@ -27,14 +27,14 @@ def why_written(key: str) -> str:
     return WRITTEN if WRITES.search(key) else ""
 
 
-def why_made(path: str, beside: Iterable[str]) -> str:
+def why_made(path: str, others: Iterable[str]) -> str:
     """Return why a file need not be there; "" where it has to be.
 
     One of the same kind that is there shows that a repository has such files itself.
     """
     stem, end = posixpath.splitext(path)
-    others = list(beside)
-    if end.lower() in HEAVY and not any(each.lower().endswith(end.lower()) for each in others):
+    neighbours = list(others)
+    if end.lower() in HEAVY and not any(each.lower().endswith(end.lower()) for each in neighbours):
         return FETCHED
-    packed = next((each for each in others if ARCHIVES.sub("", each) in (stem, path) and ARCHIVES.search(each)), "")
+    packed = next((each for each in neighbours if ARCHIVES.sub("", each) in (stem, path) and ARCHIVES.search(each)), "")
     return PACKED.format(packed) if packed else ""

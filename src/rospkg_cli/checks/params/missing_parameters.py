@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import posixpath
+from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
+from ...package.params.declared_parameter import DeclaredParameter
 from ...source import Span
 from ..fault import Level
 from ..repository.distribution_names import UNSUPPORTED, names_in
@@ -13,7 +15,9 @@ from ..repository.older_distribution import OlderDistribution
 from ..repository.pages_and_scripts import own_pages
 from .block_readers import BlockReaders
 from .declaring_packages import ParameterContext
+from .given_otherwise import may_be_set
 from .launch_parameters import LaunchParameters
+from .node_parameters import NodeArguments
 
 
 @dataclass(frozen=True)
@@ -36,9 +40,9 @@ class MissingParameters:
         return "info" if is_older else self.level_at(path, place)
 
     def is_named_for_older(self, path: str) -> bool:
-        """Return whether pages of the package name a parameter file, and only distributions before Humble beside.
+        """Return whether the pages that name a parameter file name only distributions before Humble.
 
-        One that a launch file of the package names is read wherever that is started.
+        False where a launch file of the package names it: it is read wherever that is started.
         """
         name, files = posixpath.basename(path), self.distribution.files
         launches = (each for each in files.paths if role_of(each) == "launch")
@@ -47,3 +51,20 @@ class MissingParameters:
         pages = (text.lower() for text in own_pages(files) if name in text)
         named = frozenset(each for text in pages for each in names_in(text))
         return bool(named) and named.issubset(UNSUPPORTED)
+
+
+def missing_parameters(launched: LaunchParameters) -> Iterator[tuple[NodeArguments, list[DeclaredParameter]]]:
+    """Yield each node with the parameters that its code declares without a default and that are not set."""
+    for each in launched.started:
+        package = each.node.package.literal if each.node.package else None
+        facts = launched.workspace.named(package) if package else None
+        started = each.node.executable or each.node.plugin
+        if facts is None or not each.is_complete or started is None or started.literal is None:
+            continue
+        code = next((code for code in facts.node_code if code.starts == started.literal), None)
+        if code is not None:
+            needed = [one for one in facts.parameters if one.required and not one.tail and one.path in code.paths]
+            names = each.names()
+            missing = [one for one in needed if one.name not in names]
+            if missing and not may_be_set(each.node, {one.name for one in missing}, launched.launches):
+                yield each, missing

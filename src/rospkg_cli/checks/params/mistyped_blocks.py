@@ -1,4 +1,4 @@
-"""Blocks of parameters whose name is nearly that of a controller of the same file, or of a node that everybody uses."""
+"""Blocks of parameters whose name is nearly that of a controller of the same file, or of a well-known node."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ TYPE = ".type"
 TYPING = frozenset({"-t", "--controller-type", "-p", "--param-file"})
 """Options of the spawner by which a controller gets its type."""
 Spawn = tuple[LaunchFile, str, Span, str, bool]
-"""Where a controller is spawned, its name, the place, the name that is meant, and whether its spawner has a type."""
+"""The launch file, the name of the controller, its place, the intended name, whether the spawner gives a type."""
 WILD = ("*", "**")
 
 
 @dataclass(frozen=True, slots=True)
 class MistypedBlock:
     block: NodeBlock
-    meant: str
+    intended: str
     by: str
     """What has that name: the key of the controller manager, or a package."""
     is_controller: bool
@@ -34,13 +34,13 @@ class MistypedBlock:
     def owner(self) -> str:
         """What has that name: part of a sentence."""
         start = f"`{self.by}` starts" if self.is_controller else f"that of `{self.by}` is"
-        return f"{start} `{self.meant}`, which has no block here"
+        return f"{start} `{self.intended}`, which has no block here"
 
 
 def mistyped_blocks(
     file: ParameterFile, started: Collection[str | None], texts: Iterable[str]
 ) -> Iterator[MistypedBlock]:
-    """Yield the blocks of a file that no node reads, where the one that is meant has no block in it.
+    """Yield the blocks of a file that no node reads, where a similar name has no block.
 
     `started` are the names of nodes that launch files give; `texts` are those of launch files, which may load a
     controller by name.

@@ -11,8 +11,10 @@ from ...source import Span
 from ..repository.older_distribution import OlderDistribution
 from .block_readers import BlockReaders
 from .declaring_packages import ParameterContext
+from .given_values import GivenValue
 from .idle_nodes import Start, hardest
-from .known_given import GivenValue, KnownNodes, PartKind
+from .known_given import KnownNodes
+from .known_group import PartKind
 
 
 @dataclass(frozen=True, slots=True)

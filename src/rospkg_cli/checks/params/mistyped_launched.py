@@ -13,13 +13,15 @@ from ...package.package_facts import PackageFacts
 from ...package.params.declared_parameter import DeclaredParameter, type_named
 from ...package.params.scalar_types import DOUBLE
 from ...source import Span
-from ..launch.idle_actions import conditional
+from ..launch.action_conditions import conditional
 from .code_of_programs import is_of
 from .declaring_packages import ENOUGH, is_its_own
+from .given_values import GivenValue, is_cast_behind, launch_value
 from .idle_nodes import hardest, level_of, start_of
-from .known_given import GivenValue, is_cast_behind, launch_value, type_of_text
-from .launch_parameters import LaunchParameters, NodeArguments
+from .launch_parameters import LaunchParameters
 from .mistyped_known import MistypedValue
+from .node_parameters import NodeArguments
+from .rcl_types import type_of_text
 
 PERFORMED = regex(r"\s*\.perform\s*\(")
 WRAPPED = regex(r"(?:ParameterValue|value|[A-Za-z_]\w*)\s*[(=]\s*$")

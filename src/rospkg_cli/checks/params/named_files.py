@@ -6,7 +6,7 @@ import posixpath
 import re
 from collections.abc import Iterator
 from functools import cached_property
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from ...files import PackageFiles
 from ...lazy_regex import regex
@@ -24,8 +24,10 @@ from ..paths.closest_path import closest_path
 from ..repository.left_to_people import UNTIL_NAMED, files_of, why_left
 from ..yaml_elsewhere import is_named_yaml
 from .launch_overrides import is_overridden
-from .opened_maps import OpenedMaps
 from .path_readers import PathReaders
+
+if TYPE_CHECKING:
+    from .opened_maps import OpenedMaps
 
 MAP = regex(r"^resolution[ \t]*:[\s\S]*^origin[ \t]*:|^origin[ \t]*:[\s\S]*^resolution[ \t]*:", re.MULTILINE)
 IMAGE = regex(r"^image[ \t]*:[ \t]*[\"']?([\w][\w ./-]*\.\w+)[\"']?[ \t]*(?:#.*)?\r?$", re.MULTILINE)
@@ -63,7 +65,7 @@ class NamedFiles:
                         yield path, softer_advice(fault, "info", why)
 
     def of_map(self, path: str, text: str) -> Iterator[Fault]:
-        """Yield the image of a map, which map_server looks for beside the map."""
+        """Yield the image of a map, which map_server looks for in the folder of the map."""
         found = IMAGE.search(text)
         image = posixpath.normpath(posixpath.join(posixpath.dirname(path), found[1].strip())) if found else ".."
         if (
@@ -117,7 +119,7 @@ class NamedFiles:
         return tuple(self.files.readable_text(path) for path in self.files.paths if role_of(path) == "launch")
 
     def lacks(self, facts: PackageFacts, path: str) -> bool:
-        """Return whether a package certainly has no such file once it is installed; another rule tells what is not."""
+        """Return whether a package certainly has no such file; one that it has and does not install is not lacking."""
         if not facts.knows("share_files") or facts.may_write(path) or path in facts.run_time_files:
             return False
         if path in facts.share_files or path in facts.uninstalled:
@@ -138,6 +140,8 @@ class NamedFiles:
 
     @cached_property
     def maps(self) -> OpenedMaps:
+        from .opened_maps import OpenedMaps  # few packages miss a file
+
         return OpenedMaps(self.opening)
 
     def is_used(self, path: str) -> bool:
@@ -147,7 +151,7 @@ class NamedFiles:
 
 
 def why_replaced(text: str, place: int) -> str:
-    """Return that a comment beside a name has people write another one; "" where none does."""
+    """Return that a comment next to a name asks the user to replace it; "" where none does."""
     from ..python.left_blank import is_to_be_replaced  # few packages miss a file
 
     return UNTIL_NAMED if is_to_be_replaced(text, place) else ""

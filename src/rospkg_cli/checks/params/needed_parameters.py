@@ -9,7 +9,8 @@ from ...ros.needed_parameters import NEEDED, Needed
 from ..fault import Fault
 from ..launch.who_meets import level_met
 from .given_otherwise import may_be_set
-from .launch_parameters import LaunchParameters, NodeArguments
+from .launch_parameters import LaunchParameters
+from .node_parameters import NodeArguments
 
 
 def needed_faults(scope: LaunchParameters) -> Iterator[tuple[str, Fault]]:

@@ -1,4 +1,4 @@
-"""Functions of a Python node that run only when somebody asks for them: those of its services and actions."""
+"""Functions of a Python node that run only on request: the callbacks of its services and actions."""
 
 from __future__ import annotations
 

@@ -9,12 +9,12 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.params.cpp_parameters import has_computed_cpp_names
 from ...package.params.python_parameters import has_computed_names
-from .unknown_reads import ParameterReads, allows_any
+from .parameter_reads import ParameterReads, allows_any
 
 GETS_ALL = regex(
     r"\b(?:get_parameter_overrides|list_parameters|get_parameters_by_prefix|_parameter_overrides|ParameterEventHandler)\b"
 )
-"""How code comes to values under names that it does not hold."""
+"""How code gets values under names that it does not hold."""
 DIGITS = regex(r"\d")
 
 
@@ -22,13 +22,13 @@ DIGITS = regex(r"\d")
 class OpenCode:
     reads: ParameterReads
 
-    def may_read(self, name: str, meant: str) -> bool:
+    def may_read(self, name: str, intended: str) -> bool:
         """Return whether code of the package may read a parameter that it does not declare, and that is like another.
 
         Its name stands in the code, it differs by a number, or names are made when the code runs.
         """
         last = name.rpartition(".")[2]
-        is_numbered = DIGITS.sub("", last) == DIGITS.sub("", meant.rpartition(".")[2])
+        is_numbered = DIGITS.sub("", last) == DIGITS.sub("", intended.rpartition(".")[2])
         word = re.compile(rf"(?<!\w){re.escape(last)}(?!\w)")
         return is_numbered or self.is_open or any(map(word.search, self.texts))
 

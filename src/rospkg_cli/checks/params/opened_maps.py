@@ -13,7 +13,7 @@ from ..opening_places import OpeningPlaces, whole
 from ..repository.pages_and_scripts import pages_and_scripts
 
 READS_MAPS = regex(r"map_server|yaml_filename|nav2_bringup|bringup_launch|localization_launch|navigation2?[._]launch")
-"""What a text has that starts a map server, itself or by nav2, which people give one of the maps beside each other."""
+"""What starts a map server, itself or by nav2, to which the user gives one of the maps of a folder."""
 LOADS_MAPS = regex(r"LoadMap|/load_map\b|map_url|[\"']image[\"']")
 """What a program has that hands a map on to such a server, or asks for the picture of the map itself."""
 PARSES = regex(r"\bYAML\s*\(|\byaml\.load|\b(?:safe|full|unsafe)_load\s*\(|\bYAML::Load")
@@ -41,12 +41,12 @@ class OpenedMaps:
         """
         folder, name = posixpath.split(path)
         named, last = whole(name), posixpath.basename(folder)
-        beside = re.compile(rf"(?<![\w.-]){re.escape(last)}[\"'/]") if last else None
+        in_folder = re.compile(rf"(?<![\w.-]){re.escape(last)}[\"'/]") if last else None
         again = [each for each in self.opening.files.paths if each.endswith(f"/{name}") and each != path]
         for own, text in self.texts:
-            is_beside = beside is not None and beside.search(text) is not None
-            is_named = named.search(text) is not None and (is_beside or not again)
-            if own != path and (is_named or (is_beside and READS_MAPS.search(text))):
+            is_in_folder = in_folder is not None and in_folder.search(text) is not None
+            is_named = named.search(text) is not None and (is_in_folder or not again)
+            if own != path and (is_named or (is_in_folder and READS_MAPS.search(text))):
                 yield text
 
     @cached_property

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...package.params.parameter_file import NodeBlock, Parameter, ParameterFile
-from .declaring_packages import ParameterContext, given_type, is_its_own
+from .declaring_packages import ParameterContext, is_its_own
+from .rcl_types import given_type
 
 
 def unlike_variants(given: ParameterContext) -> Iterator[tuple[ParameterFile, Parameter, str, str]]:
@@ -21,10 +22,10 @@ def unlike_variants(given: ParameterContext) -> Iterator[tuple[ParameterFile, Pa
             for likewise in (each for each in other.blocks if each.name == block.name):
                 (more, less) = difference(block, likewise), difference(likewise, block)
                 if len(more) == len(less) == 1 and given_type(more[0].value) == given_type(less[0].value) != "":
-                    name, meant = more[0].name, less[0].name
-                    is_declared = any(each.fits(meant) and not each.tail for each in declared)
+                    name, intended = more[0].name, less[0].name
+                    is_declared = any(each.fits(intended) and not each.tail for each in declared)
                     if is_declared and is_its_own(name) and not any(each.fits(name) for each in everywhere):
-                        yield file, more[0], meant, other.path
+                        yield file, more[0], intended, other.path
 
 
 def pairs(files: tuple[ParameterFile, ...]) -> Iterator[tuple[ParameterFile, ParameterFile]]:

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import ast
+import re
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import last_name, nodes_of_kind
+from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ..python.named_definitions import closed_classes, is_open
-from .own_reads import CLIENT, NODE
 
+NODE = regex(r"node|parent|shared_from_this|^this$|^nh?_?$|^lock$|^self$", re.IGNORECASE)
+"""What is in the name of a variable that holds the node, or of a function that returns it."""
+CLIENT = regex("client", re.IGNORECASE)
 DECLARES = ("declare_parameter", "declare_parameters")
 KNOWN = frozenset({"rclpy", "tf2_ros", "message_filters", "image_transport_py", "diagnostic_updater", "cv_bridge"})
 """What gets a node and declares nothing, but under names that are known."""

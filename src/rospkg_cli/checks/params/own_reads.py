@@ -13,11 +13,9 @@ from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.params.cpp_parameters import NAMED
+from .own_python_reads import CLIENT, NODE
 
 RECEIVER = regex(r"([A-Za-z_]\w*)\s*(?:\(\s*\)\s*)?(?:->|\.)\s*(?:template\s+)?$")
-NODE = regex(r"node|parent|shared_from_this|^this$|^nh?_?$|^lock$|^self$", re.IGNORECASE)
-"""What is in the name of a variable that holds the node, or of a function that returns it."""
-CLIENT = regex("client", re.IGNORECASE)
 CLASS = regex(r"\b(?:class|struct)\s+(?:[A-Z_]+\s+)?(\w+)(?:\s+final)?\s*(?::(?!:)\s*([^{;]+))?\{")
 BASE = regex(r"(?:(?:public|protected|private|virtual)\s+)*(?:::)?([\w:]+)")
 NODES = regex(r"(?:(?:rclcpp|rclcpp_lifecycle|nav2_util|nav2)::)?(?:Lifecycle)?Node")

@@ -16,6 +16,8 @@ from ...source import Span
 TARGET = regex(r"([\w.>\[\]-]+)\s*=(?!=)[^=;{}]*$")
 STATEMENT = regex(r"(?:^|[;{}:])\s*(?:this\s*->\s*|\w+\s*(?:->|\.)\s*)?$")
 BEFORE = 200
+CPP_TEXT = regex(r'"(?:[^"\\\n]|\\.)*"')
+"""A text in quotes in C++."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""Rule input: who gives the parameter files of a package to nodes, as far as texts of the workspace say."""
+"""Rule input: what gives the parameter files of a package to nodes, as far as the files of the workspace show."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ class ParameterFileUse:
 
     @cached_property
     def is_for_python(self) -> bool:
-        """Whether every node that a launch file gives the file is Python, as far as package or name tell.
+        """Whether every node that a launch file gives the file is Python, as far as package or name show.
 
         Of a file that none gives by its path, every block is for a node that is called like such a package.
         """
@@ -113,7 +113,7 @@ class ParameterFileUse:
         """Whether nothing names it: not the package, and no other that may give it to a node.
 
         That counts where nodes are launched, or the file is not installed, or called an example. A README names it
-        where it tells to start a node with it.
+        where it shows a command that starts a node with it.
         """
         launches = any(LAUNCH.fullmatch(path.rpartition("/")[2]) for path in self.files.paths)
         launches = launches or any(facts.launch_files for facts in self.workspace.packages)
@@ -136,8 +136,8 @@ class ParameterFileUse:
         name = self.file.path.rpartition("/")[2]
         stem = re.escape(name.rpartition(".")[0])
         if DOCS.search(path):
-            told = re.search(rf"params[-_]file\S*[ \t]*\S*{re.escape(name)}", self.read(path))
-            return self.read(path) if told else ""
+            found = re.search(rf"params[-_]file\S*[ \t]*\S*{re.escape(name)}", self.read(path))
+            return self.read(path) if found else ""
         text = self.read(path) if STARTING.search(path) else ""
         is_named = re.search(rf"[\"'/]{stem}\.", text) is not None
         in_parts = ANY in self.package.named_yaml and re.search(rf"[\"'/]{stem}[\"']", text) is not None

@@ -32,7 +32,7 @@ class PathReaders:
     parameters: tuple[ParameterFile, ...]
 
     def has(self, path: str, place: Span, text: str) -> bool:
-        """Return whether code or a node that everybody knows reads what stands at a place in YAML, by its key."""
+        """Return whether code, or a well-known node, reads the value at a place in YAML by its key."""
         blocks = [block for file in self.parameters if file.path == path for block in file.blocks]
         found = [(block, each.name) for block in blocks for each in block.parameters if each.value.span.holds(place)]
         if found:
@@ -67,16 +67,16 @@ class PathReaders:
         return {path: self.files.readable_text(path) for path in self.files.paths if path.endswith(CODE)}
 
     def is_well_known(self, block: NodeBlock, name: str) -> bool:
-        """Return whether a well-known node of a block's name declares a parameter, in a distribution that is meant."""
+        """Return whether a well-known node of a block's name declares a parameter, today or in the old distribution."""
         every = {package for packages in known_nodes().values() for package in packages}
         owners = every if "." in name else known_nodes().get(last(block), every)  # a plugin is of any package
         if any(each.fits(name) for package in owners for each in known_parameters(package)):
             return True
         removed = (each for package in owners for each in removed_parameters(package))
-        return any(each.fits(name) for each in removed) and self.is_meant_for_older(name)
+        return any(each.fits(name) for each in removed) and self.is_for_older_distributions(name)
 
-    def is_meant_for_older(self, name: str) -> bool:
-        """Return whether all distributions that are meant may have a parameter which the supported ones lost."""
+    def is_for_older_distributions(self, name: str) -> bool:
+        """Return whether the repository is for old distributions alone, which may still have a removed parameter."""
         older = OlderDistribution(self.files)
         is_gone_before = name in BEFORE_GALACTIC
         return older.is_only_unsupported and (not is_gone_before or older.intended.issubset(OLDER))

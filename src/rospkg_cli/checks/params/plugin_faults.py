@@ -20,10 +20,10 @@ def plugin_faults(files: Sequence[ParameterFile], launches: Iterable[LaunchFile]
 
 
 def faults_of(block: NodeBlock, texts: Sequence[str]) -> Iterator[Fault]:
-    meant = {
+    intended = {
         item: group for item, group in unfound_plugins(block) if not any(f"{item.text}.plugin" in t for t in texts)
     }
-    for item, group in meant.items():
+    for item, group in intended.items():
         is_typed = any(is_default(block, name) for name, other in listed_names(block) if other is item)
         lost = "its default is loaded" if is_typed else "the plugin can't be loaded"
         message = f"`{item.text}` has no `{item.text}.plugin` here: {lost}"
@@ -33,6 +33,6 @@ def faults_of(block: NodeBlock, texts: Sequence[str]) -> Iterator[Fault]:
         yield Fault(item.span, f"{message}; did you mean `{group}`?")
     for item, name in lost_plugins(block):
         is_given = any(f"{item.text}{sign}" in text for text in texts for sign in (":", ".plugin"))
-        if item not in meant and not is_given:
+        if item not in intended and not is_given:
             message = f"`{item.text}` of `{name}` has no `{item.text}.plugin`: the server stops when it starts"
             yield Fault(item.span, f"{message}; give it one, or take it out of the list")

@@ -35,7 +35,7 @@ DEFAULT_LISTS = frozenset({
 
 
 def unfound_plugins(block: NodeBlock) -> Iterator[tuple[ScalarNode, str]]:
-    """Yield each listed name that has no group, where exactly one group that no list names is meant.
+    """Yield each listed name that has no group, where exactly one group that no list names is similar.
 
     That is the only one, where one name has no group; else the only one with a similar name.
     """

@@ -1,4 +1,4 @@
-"""Whether rcl refuses a parameter file as a whole: then no node comes to what else is wrong in it."""
+"""Whether rcl refuses a parameter file as a whole: then no node reads what else is wrong in it."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from ..fault import Fault
 from .parameter_file_use import ParameterFileUse
-from .rcl_validation import EMPTY_LIST, rcl_faults
+from .rcl_validation import rcl_faults
+from .rcl_values import EMPTY_LIST
 from .ros_parameters_key import key_faults
 
 

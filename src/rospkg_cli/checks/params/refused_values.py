@@ -10,7 +10,6 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ..fault import Fault, Level, softer_advice
 from .block_readers import BlockReaders
-from .list_readers import UNSHOWN, ListReaders
 from .parameter_file_use import ParameterFileUse
 
 ALIAS = regex(r"rcl does not support aliases \(`\*([^`]+)`\)")
@@ -25,7 +24,7 @@ class RefusedValues:
 
     @property
     def level(self) -> Level | None:
-        """The level of what rcl refuses: an info where only nodes that nobody starts are given the file."""
+        """The level of what rcl refuses: an info where only nodes that are never started are given the file."""
         return "info" if self.readers.is_unopened(self.use.file) else self.use.level
 
     @property
@@ -52,13 +51,15 @@ class RefusedValues:
         """
         if self.readers.is_idle(self.use.file.path, fault.span):
             return replace(fault, level="info")
+        from .list_readers import UNSHOWN, ListReaders  # few files have an empty list
+
         if self.level == "info" or ListReaders(self.use, self.readers).has(fault.span):
             return fault
         return softer_advice(fault, "info", UNSHOWN)
 
 
 def is_plain_mapping(node: YamlNode, anchor: str) -> bool:
-    """Return whether a node is what an alias stands for: a mapping without lists, which PyYAML would share again."""
+    """Return whether a node has the anchor of an alias: a mapping without lists, which PyYAML would share again."""
     if not isinstance(node, MappingNode) or node.anchor != anchor:
         return False
     return all(isinstance(value, ScalarNode) for _, value in node.entries)

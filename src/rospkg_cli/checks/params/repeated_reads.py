@@ -12,10 +12,10 @@ from ...light_dataclasses import dataclass
 from ...ros.known_nodes import known_parameters
 from ...source import Span
 from .declaring_packages import is_its_own
-from .forgotten_declarations import TEXT, ForgottenDeclarations
+from .forgotten_declarations import ForgottenDeclarations
 from .forgotten_in_python import OF_LIBRARIES, counted
-from .parameter_events import Event, events_in_cpp, events_in_python
-from .unknown_reads import allows_any
+from .parameter_events import CPP_TEXT, Event, events_in_cpp, events_in_python
+from .parameter_reads import allows_any
 
 BY_OTHERS = regex(r"\bget_parameters\w*|\blist_parameters\b|PLUGINLIB_EXPORT_CLASS|ParametersClient")
 """Code that gets parameters by other means than one name each."""
@@ -59,7 +59,9 @@ class RepeatedReads:
     @cached_property
     def texts(self) -> dict[str, int]:
         """How often each text stands in the code of both languages."""
-        in_cpp = (found.group()[1:-1] for file in self.forgotten.reads.cpp for found in TEXT.finditer(file.source.text))
+        in_cpp = (
+            found.group()[1:-1] for file in self.forgotten.reads.cpp for found in CPP_TEXT.finditer(file.source.text)
+        )
         return counted([*in_cpp, *(text for text, times in self.forgotten.python.texts.items() for _ in range(times))])
 
 

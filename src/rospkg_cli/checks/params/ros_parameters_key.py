@@ -10,7 +10,7 @@ from ...package.params.parameter_file import KEY, ParameterFile, below, is_key, 
 from ...source import Source, Span
 from ..enumeration import in_ticks
 from ..fault import Fault, TextRepair, joined
-from .rcl_validation import REFUSES
+from .rcl_values import REFUSES
 
 COMMENT = regex(r"[ \t]*(?:#.*)?\r?")
 TITLE = f"write `{KEY}:`"
@@ -30,9 +30,7 @@ def key_faults(file: ParameterFile, *, is_parsed_by_launch: bool = False) -> Ite
         elif entry.kind == "no block" and isinstance(value, MappingNode) and not is_parsed_by_launch:
             lacking.append((key.text, Fault(key.span, "", repair=added_key(file.source, key, value))))
     for key in nested_slips(file):
-        message = (
-            f"`{key.text}` is written `{KEY}`, as in the blocks beside it; who looks for these finds no such block"
-        )
+        message = f"`{key.text}` is written `{KEY}`, as in the other blocks here; what looks for it finds no block"
         yield Fault(key.span, message, "warning", TextRepair(TITLE, ((key.span, KEY),)))
     if lacking:
         blocks = in_ticks(name for name, _ in lacking)
@@ -52,7 +50,7 @@ def nested_slips(file: ParameterFile) -> Iterator[ScalarNode]:
 def added_key(source: Source, key: ScalarNode, value: MappingNode) -> TextRepair | None:
     """Return the repair that writes `ros__parameters:` above a block; None where the block is in braces.
 
-    It may be a namespace that was intended.
+    A namespace may be intended.
     """
     text, first = source.text, value.entries[0][0].span.start
     start = text.rfind("\n", 0, first) + 1

@@ -16,9 +16,9 @@ def spawn_faults(launched: LaunchParameters) -> Iterator[tuple[str, Fault]]:
     """Yield path and fault: an info where nothing adds the spawner, its launch file is not installed, or it may give
     the controller a type.
     """
-    for launch, spawned, span, meant, is_typed in misspelt_spawns(launched.files, launched.launches):
+    for launch, spawned, span, intended, is_typed in misspelt_spawns(launched.files, launched.launches):
         message = f"no controller manager here has a controller `{spawned}`: the spawner ends with an error"
         softer, why = level_of((launch, span, launched.workspace))
         is_mild = softer == "info" or is_typed or launched.is_left_out(launch)
         why = why or TYPED * is_typed
-        yield launch.path, Fault(span, f"{message}{why}; did you mean `{meant}`?", "info" if is_mild else None)
+        yield launch.path, Fault(span, f"{message}{why}; did you mean `{intended}`?", "info" if is_mild else None)

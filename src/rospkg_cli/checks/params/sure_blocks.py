@@ -1,4 +1,4 @@
-"""Whether a block of a parameter file that no node is called after is surely meant for the one that lacks a block."""
+"""Whether a block that no node reads is certainly for the node that lacks one, or may be read some other way."""
 
 from __future__ import annotations
 
@@ -14,8 +14,10 @@ from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...ros.known_nodes import known_nodes
 from ..repository.pages_and_scripts import pages_and_scripts
 from .inner_nodes import SINGLE
-from .launch_parameters import LaunchParameters, NodeArguments, is_near
+from .launch_parameters import LaunchParameters
+from .misnamed_blocks import is_near
 from .mistyped_blocks import WILD, last
+from .node_parameters import NodeArguments
 
 CODE = (".cpp", ".hpp", ".cc", ".h", ".hh", ".cxx")
 OTHER_NAMES = r"(?:package|executable|pkg|exec|plugin|[dD]irectory|Share|[pP]refix)\s*[=(:]\s*"
@@ -28,7 +30,7 @@ class SureBlocks:
     files: PackageFiles
 
     def why_not(self, file: ParameterFile, block: NodeBlock, nodes: list[NodeArguments]) -> str:
-        """Return how a block may be read all the same, other than by some nodes that lack one; "" where it can't be."""
+        """Return how another node may read a block than those that lack one; "" where none can."""
         key = last(block)
         if self.is_coded(key, nodes) or self.is_in_launch(key) or self.is_on_page(key):
             return ", unless the node of that name is started, which is here"
@@ -42,7 +44,7 @@ class SureBlocks:
         return "" if self.is_alone(file, given) else ", unless somebody starts one of that name"
 
     def is_coded(self, key: str, nodes: Iterable[NodeArguments]) -> bool:
-        """Return whether code names a node so that is another one than those: somebody may start it."""
+        """Return whether code gives the name to another node than those, which may be started."""
         names = [each for facts in self.launched.workspace.packages for each in facts.node_names if each.name == key]
         if names:
             return any(not any(node.starts(each.starts) for node in nodes) for each in names)
@@ -62,7 +64,7 @@ class SureBlocks:
         return any(map(named.search, pages_and_scripts(self.files)))
 
     def is_in_launch(self, key: str) -> bool:
-        """Return whether a launch file holds a name, be it in a comment: somebody may turn that on."""
+        """Return whether a launch file holds a name, also in a comment, which may be turned on."""
         named = re.compile(rf"({OTHER_NAMES})?(?:['\"]{re.escape(key)}['\"]|__node:=/?{re.escape(key)}\b)")
         return any(not found[1] for each in self.launched.launches for found in named.finditer(each.source.text))
 

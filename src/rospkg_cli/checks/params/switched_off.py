@@ -1,4 +1,4 @@
-"""Values for parameters that do nothing where they are, as their switch is off: that they are dropped harms nobody."""
+"""Parameters that do nothing as another one switches them off, so that a dropped value changes nothing (PRM007)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from ...ros.known_nodes import default_of
 from ...ros.parameter_switches import switches_of
-from .known_given import KnownGroup
+from .known_group import KnownGroup
 
 OFF = "false"
 

@@ -1,4 +1,4 @@
-"""Values that nobody misses where they are dropped: those that a parameter has anyway."""
+"""Values whose loss changes nothing, as they are the default of their parameter, or probably are."""
 
 from __future__ import annotations
 
@@ -30,15 +30,15 @@ def value_text(value: YamlNode) -> str | None:
     return "[]" if isinstance(value, SequenceNode) and not value.items else None
 
 
-def same_as_default(text: str | None, meant: str, defaults: Iterable[str]) -> str:
-    """Return why nobody meets it that a value is dropped which is for a parameter; "" where something may differ.
+def same_as_default(text: str | None, intended: str, defaults: Iterable[str]) -> str:
+    """Return why dropping a value that is for a parameter changes nothing; "" where something may differ.
 
-    A default that is known decides; where one is not, a value that mostly is a default is taken for it.
+    A known default decides; where it is unknown, false, 0, an empty text and an empty list are taken for it.
     """
     found = tuple(defaults)
-    if text is None or not meant or not all(map(partial(is_unchanged, text), found or ("",))):
+    if text is None or not intended or not all(map(partial(is_unchanged, text), found or ("",))):
         return ""
-    return f", and nothing differs{DEFAULT if found and all(found) else PROBABLE}".format(meant)
+    return f", and nothing differs{DEFAULT if found and all(found) else PROBABLE}".format(intended)
 
 
 def is_unchanged(text: str, default: str) -> bool:
@@ -47,13 +47,13 @@ def is_unchanged(text: str, default: str) -> bool:
 
 
 def holds_defaults(block: NodeBlock, defaults: Defaults) -> bool:
-    """Return whether a block gives nothing but what its node has anyway: nothing is lost where it is not read."""
+    """Return whether a block gives only defaults of its node, so that nothing is lost where it is not read."""
     given = [(each.name, value_text(each.value)) for each in block.parameters]
     return bool(given) and all(same_as_default(text, name, defaults(name)) for name, text in given)
 
 
 def defaults_in(packages: Iterable[str | None], workspace: Workspace) -> Defaults:
-    """Return what tells the defaults of parameters of some packages: those here, and the well-known ones."""
+    """Return a function that gives the defaults of a parameter in some packages, of the workspace or well-known."""
     owners = tuple(packages)
 
     def of(name: str) -> tuple[str, ...]:

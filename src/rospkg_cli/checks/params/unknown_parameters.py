@@ -1,4 +1,4 @@
-"""What files and launch files give and code gets, against what code declares."""
+"""Rule input: parameters that files and launch files give, or code gets, and that no code declares (PRM007)."""
 
 from __future__ import annotations
 
@@ -14,19 +14,23 @@ from ..depends.header_inclusions import HEADERS
 from ..fault import Fault, Level
 from ..repository.older_distribution import OlderDistribution
 from .block_readers import BlockReaders
-from .declaring_packages import ParameterContext, ParameterGroup
+from .declaring_packages import ParameterContext
 from .forgotten_declarations import ForgottenDeclarations
 from .idle_nodes import hardest, level_of
-from .joint_limits import JointLimits, MistypedLimit
+from .joint_limits import JointLimits
 from .known_given import KnownNodes
-from .launch_overrides import is_meant_given
-from .launched_names import LaunchedNames, strange_names, why_dropped
+from .launch_overrides import is_intended_given
+from .launched_names import LaunchedNames
 from .other_variants import unlike_variants
+from .parameter_group import ParameterGroup
+from .parameter_reads import ParameterReads
 from .repeated_reads import RepeatedRead, RepeatedReads
-from .unknown_reads import ParameterReads, UnknownRead
+from .strange_names import strange_names, why_dropped
+from .unknown_parameter_texts import repeated, undeclared
+from .unknown_python_reads import unknown_python_reads
+from .unknown_read import UnknownRead
 from .unmet_reads import UnmetReads
 
-SHOWN = 3
 MAY = ", unless the code here reads it otherwise"
 
 
@@ -48,14 +52,18 @@ class UnknownParameters:
 
     def unknown_reads(self) -> list[UnknownRead]:
         """Return what code that is compiled, or Python, gets and nothing declares, each place once."""
-        found = [*self.reads.in_cpp(), *self.reads.in_python()]
+        found = list(unknown_python_reads(self.reads))
+        if self.reads.cpp:
+            from .unknown_cpp_reads import unknown_cpp_reads  # what packages in Python don't need
+
+            found = [*unknown_cpp_reads(self.reads), *found]
         found += self.forgotten.all({(each.path, each.span.start) for each in found})
         compiled = own_compiled(self.cmake, self.reads.cpp) if self.cmake is not None else None
         sources = {file.path for file in self.reads.cpp if not file.path.endswith(HEADERS)}
         return [each for each in found if not compiled or each.path not in sources - compiled]
 
-    def told_of(self, read: UnknownRead) -> tuple[Level, str]:
-        """Return the level of what code gets and nothing declares, and what is said of it."""
+    def level_and_message(self, read: UnknownRead) -> tuple[Level, str]:
+        """Return the level and the message of a parameter that code gets and nothing declares."""
         if self.distribution.is_before_dashing:
             return "info", f"{undeclared(read)}; before Dashing, which the pages name, none need be declared"
         if read.unless:
@@ -69,7 +77,7 @@ class UnknownParameters:
         return "error" if is_error else "warning", undeclared(read)
 
     def is_unmet(self, read: UnknownRead | RepeatedRead) -> bool:
-        """Return whether no program of the package comes to a place, as far as names tell."""
+        """Return whether no program of the package reaches a place, as far as names show."""
         if read.path.endswith(".py"):
             return self.unmet.in_python(read.path, read.span)
         return self.unmet.in_cpp(read.path, read.span, self.reads.cpp)
@@ -83,27 +91,27 @@ class UnknownParameters:
         is_unread = is_own and is_unread_by(name, reads.package, reads.cpp, list(reads.run_files))
         return f", and nothing differs, as no code uses `{name}`" if is_unread else ""
 
-    def why_harmless(self, group: ParameterGroup, parameter: Parameter, meant: str) -> str:
-        """Return why nobody misses a value that a file gives under a strange name, or how it is read; "" for none."""
-        if meant and is_meant_given(group.file.path, meant, self.known.launched.launches):
-            return f", and nothing differs, as launch files give `{meant}`"
-        may = next(filter(None, (self.may_read(each, parameter.name, meant) for each in group.owners)), "")
-        return group.same_as_default(parameter, meant) or self.why_unread(group.owners, meant) or may
+    def why_harmless(self, group: ParameterGroup, parameter: Parameter, intended: str) -> str:
+        """Return why losing a value under an unknown name changes nothing, or what may read it; "" for neither."""
+        if intended and is_intended_given(group.file.path, intended, self.known.launched.launches):
+            return f", and nothing differs, as launch files give `{intended}`"
+        may = next(filter(None, (self.may_read(each, parameter.name, intended) for each in group.owners)), "")
+        return group.same_as_default(parameter, intended) or self.why_unread(group.owners, intended) or may
 
-    def may_read(self, owner: PackageFacts | None, name: str, meant: str) -> str:
-        """Return that code of this package may read a name all the same, where it is the owner; else ""."""
+    def may_read(self, owner: PackageFacts | None, name: str, intended: str) -> str:
+        """Return that code of this package may read the name, where the package declares it; else ""."""
         from .open_code import OpenCode  # few packages have something to ask it of
 
-        is_own = owner is not None and owner.folder == self.reads.package.folder and bool(meant)
-        return MAY if is_own and OpenCode(self.reads).may_read(name, meant) else ""
+        is_own = owner is not None and owner.folder == self.reads.package.folder and bool(intended)
+        return MAY if is_own and OpenCode(self.reads).may_read(name, intended) else ""
 
-    def hint(self, owner: PackageFacts | None, name: str, meant: str, path: str) -> str:
-        """Return what may be meant by a name in a file: another one, or itself, by the tests of who declares that."""
+    def hint(self, owner: PackageFacts | None, name: str, intended: str, path: str) -> str:
+        """Return a hint on an unknown name: the intended one, or that the tests of the declaring package use it too."""
         from .names_in_tests import is_in_tests  # few packages have something to ask it of
 
-        if owner is not None and is_in_tests(self.files, owner, name, meant, path):
-            return f"the tests of `{owner.name}` have `{name}` too, so that its `{meant}` may be the slip"
-        return f"did you mean `{meant}`?"
+        if owner is not None and is_in_tests(self.files, owner, name, intended, path):
+            return f"the tests of `{owner.name}` have `{name}` too, so that its `{intended}` may be the slip"
+        return f"did you mean `{intended}`?"
 
     def repeated_reads(self) -> Iterator[tuple[str, Fault]]:
         """Yield path and fault of what is got twice, the second time in the place of what no code gets."""
@@ -112,9 +120,9 @@ class UnknownParameters:
 
     def unlike_variants(self) -> list[tuple[ParameterFile, Parameter, str, str]]:
         """Return the names that another file of the same name has otherwise, each place once; but for similar ones."""
-        told = {(group.file.path, each.key.span) for group in self.given.groups() for each, _ in group.unknown()}
+        reported = {(group.file.path, each.key.span) for group in self.given.groups() for each, _ in group.unknown()}
         found = {(each[0].path, each[1].key.span): each for each in unlike_variants(self.given)}
-        return [each for place, each in found.items() if place not in told]
+        return [each for place, each in found.items() if place not in reported]
 
     def strange_names(self) -> Iterator[tuple[str, Fault]]:
         """Yield path and fault of the names that no node has, each place once."""
@@ -122,36 +130,7 @@ class UnknownParameters:
         for each in hardest(((one.path, one.span), one) for one in found):
             softer, why = level_of(each.start)
             is_mild = softer == "info" or bool(each.same) or self.readers.is_idle(each.path, each.span)
-            lost = each.same or f", and {why_dropped(each.name, each.meant)}"
-            what = f"the value is dropped{lost}{why}; write `{each.meant}`"
+            lost = each.same or f", and {why_dropped(each.name, each.intended)}"
+            what = f"the value is dropped{lost}{why}; write `{each.intended}`"
             message = f"no node has a parameter `{each.name}`: {what}"
             yield each.path, Fault(each.span, message, "info" if is_mild else "warning")
-
-
-def undeclared(read: UnknownRead) -> str:
-    """Return what comes of a parameter that nothing declares, and what may be meant."""
-    are = "variables are" if read.more else "variable is"
-    is_kept = read.is_python or read.has_other
-    lost = "the value that is set for it is never seen" if is_kept else f"the {are} never set"
-    ends = "the node stops with ParameterNotDeclaredException" if read.throws else lost
-    known = f"this file declares `{read.suggestion}` and never gets it"
-    hint = known if read.suggestion else "declare it, as the others here" if read.has_others else "declare it"
-    names = [f"`{name}`" for name in (read.name, *(name for name, _ in read.more))]
-    last = f"{len(names) - SHOWN} more" if len(names) > SHOWN else names.pop()
-    named = f"{', '.join(names[:SHOWN])} and {last}" if names else last
-    if read.more:
-        ends, hint = ends.replace("for it is", "for them is"), "declare them"
-    return f"nothing declares the parameter{'s' if read.more else ''} {named}: {ends}; {hint}"
-
-
-def repeated(read: RepeatedRead) -> str:
-    """Return what comes of a parameter that another one is got in the place of."""
-    what = f"`{read.unread}` is declared and never got, and `{read.name}` is got again in its place"
-    return f"{what}: the value that is set for `{read.unread}` is dropped; get `{read.unread}` here"
-
-
-def unread(limit: MistypedLimit) -> str:
-    """Return what comes of a misspelt limit of a joint."""
-    meant = " or ".join(f"`{name}`" for name in limit.meant)
-    when = "" if limit.is_met else ", where something opens the file and the value sets a limit"
-    return f"no limit of a joint is called `{limit.name}`: the value is dropped{when}; did you mean {meant}?"

@@ -9,7 +9,8 @@ from ...package.launch.launch_file import LaunchedNode, LaunchFile
 from ...package.launch.live_text import without
 from ...package.launch.text import LaunchText, uncommented
 from ...ros.known_nodes import known_nodes
-from .launch_parameters import LaunchParameters, NodeArguments
+from .launch_parameters import LaunchParameters
+from .node_parameters import NodeArguments
 
 MANAGER = "nav2_lifecycle_manager"
 MANAGED = "nav2_"

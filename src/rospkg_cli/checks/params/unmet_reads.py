@@ -36,7 +36,7 @@ class UnmetReads:
         return is_off or not reached.leads_to(file, place)
 
     def in_cpp(self, path: str, place: Span, files: tuple[CppFile, ...]) -> bool:
-        """Return whether no target compiles a file, and nobody else can include it, or nothing calls what is around."""
+        """Return whether a C++ file is not compiled or included, or nothing calls the function around a place."""
         if self.cmake is not None:
             known, _ = sources_by_use(self.cmake, files)
             if known.is_known and path not in known.run | known.tests:
@@ -44,7 +44,7 @@ class UnmetReads:
         return any(is_in_uncalled(each, place, files) for each in files if each.path == path)
 
     def is_seldom(self, path: str, place: Span, files: tuple[CppFile, ...]) -> bool:
-        """Return whether a function comes to a place only under a condition, or only others may include a header."""
+        """Return whether a function reaches a place only under a condition, or only others may include a header."""
         if path.endswith(".py"):
             file = self.definitions.run.modules.at(path) if self.definitions is not None else None
             return file is not None and is_under_condition(file, place)

@@ -12,8 +12,9 @@ from ...ros.well_known import packages_with_plugin
 from .block_readers import BlockReaders
 from .declaring_packages import is_its_own
 from .known_given import controller_types
-from .launch_parameters import LaunchParameters, NodeArguments
+from .launch_parameters import LaunchParameters
 from .mistyped_blocks import WILD, MistypedBlock, last
+from .node_parameters import NodeArguments
 from .parameter_file_use import ParameterFileUses
 from .unchanged_values import ONLY_DEFAULTS, defaults_in, holds_defaults
 
@@ -22,7 +23,7 @@ NAMING = (".py", ".xml", ".launch", ".yaml", ".yml", ".sh", ".bash", ".cpp", ".h
 
 @dataclass(frozen=True)
 class NodeBlocks:
-    """The blocks of parameter files, and who is given the files (PRM003)."""
+    """Rule input: the blocks of parameter files, and which nodes are given the files (PRM003)."""
 
     launched: LaunchParameters
     uses: ParameterFileUses
@@ -49,20 +50,20 @@ class NodeBlocks:
                     yield file, block, name
 
     def why_not_sure(self, file: ParameterFile, block: NodeBlock, nodes: list[NodeArguments]) -> str:
-        """Return how a block may be read all the same, other than by some nodes that lack one; "" where it can't be."""
+        """Return how another node may read a block than those that lack one; "" where none can."""
         from .sure_blocks import SureBlocks  # few packages have something to ask it of
 
         return SureBlocks(self.launched, self.uses.files).why_not(file, block, nodes)
 
-    def lost_nothing(self, block: NodeBlock, meant: Iterable[NodeArguments]) -> str:
-        """Return why nobody misses a block that is for some nodes; "" where something may differ."""
-        packages = {each.node.package.literal for each in meant if each.node.package is not None}
+    def lost_nothing(self, block: NodeBlock, intended: Iterable[NodeArguments]) -> str:
+        """Return why losing a block that is for some nodes changes nothing; "" where something may differ."""
+        packages = {each.node.package.literal for each in intended if each.node.package is not None}
         return ONLY_DEFAULTS if holds_defaults(block, defaults_in(packages, self.launched.workspace)) else ""
 
     def lost_nothing_of(self, file: ParameterFile, wrong: MistypedBlock) -> str:
-        """Return the same of a block for a controller, or for a node that everybody uses."""
+        """Return the same of a block for a controller, or for a well-known node."""
         types = dict(controller_types(file)) if wrong.is_controller else {}
-        packages = packages_with_plugin(types.get(wrong.meant, "")) or known_nodes().get(wrong.meant, ())
+        packages = packages_with_plugin(types.get(wrong.intended, "")) or known_nodes().get(wrong.intended, ())
         return ONLY_DEFAULTS if holds_defaults(wrong.block, defaults_in(packages, self.launched.workspace)) else ""
 
     @property

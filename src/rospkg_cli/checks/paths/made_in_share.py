@@ -10,7 +10,7 @@ from ...languages.python.file import parse_python
 from ...languages.python.nodes import nodes_of_kind
 from ...languages.python.path_patterns import PathPatterns
 from ...package.file_role import role_of
-from ...package.launch.file_references import OPEN
+from ...package.launch.joined_path import OPEN
 from ...unreadable import UnreadableError
 from .written_by_programs import fits, share_of, written_in_python
 

@@ -17,7 +17,7 @@ from ...languages.python.path_patterns import PathPatterns
 from ...languages.python.written_places import commands, written_by
 from ...lazy_regex import regex
 from ...package.file_role import role_of
-from ...package.launch.file_references import OPEN
+from ...package.launch.joined_path import OPEN
 from ...package.python.share_paths import SHARE
 from ...tree import READABLE
 from ...unreadable import UnreadableError

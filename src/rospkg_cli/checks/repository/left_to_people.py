@@ -10,7 +10,7 @@ import posixpath
 
 from ...files import PackageFiles
 from ...lazy_regex import regex
-from ...package.launch.file_references import OPEN
+from ...package.launch.joined_path import OPEN
 from ...package.package_facts import PackageFacts
 from .pages_and_scripts import FetchedFiles
 

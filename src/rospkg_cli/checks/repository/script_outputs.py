@@ -11,7 +11,7 @@ from itertools import pairwise
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.launch.file_references import OPEN
+from ...package.launch.joined_path import OPEN
 from .container_files import BARE, OF_CONTAINER, OF_WORKFLOW, SHELL, files_called
 from .shell_words import WORD, ShellWords
 

@@ -9,7 +9,7 @@ from itertools import chain, product, zip_longest
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.launch.file_references import OPEN
+from ...package.launch.joined_path import OPEN
 
 WORD = regex(r"""(?:"(?:[^"\\]|\\.)*"|'[^']*'|\$\([^)\n]*\)|`[^`\n]*`|\$\{\{[^}\n]*\}\}|\$\{[^}\n]*\}|\\.|[^\s"'`])+""")
 ASSIGNED = regex(

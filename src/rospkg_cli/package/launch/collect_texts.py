@@ -46,7 +46,7 @@ def file_references(
 
 
 def caught_references(calls: list[Call], folder: str, silent: tuple[Span, ...]) -> Iterator[FileReference]:
-    """Yield the files that functions open inside of `silent`, where nothing tells that one is missing."""
+    """Yield the files that functions open inside of `silent`, where a missing file is caught without a word."""
     inside = [call for call in calls if call.callee in READERS and any(span.holds(call.span) for span in silent)]
     return named_by(inside, calls, folder, NO_DEFAULTS)
 

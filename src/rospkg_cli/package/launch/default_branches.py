@@ -15,7 +15,7 @@ from .exception_guards import blocks_of, leaves
 from .plain_values import NotKnownError, plain_value
 
 MAX_STEPS = 12
-"""Names that stand for one another, at most."""
+"""Names that are bound to one another, at most."""
 PERFORMING = frozenset({"perform_substitutions", "perform_typed_substitution"})
 Bound = Mapping[str, ast.expr]
 
@@ -117,15 +117,15 @@ class Values:
                 return value_of_call(node, self.helpers, self.known)
         raise NotKnownError
 
-    def meant(self, node: ast.expr) -> ast.expr:
-        """Return what a name stands for, or the expression itself."""
+    def resolved(self, node: ast.expr) -> ast.expr:
+        """Return the expression that a name is bound to, or the expression itself."""
         while isinstance(node, ast.Name) and node.id in self.names and self.steps <= MAX_STEPS:
             node, self.steps = self.names[node.id], self.steps + 1
         return node
 
     def configured(self, node: ast.expr) -> object:
         """Return what `LaunchConfiguration('sim').perform(context)` gives."""
-        match self.meant(node):
+        match self.resolved(node):
             case ast.Call(func=function, args=[ast.Constant(value=str(name)), *_]) if (
                 last_name(function) == "LaunchConfiguration"
             ):
@@ -134,7 +134,7 @@ class Values:
 
     def evaluated(self, node: ast.expr) -> bool:
         """Return what `IfCondition(LaunchConfiguration('sim')).evaluate(context)` gives."""
-        match self.meant(node):
+        match self.resolved(node):
             case ast.Call(func=function, args=[of]) if last_name(function) in ("IfCondition", "UnlessCondition"):
                 word = str(self.configured(of)).lower()
                 if word in TRUE | FALSE:

@@ -14,7 +14,7 @@ from .default_texts import Defaults
 from .plain_values import NotKnownError, plain_value
 
 Choice = tuple[Span, str, bool]
-"""A part, what leads there (`lidar:=velodyne`), and whether Python itself does not come to it."""
+"""A part, what leads there (`lidar:=velodyne`), and whether Python itself does not run it."""
 
 
 def untaken_choices(file: PythonFile, arguments: Mapping[str, str]) -> Iterator[Choice]:
@@ -48,7 +48,7 @@ def usual(node: ast.expr, values: Values) -> object:
 
 
 def lost_cases(value: object, cases: list[ast.match_case], file: PythonFile, values: Values) -> Iterator[Choice]:
-    """Yield the cases of constants beside the one that is taken; nothing where one of another kind may be it."""
+    """Yield the cases of constants that are not taken; nothing where a case of another kind may be taken."""
     taken = next((each for each in cases if may_take(each, value)), None)
     is_certain = taken is None or constants_of(taken) or is_rest(taken)
     for each in cases if isinstance(value, str) and is_certain else ():

@@ -32,7 +32,7 @@ class OffByDefault:
     span: Span
     argument: str
     is_branch: bool = False
-    """Whether Python itself does not come to it; else launch does not, and Python makes it all the same."""
+    """Whether Python itself does not run it; else Python makes it, and launch does not visit it."""
 
 
 def off_by_default(file: LaunchFile) -> Iterator[OffByDefault]:

@@ -15,7 +15,7 @@ from .text import LaunchText, Literal, Substitution
 FALSE = frozenset({"false", "0"})
 TRUE = frozenset({"true", "1"})
 OF_ROS = frozenset({"ROS_DISTRO", "ROS_VERSION", "AMENT_PREFIX_PATH", "HOME", "USER", "PATH", "PWD", "DISPLAY"})
-"""What the environment of nearly everybody has."""
+"""Variables that nearly every environment has."""
 CLASSES = {
     "EqualsSubstitution": "equals", "NotEqualsSubstitution": "not-equals", "NotSubstitution": "not",
     "AndSubstitution": "and", "OrSubstitution": "or", "AllSubstitution": "all", "AnySubstitution": "any",

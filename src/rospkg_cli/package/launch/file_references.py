@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import pairwise
+from collections.abc import Iterator, Mapping
 from typing import Literal as OneOf
 
 from ...languages.python.evaluate.sandbox_filesystem import MAX_PATH, ROOT
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Span
+from .joined_path import OPEN, JoinedPath, literal_of
 from .text import LaunchText, Literal, Substitution
 
 ReferenceKind = OneOf["include", "open", "file", "default", "caught"]
@@ -18,8 +18,6 @@ ReferenceKind = OneOf["include", "open", "file", "default", "caught"]
 
 NAME = regex(r"[A-Za-z]\w*")
 BASES = frozenset({"find-pkg-share", "find-pkg-prefix", "dirname"})
-END = regex(r"[\s'\",;:|&()`]")
-"""What ends a path inside of a longer text."""
 OPENING = regex(r"\s*['\"]?(?:ros2 run xacro )?(?:\$\(find-exec )?(?:\S*/)?(?:xacro|cat)\b")
 """The start of a command that stops where the file that it is given is missing."""
 PATTERN = regex(r"[*?\[\]{}<>$%]")
@@ -30,10 +28,6 @@ OUTPUT_FILE = regex(
     r"|.*\.(log|csv|bag|db|db3|sqlite3?|mcap|tlog|pid|tmp|engine|onnx|trt|plan|pt|pth|tflite|weights)"
 )
 """What is likely written or fetched when the launch runs."""
-
-
-OPEN = "…"
-"""Stands in a path for a part that only the launch knows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,16 +46,6 @@ class FileReference:
     def is_open(self) -> bool:
         """Whether a part of the path is not known."""
         return OPEN in self.path
-
-
-@dataclass(frozen=True, slots=True)
-class JoinedPath:
-    """A path as it is written behind its base."""
-
-    text: str
-    span: Span
-    by_default: bool = False
-    """Whether the default of an argument is a part of it."""
 
 
 NO_DEFAULTS: Mapping[str, str] = {}
@@ -144,33 +128,3 @@ def is_file(path: str, *, is_read: bool = False) -> bool:
     if len(path) > MAX_PATH or (not is_read and OUTPUT_FILE.fullmatch(path)):
         return False
     return "." in name.strip(".") and not path.startswith("..") and not PATTERN.search(path)
-
-
-def literal_of(parts: Sequence[Literal | Substitution], defaults: Mapping[str, str]) -> JoinedPath | None:
-    """Return the path that some parts begin with, and its span; `…` is for what is unknown in it."""
-    found, spans, by_default = "", [], False
-    for part in parts:
-        text = part.text if isinstance(part, Literal) else default_of(part, defaults)
-        if text is None:
-            found += OPEN
-            spans.append(part.span)
-            continue
-        by_default |= isinstance(part, Substitution)
-        end = END.search(text)
-        piece = text[: end.start()] if end else text
-        found += piece
-        as_written = part.span.end - part.span.start == len(text)
-        spans.append(Span(part.span.start, part.span.start + len(piece)) if as_written else part.span)
-        if end:
-            break
-    if not spans:
-        return None
-    wide = Span(spans[0].start, spans[-1].end)
-    in_order = all(a.end <= b.start or a == b for a, b in pairwise(spans))
-    return JoinedPath(found, wide if in_order and wide.start <= wide.end else spans[-1], by_default)
-
-
-def default_of(part: Substitution, defaults: Mapping[str, str]) -> str | None:
-    """Return the default of the argument that a substitution is replaced by."""
-    name = part.arguments[0].literal if part.name == "var" and len(part.arguments) == 1 else None
-    return defaults.get(name) if name else None

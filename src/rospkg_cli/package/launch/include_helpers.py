@@ -38,7 +38,7 @@ def included(machine: EvaluationState, call: Call) -> Value | None:
 
 
 def with_items(machine: EvaluationState, argument: Argument) -> Argument:
-    """Return a dict of launch arguments as its items; an action that declares one stands for its value."""
+    """Return a dict of launch arguments as its items; an action that declares one is taken for its value."""
     given = argument.value
     if argument.name != "launch_arguments" or not isinstance(given, Mapping):
         return argument

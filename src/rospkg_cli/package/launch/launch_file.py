@@ -6,12 +6,11 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import Literal
 
-from ...files import ReaderInput
 from ...languages.python.file import Import, PythonFile
 from ...languages.syntax_problem import SyntaxProblem
 from ...light_dataclasses import dataclass
 from ...source import Source, Span
-from .configuration_events import ConfigurationSummary, LaunchEvent, summary
+from .configuration_events import LaunchEvent
 from .entity import Entity
 from .evaluated_launch import EvaluatedLaunch
 from .exception_guards import asked_in, guarded_in
@@ -170,31 +169,3 @@ class LaunchFile:
         for node in self.nodes if not self.is_ros1 else ():
             if node.package and node.executable and node.package.literal and node.executable.literal:
                 yield node.package.literal, node.executable, node
-
-
-def started_nodes(reading: ReaderInput) -> frozenset[tuple[str, str]]:
-    """Return package and executable of every node that a package's launch files start under literal names."""
-    files = reading.parts(LaunchFile).good
-    return frozenset(
-        (package, executable.literal or "") for file in files for package, executable, _ in file.programs()
-    )
-
-
-def loaded_components(reading: ReaderInput) -> frozenset[tuple[str, str]]:
-    """Return package and class of every component that a package's launch files load under literal names."""
-    nodes = (node for file in reading.parts(LaunchFile).good if not file.is_ros1 for node in file.nodes)
-    named = ((node.package, node.plugin) for node in nodes if node.kind == "composable_node")
-    return frozenset(
-        (package.literal, plugin.literal)
-        for package, plugin in named
-        if package and plugin and package.literal and plugin.literal
-    )
-
-
-def launch_summaries(reading: ReaderInput) -> tuple[ConfigurationSummary, ...]:
-    """Return what other launch files may know of those of a package."""
-    files = [file for file in reading.parts(LaunchFile).good if not file.is_ros1]
-    return tuple(
-        summary(file.path.rpartition("/")[2], file.events or (), file.is_complete and file.events is not None)
-        for file in files
-    )

@@ -1,4 +1,4 @@
-"""What a launch file says in what it does: without comments, and without actions that it makes and never adds.
+"""The text of a launch file without comments, and without actions that it makes and never adds.
 
 One for ROS 1 does nothing.
 """
@@ -31,7 +31,7 @@ def live_text(files: PackageFiles, path: str) -> str:
     if path.endswith(MARKUP) and is_for_ros1(text):
         return ""
     if path.endswith(".py") and ENTRY in text:
-        with contextlib.suppress(UnreadableError):  # another rule tells of it
+        with contextlib.suppress(UnreadableError):  # another rule reports it
             text = without_unread(parse_python(files.source(path)))
     return uncommented(path, text)
 

@@ -1,4 +1,4 @@
-"""What a Python launch file makes and launch never comes to, as it is no part of the launch description."""
+"""What a Python launch file makes and launch never visits, as it is no part of the launch description."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a launch file makes above, and only parts of it read that are off by default: the share of a package."""
+"""Values of a launch file that only parts of it read which are off by default: the share of a package."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .default_conditions import OffByDefault
 def with_values(file: PythonFile | None, off: Iterable[OffByDefault]) -> Iterator[OffByDefault]:
     """Yield parts that are off by default, and the values that only they read, each with what turns on a reader.
 
-    Python makes these values all the same; launch comes to a substitution or an action only where it is read.
+    Python makes these values in any case; launch visits a substitution or an action only where it is read.
     """
     parts = list(off)
     yield from parts

@@ -17,9 +17,9 @@ LOOKED_UP = regex(r"(?:\[|\.get\()\s*[\"'](\w+)[\"']")
 
 
 def parsed_yaml(reading: ReaderInput) -> frozenset[str]:
-    """Return the names of the YAML files that Python launch files name beside a call that parses YAML.
+    """Return the names of the YAML files that Python launch files name which also call a YAML parser.
 
-    Those that a launch file of the package gives to a node by their path are not among them.
+    Without those that a launch file of the package gives to a node by their path.
     """
     files = [file for file in reading.parts(LaunchFile).good if not file.is_ros1]
     texts = (file.source.text for file in files if file.frontend == "python")

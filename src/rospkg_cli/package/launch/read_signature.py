@@ -66,7 +66,7 @@ def defaults_of(file: LaunchFile) -> Iterator[tuple[str, str]]:
 
 
 def passed_on(file: LaunchFile) -> Iterator[tuple[str, str]]:
-    """Yield the configurations that all uses pass on, as far as launch comes to these, each with its argument."""
+    """Yield the configurations that all uses pass on, as far as launch reaches these, each with its argument."""
     uses = [each for each in file.events or () if each.kind == "use"]
     read = {each.name for each in uses if not each.passed_as} | {*NAMED_USE.findall(file.source.text)}
     yield from ((each.name, each.passed_as) for each in uses if each.name and each.name not in read)

@@ -23,5 +23,5 @@ def is_ros1(root: Entity) -> bool:
 
 
 def is_named_ros1(path: str) -> bool:
-    """Return whether a file lies in a folder that is called `ros1`, beside what is for ROS 2."""
+    """Return whether a file lies in a folder that is called `ros1`, next to files for ROS 2."""
     return "ros1" in path.split("/")[:-1]

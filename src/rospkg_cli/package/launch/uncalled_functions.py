@@ -13,11 +13,11 @@ from ...source import Span
 
 ENTRY = "generate_launch_description"
 BY_NAME = frozenset({"globals", "locals", "vars", "getattr", "eval", "exec"})
-"""What finds a function by a name that nobody needs to write."""
+"""Functions that find another one by a name that need not stand in the code."""
 
 
 def uncalled_functions(file: PythonFile) -> tuple[Span, ...]:
-    """Return the functions that launch can't come to; none of a file without an entry point, which others import."""
+    """Return the functions that launch never calls; none of a file without an entry point, which others import."""
     return tuple(map(file.span, uncalled(file)))
 
 

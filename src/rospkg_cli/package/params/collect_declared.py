@@ -13,7 +13,6 @@ from ...source import Source
 from ...unreadable import UnreadableError
 from ..file_role import role_of
 from ..python_modules import PythonModules
-from . import cpp_parameters as cpp
 from . import python_parameters as python
 from .declared_parameter import DeclaredParameter
 from .parameter_file import ParameterFile
@@ -33,8 +32,13 @@ def declared_parameters(reading: ReaderInput) -> tuple[DeclaredParameter, ...]:
 def in_cpp(reading: ReaderInput) -> Iterator[DeclaredParameter]:
     sources = [source for path in reading.files.paths if path.endswith(SUFFIXES) for source in text_of(reading, path)]
     declaring = [read_cpp(source) for source in sources if DECLARES.search(source.text)]
+    if not declaring:
+        return
+    from . import cpp_parameters as cpp  # what packages in Python don't need
+    from .cpp_parameter_types import variables_of
+
     asked = {name for file in declaring for name in cpp.asked_variables(file)}
-    types = cpp.variables_of(sources, asked)
+    types = variables_of(sources, asked)
     for file in declaring:
         loose = DYNAMIC in file.source.text
         for each in cpp.declared_in(file, lambda name: types.get(name, "")):

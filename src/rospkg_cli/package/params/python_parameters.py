@@ -47,7 +47,7 @@ def declared_in(file: PythonFile, constant: TypeOf = unknown) -> Iterator[Declar
 def declared_by(
     file: PythonFile, call: ast.Call, method: str, constant: TypeOf = unknown
 ) -> Iterator[DeclaredParameter]:
-    """Yield what one call declares under literal names; what it lets nobody set has any type."""
+    """Yield what one call declares under literal names; what ignores overrides has any type."""
     if method == "declare_parameter":
         given = {keyword.arg: keyword.value for keyword in call.keywords}
         name = call.args[0] if call.args else given.get("name")

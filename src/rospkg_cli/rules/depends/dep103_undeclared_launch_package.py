@@ -9,7 +9,7 @@ from ...checks.depends.name_source import is_unmet_at_run
 from ...checks.depends.nodes_in_code import nodes_in_code
 from ...checks.depends.undeclared_launch_packages import LaunchDependencies
 from ...checks.launch.absent_package import ends_with
-from ...checks.launch.package_references import PackageReference
+from ...checks.launch.package_reference import PackageReference
 from ...edits.launch_hits import described_nodes, no_launch
 from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
 from ...example import Example, manifest

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from ...checks.launch.launch_context import LaunchContext
 from ...checks.launch.launch_modules import describes_nothing, is_imported, makes_its_own
-from ...checks.launch.missing_references import LaunchContext
 from ...checks.python.unwritten_modules import why_left_to_write
 from ...example import Example, manifest
 from ...finding import Hit, Severity
@@ -58,12 +58,17 @@ def missing_launch_description(scope: LaunchContext) -> Iterator[Hit]:
     'generate_launch_description()'".
 
     ## When it is quiet
-    Files whose name does not end in `launch.py`, modules such as `my_pkg/gen_launch.py` in no folder for launch files,
-    tests, files that are programs of their own (`__main__`, `LaunchService`), that import `*`, or that another Python
-    file of the package imports or loads, are left alone, and so is one with a function that a decorator of another
-    package gets, which may make the entry point (`@launch_this`). A function that is imported or assigned counts. A
-    file whose every line is a comment is an info, and one that imports nothing of `launch`, which describes nothing.
-    So is one of an exercise: a comment says that the function, or the whole file, is still to be written.
+    Left alone are
+
+    - files whose name does not end in `launch.py`, modules outside of launch folders (`my_pkg/gen_launch.py`), and
+      tests;
+    - files that are programs (`__main__`, `LaunchService`), that import `*`, or that another Python file of the package
+      imports or loads;
+    - files with a function under a decorator of another package, which may make the entry point (`@launch_this`).
+
+    A function that is imported or assigned counts as defined. It is an info where every line of the file is a comment,
+    where the file imports nothing of `launch`, and in an exercise: a comment says that the function, or the whole file,
+    is still to be written.
     """
     file = scope.file
     name = file.path.rpartition("/")[2]

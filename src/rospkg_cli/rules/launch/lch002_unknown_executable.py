@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.node_executables import ExecutableUse, NodeExecutables, WellKnownUse
+from ...checks.launch.executable_use import ExecutableUse, WellKnownUse
+from ...checks.launch.node_executables import NodeExecutables
 from ...checks.launch.one_cause import CausedPlace
+from ...checks.launch.renamed_executables import renamed_together
+from ...checks.launch.unknown_executables import unknown_together
 from ...checks.launch.without_package import NodesWithoutPackage
 from ...edits.blank_names import blank_name
 from ...edits.caused_places import level_of, other_places
@@ -39,7 +42,7 @@ FILES = {
         Severity.WARNING: "its condition can't be evaluated, `ros2 run` starts it, the launch file is for Foxy, or an "
         "old distribution had it, and the repository is for later ones",
         Severity.INFO: "the node is off by default or never added to the launch description, an old distribution had "
-        "it, and nothing shows that the repository is for later ones, or another package of a known name may be meant",
+        "it, and nothing shows that the repository is for later ones, or another package may have the known name",
     },
     examples=(
         Example(
@@ -58,43 +61,55 @@ def unknown_executable(started: NodeExecutables) -> Iterator[Hit]:
     ## What it does
     Finds nodes in launch files whose executable nothing installs.
     The node is of this package, or of another package of the workspace, and is neither a console_script nor a target or
-    script that CMake installs; a command of `ros2 run` and `ExecutableInPackage` are looked at likewise. A node without
-    a package is looked for on the PATH, where only what packages put into `bin/` is. Of packages that everybody uses it
-    knows what they install: it says what is a letter or two away, and what only old distributions had. All places of a
-    name in the launch files of a package are one finding, where it is worst.
+    script that CMake installs. Commands of `ros2 run` and `ExecutableInPackage` are checked in the same way. A node
+    without a package is looked for on the PATH, where only what packages install into `bin/` is. Of well-known packages
+    it knows the executables: it reports names that are a letter or two away from one, and those that only old
+    distributions had. All places of a name in the launch files of a package are one finding, at the worst of them.
 
     ## Why is this bad?
     The launch stops with "executable 'taker' not found on the libexec directory".
 
     ## When it is quiet
-    Packages whose executables are not all known, or whose build may write the file, are left alone, and so are launch
-    files of tests that CMake does not run, and paths that begin at the root or where the launch file is: launch starts
-    them as they are. A node whose condition can't be evaluated, or that Python makes in a branch alone, or in a file
-    without `generate_launch_description`, is a warning; one that is off by default, that nothing adds to the launch
-    description, or that a function makes which nothing calls, an info. So is what was there in Foxy or Galactic, unless
-    the run checks for a distribution (`--target`), or pages, scripts and workflows name Humble or later ones alone; and
-    it is one where a folder around is called after an old one, or parameters of the package name plugins of that time
-    (`nav2_recoveries/Spin`). Where no README, script or workflow names one, other pages, launch files, docstrings and
-    names of files are asked; where several are named, the package's own description is. It is an info, too, where the
-    name is still to be filled in (`TODO`) or, by a comment, to be replaced, where package.xml declares a sister of the
-    package that no distribution has: a fork may have it, and where every launch ends before, as it looks for a package
-    that is neither here, nor released, nor in a listed repository, or where the first lines of the file or a page say
-    that nobody is to start it (`# deprecated`). What is known of a package that is not here is an info where another
-    one of its name may be meant: repositories are listed that are not here, or a page clones one that is called so; not
-    so of what `ros_base` brings, and of what a page or a container installs (`apt install ros-jazzy-topic-monitor`).
+    Left alone are
+
+    - packages whose executables are not all known, or whose build may write the file;
+    - launch files of tests that CMake does not run;
+    - paths that begin at the root or at the folder of the launch file: launch starts them as they are.
+
+    It is a warning where the condition of the node can't be evaluated, or Python makes the node in one branch only, or
+    in a file without `generate_launch_description`.
+
+    It is an info
+
+    - where the node is off by default or never added to the launch description, or the function that makes it is never
+      called;
+    - where every launch ends before, as it looks for a package that is neither here, nor released, nor in a listed
+      repository;
+    - where the first lines of the file, or a page, say that it is not to be started (`# deprecated`);
+    - where the name is still to be filled in (`TODO`), or to be replaced by what a comment says;
+    - for names of Foxy or Galactic, unless the run checks for a distribution (`--target`), or pages, scripts and
+      workflows name Humble or later ones alone; and always where a folder above is named after an old distribution, or
+      parameters of the package name plugins of that time (`nav2_recoveries/Spin`);
+    - where package.xml declares a package of the same prefix that no distribution has: a fork may have the executable;
+    - for a well-known package that is not here where another one of its name may be used: listed repositories are not
+      here, or a page clones one of that name. This does not count for packages that `ros_base` brings, or that a page
+      or a container installs (`apt install ros-jazzy-topic-monitor`).
+
+    Where no README, script or workflow names a distribution, other pages, launch files, docstrings and names of files
+    decide; where several are named, the package's own description does.
 
     ## Fix safety
     The name is replaced by the only similar one; another program may be right.
     """
-    for uses in started.unknown_together():
+    for uses in unknown_together(started):
         node = uses[0].item
         start = f"`{node.facts.name}` installs no executable `{node.executable}`"
         whole = f"{start}: {node.ends}"
-        told = {None: whole, "warning": f"{whole}, {node.why}", "info": f"{start}, {node.why}"}
-        message = f"{told[node.level]}; {hint(node, started.scope.package)}"
+        texts = {None: whole, "warning": f"{whole}, {node.why}", "info": f"{start}, {node.why}"}
+        message = f"{texts[node.level]}; {hint(node, started.scope.package)}"
         fix = rename([each.item for each in uses], node.suggestion)
         yield Hit(node.path, node.span, message, level_of(uses), other_places(uses), fix)
-    for places in started.renamed_together():
+    for places in renamed_together(started):
         first, fix = places[0], other_name(places)
         yield Hit(first.path, first.span, not_offered(first.item), level_of(places), other_places(places), fix)
     for text, what in started.blank():

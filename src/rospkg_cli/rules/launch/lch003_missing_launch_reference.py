@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.missing_harm import harm_of
-from ...checks.launch.missing_references import LaunchContext, MissingReference
-from ...checks.launch.relative_parameter_files import relative_parameter_files
-from ...checks.launch.softened_references import softened
-from ...checks.launch.who_meets import level_met
+from ...checks.launch.launch_context import LaunchContext
+from ...checks.launch.missing_reference import MissingReference
+from ...checks.launch.missing_references import is_made_here, missing_references, references_missed_silently
+from ...checks.launch.relative_parameter_files import relative_faults
+from ...edits.fault_hits import hits
 from ...edits.offers import how_to_have
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
@@ -76,10 +76,10 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     ## What it does
     Finds files that a launch file names and that do not exist.
     It follows paths in the share directory of this package or of another one of the workspace (`$(find-pkg-share x)/…`,
-    `FindPackageShare`, `get_package_share_directory`, `MoveItConfigsBuilder`), those included of which only the launch
-    knows a part and that no file there fits, and paths relative to the launch file. A parameter file that is given by a
-    bare name, while the package installs one of that name, is looked for in the current directory. Of packages that
-    everybody uses it knows the launch files, and tells of an include of nearly one of them.
+    `FindPackageShare`, `get_package_share_directory`, `MoveItConfigsBuilder`), and paths relative to the launch file. A
+    path of which a part is known only when launch runs is reported where no file fits the rest. A parameter file that
+    is given by a bare name, while the package installs one of that name, is looked for in the current directory. Of
+    well-known packages it knows the launch files, and reports an include with nearly the name of one.
 
     ## Why is this bad?
     The build is green, and the launch stops at an included file that can't be opened, and at one that it opens itself
@@ -88,51 +88,51 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     (`camera_info_url`).
 
     ## When it is quiet
-    Files are left alone that code looks for first (`os.path.exists`, `try`; an info after `except OSError`), that the
-    build, Python code or a command (`xacro … -o`) writes, that git ignores or a submodule brings; so are packages of
-    which another package's CMake macro may install more, launch files of tests that CMake does not run, and files that
-    a package inside of one of its name has itself (WSP005). Where the action has a condition that can't be evaluated,
-    it is a warning, where the defaults make it false, nothing adds the action, uses the value (but to `print` it) or
-    calls the function, an info, and so is the default of an argument that neither the file nor an included one uses,
-    that only actions use which are off by default, or that the file itself, each file that includes it or each command
-    that pages tell gives another value. So is a parameter file of a node that gets others as well, the value of a
-    parameter that no code of the node's package, which is here, reads (or a word, where it reads none), that a
-    well-known node does not have, or of another node where its name says nothing of a file (`…_file`, `…_path`, `yaml`,
-    `map`, `url`), and what stands behind the place where every launch ends, as it seeks a package that nothing brings.
-    It is an info, too, where people bring the file and launch does not include it: a page or a script fetches, saves or
-    copies it there by its name, or its folder has only a `.gitkeep` and people fill it (`maps`), has a README alone, or
-    launch says the name, or git ignores a folder that the build installs as a whole (`resource/`). So it is where a
-    program writes it: code puts the name together (`'modified_' + a`), or it is called like `octomap_saver_node`; or
-    where the name is to be replaced (`YOUR_ROBOT.urdf`, `# use your map`), or a `glob` found none.
+    Left alone are files that code looks for first (`os.path.exists`, `try`; an info after `except OSError`), that the
+    build, Python code or a command (`xacro … -o`) writes, that git ignores, or that a submodule brings; packages of
+    which another package's CMake macro may install more; launch files of tests that CMake does not run; and files that
+    a package nested in one of its name has (WSP005). It is a warning where the action has a condition that can't be
+    evaluated.
+
+    It is an info
+
+    - where the defaults make the condition false, or the action, its function or the value (but to `print` it) is
+      unused;
+    - for the default of an argument that neither the file nor an included one uses, that only actions use which are off
+      by default, or to which the file itself, each including file or each command of pages gives another value;
+    - for a parameter file of a node that gets others as well;
+    - for the value of a parameter, or an argument of the program, that no code of the node's package, where that is
+      here, and no well-known node reads; of other nodes, where its name does not suggest a file (`…_file`, `…_path`,
+      `map`, `url`);
+    - behind the place where every launch ends, as it looks for a package that nothing brings;
+    - where people bring the file and launch does not include it: a page or a script fetches, saves or copies it there
+      by its name; its folder has only a README, or a `.gitkeep` where people fill it (`maps`); the launch file prints
+      the name; or git ignores a folder that the build installs as a whole (`resource/`);
+    - where a program writes it: code puts the name together (`'modified_' + a`), or it is called like
+      `octomap_saver_node`;
+    - where the name is to be replaced (`YOUR_ROBOT.urdf`, `# use your map`), or is used only where a `glob` found none.
     """
-    for each in (*scope.missing(), *scope.missing_in_silence()):
-        if each.state in ("absent", "no slash") and not scope.is_made_here(each):
+    for each in (*missing_references(scope), *references_missed_silently(scope)):
+        if each.state in ("absent", "no slash") and not is_made_here(scope, each):
+            from ...checks.launch.softened_references import softened  # few launch files miss a file
+
             softer, why = softened(scope, each)
             level = Severity(softer) if softer else None if each.stops_launch else Severity.WARNING
             others = tuple(Related(scope.file.path, span, "here too") for span in each.other_spans)
             yield Hit(scope.file.path, each.span, message(scope, each, why), level, others)
-    yield from current_folder(scope)
-
-
-def current_folder(scope: LaunchContext) -> Iterator[Hit]:
-    for found in relative_parameter_files(scope):
-        softer, why = level_met(scope.file, found.span, scope.workspace)
-        where = f"the share directory of `{scope.package.name}`"
-        text = f"`{found.path}` is looked for in the current directory: elsewhere the node does not find its parameters"
-        text = f"{text}{why and ', '}{why}; join it to {where}: `{found.installed}`"
-        yield Hit(scope.file.path, found.span, text, Severity(softer or "warning"))
+    yield from hits(scope.file.path, relative_faults(scope))
 
 
 def message(scope: LaunchContext, missing: MissingReference, why: str) -> str:
-    harm = f"{harm_of(scope, missing)}{why and ', '}{why}"
-    if missing.state == "no slash":
-        start = f"there is no `/` between the share directory of `{missing.package}` and `{missing.path}`"
-        return f"{start}: {harm}; begin it with `/`"
-    return f"`{missing.package}` has no file `{missing.path}`: {harm}; {hint(scope, missing)}"
+    from ...checks.launch.missing_harm import harm_at  # few launch files miss a file
+
+    return f"{harm_at(scope, missing, why)}; {hint(scope, missing)}"
 
 
 def hint(scope: LaunchContext, missing: MissingReference) -> str:
-    """Return what to do: the near path, else another one or how the file is made."""
+    """Return what to do: begin the path with a slash, take the similar path, or make the file."""
+    if missing.state == "no slash":
+        return "begin it with `/`"
     if missing.better_path:
         other = missing.better_package not in ("", missing.package)
         return f"did you mean `{missing.better_path}`{f' of `{missing.better_package}`' if other else ''}?"

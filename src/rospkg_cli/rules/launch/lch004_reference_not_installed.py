@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ...checks.launch.missing_references import MissingReference
+from ...checks.launch.missing_reference import MissingReference
 from ...checks.launch.reference_install import InstalledReferences, ReferenceInstall
-from ...checks.launch.softened_references import softened
 from ...edits.install_file import install_for_cmake, install_for_setup
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -62,13 +61,20 @@ def reference_not_installed(package: InstalledReferences) -> Iterator[Hit]:
     directory"); at a parameter file it goes on, with "Parameter file path is not a file" and the node's defaults.
 
     ## When it is quiet
-    Where nothing of the folder is installed, or setup.py leaves it out, SET206, SET207 or CMK101 reports it alone.
-    Paths that are checked first, that the build writes, and packages whose install rules are not all known, are left
-    alone. RViz starts with its default view where its config is missing, and a node with its defaults: what the launch
-    itself does not open is a warning, as in an action with a condition. The default of an argument that neither the
-    file nor one that it includes uses is an info, and so is what nothing adds, calls or declares, the value of a
-    parameter that no node is shown to read (LCH003), and what stands behind the place where every launch ends, as it
-    looks for a package that nothing here brings.
+    Where nothing of the folder is installed, or setup.py leaves it out, only SET206, SET207 or CMK101 reports it. Paths
+    that are checked first or that the build writes are left alone, and so are packages whose install rules are not all
+    known.
+
+    It is a warning where launch itself does not open the file, as RViz and nodes start with their defaults without it,
+    and where the action has a condition.
+
+    It is an info
+
+    - for the default of an argument that neither the file nor one that it includes uses;
+    - for actions that are never added, functions that are never called, and arguments that an included file does not
+      declare;
+    - for the value of a parameter that no node is shown to read (LCH003);
+    - behind the place where every launch ends, as it looks for a package that nothing here brings.
     """
     for found in package.missing():
         (files, missing), *others = sorted(found, key=lambda each: level_of(*each)[0].rank, reverse=True)
@@ -83,6 +89,8 @@ def reference_not_installed(package: InstalledReferences) -> Iterator[Hit]:
 
 
 def level_of(files: ReferenceInstall, missing: MissingReference) -> tuple[Severity, str]:
+    from ...checks.launch.softened_references import softened  # few launch files name what is not installed
+
     softer, why = softened(files.scope, missing)
     own = Severity.ERROR if missing.stops_launch else Severity.WARNING
     return (Severity(softer) if softer else own), f"{why and ', '}{why}"

@@ -64,7 +64,7 @@ def removed_launch_argument(words: RemovedWords) -> Iterator[Hit]:
     ## What it does
     Finds arguments of nodes that launch_ros removed, such as `node_executable`.
     They are `node_executable`, `node_name`, `node_namespace` and `node_plugin`, which launch_ros had up to Foxy, and
-    `type=` of nodes, which is ROS 1's. States and verbs that `ros2 control` no longer has are told, too
+    `type=` of nodes, which is ROS 1's. States and verbs that `ros2 control` no longer has are reported as well
     (`load_controller --set-state start`). What is alike in the launch files of a package is one finding, where it is
     worst.
 
@@ -73,13 +73,15 @@ def removed_launch_argument(words: RemovedWords) -> Iterator[Hit]:
     keyword-only argument: 'executable'`.
 
     ## When it is quiet
-    Files that check which distribution they run on are left alone, and so are launch files for ROS 1. It is an error
-    only where the run checks for a distribution (`--target`), or where pages, scripts and workflows of the repository
-    (or, if these name none, its other pages, launch files, docstrings and names of files) name Humble or later ones
-    alone; so are words of `ros2 control`. Else it is an info, as it is in a folder that is called after Foxy, and where
-    a spawner or another command of the launch file brings the same controller into the state. A Python file whose name
-    or folder says that it is for Foxy or an older one (`launch/foxy/`, `eloquent_start.py`), beside launch files for
-    others, is left alone.
+    Left alone are launch files for ROS 1, files that check which distribution they run on, and Python files whose name
+    or folder says that they are for Foxy or an older one (`launch/foxy/`, `eloquent_start.py`), next to launch files
+    for others.
+
+    It is an error only where the run checks for a distribution (`--target`), or where pages, scripts and workflows of
+    the repository name Humble or later ones alone; if these name none, its other pages, launch files, docstrings and
+    names of files decide. Otherwise it is an info. The same holds for words of `ros2 control`. It is always an info in
+    a folder that is named after Foxy, and where a spawner or another command of the launch file brings the same
+    controller into the state.
     """
     for fault, places in words.together():
         first, again = places[0], other_places(places)

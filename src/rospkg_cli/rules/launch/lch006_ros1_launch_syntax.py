@@ -75,10 +75,14 @@ def ros1_launch_syntax(leftovers: Ros1Leftovers) -> Iterator[Hit]:
 
     ## When it is quiet
     A file that is for ROS 1 altogether is left alone where this package does not install it, is built with catkin, or
-    names catkin in its manifest. So are all launch files of a package that catkin alone builds. It is an info where
-    nothing for ROS 2 names the file together with its package: no `ros2 launch my_pkg old.launch` of a page or a
-    script, no code, no launch file. So it is in a file that was ported in part, with `type=`, `$(find …)` or `$(arg …)`
-    left, which nothing names, and in one that has nothing but `<param>` and the like, as MoveIt's assistant made them.
+    names catkin in its manifest. So are all launch files of a package that catkin alone builds.
+
+    It is an info
+
+    - where nothing for ROS 2 names the file together with its package: no `ros2 launch my_pkg old.launch` of a page or
+      a script, no code, no launch file;
+    - in a file that was ported in part, with `type=`, `$(find …)` or `$(arg …)` left, which nothing names;
+    - in a file that has nothing but `<param>` and the like, as MoveIt's setup assistant wrote them.
     """
     scope = leftovers.scope
     if scope.package.is_for_ros1:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.fault import once_each, softer
-from ...checks.launch.entity_schema import entity_faults, told_apart
+from ...checks.launch.entity_schema import entity_faults, with_entity_names
 from ...checks.launch.python_expressions import expression_faults
 from ...checks.launch.who_meets import LaunchFileAmongPackages, level_met
 from ...edits.fault_hits import hits
@@ -78,12 +78,12 @@ def invalid_launch_structure(scope: LaunchFileAmongPackages) -> Iterator[Hit]:
     expression that Python can't evaluate stops the launch when it is evaluated.
 
     ## When it is quiet
-    Unknown actions and substitutions are left alone, since packages add their own, unless one letter makes a known one
-    of them. Expressions are judged with the defaults of the file's own arguments; one with an unknown part is believed
-    where any value makes it valid.
+    Unknown actions and substitutions are left alone, since packages add their own, unless they are one letter from a
+    known one. Expressions are evaluated with the defaults of the file's own arguments; where a part is unknown, only an
+    expression that no value makes valid is reported.
     """
     file = scope.file
-    yield from hits(file.path, told_apart(file, once_each(entity_faults(file))))
+    yield from hits(file.path, with_entity_names(file, once_each(entity_faults(file))))
     for fault in expression_faults(file):
         level, why = level_met(file, fault.span, scope.workspace)
         yield from hits(file.path, [softer(fault, level, why) if level else fault])

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.told_arguments import TOLD, ConfigurationsAndPages
-from ...checks.launch.unset_configurations import UnsetConfiguration
+from ...checks.launch.documented_arguments import DOCUMENTED, ConfigurationsAndPages
+from ...checks.launch.unset_configuration import UnsetConfiguration
+from ...checks.launch.unset_configurations import unset
 from ...checks.launch.who_meets import why_unmet, why_unvisited
 from ...example import Example, manifest
 from ...finding import Hit, Severity
@@ -42,7 +43,7 @@ NEEDED = manifest("  <exec_depend>ros2launch</exec_depend>\n")
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "others include it, or probably do, it declares none, it includes a file that is not here, "
-        "nothing reads the variable, each command that pages and comments tell gives it, a condition that is off by "
+        "nothing reads the variable, every command in documentation and comments gives it, a condition that is off by "
         "default is around it, or the launch ends before at a package that nothing brings"
     },
     examples=(
@@ -69,19 +70,20 @@ def undeclared_launch_argument(of: ConfigurationsAndPages) -> Iterator[Hit]:
     The launch stops with "launch configuration 'x' does not exist".
 
     ## When it is quiet
-    In files that can't be evaluated to the end, or that set configurations of unknown names, a name is told that stands
-    there once and is one letter from an argument which nothing mentions but its declaration (an info, where it is less
-    like it, or nothing reads the variable that it is bound to); so it is, with a default, in any file, and an info
-    where the file includes others, which may read the argument. What only a class of the file uses is an info. So is
-    what only those that include it set, where it declares an argument that begins its name (`R` for `roll`) and uses it
-    nowhere. One that others include may get the argument from them: an info, as where it uses many, or declares none at
-    all: then it is the user, or the file that includes it, who must set it. Where it includes a file that is not here,
-    it is an info, if it declares others and no file of the workspace has that name. And it is one where pages, scripts
-    or the comments of the file tell how to start it, and each of these commands gives the argument; and where only
-    actions ask for it that nothing adds, or that are off by default.
+    In files that can't be evaluated to the end, or that set configurations of unknown names, a name is reported only if
+    it occurs once and is one letter from an argument that is declared and mentioned nowhere else (an info, where it is
+    less similar, or nothing reads the variable that it is bound to). A name that has a default is reported on the same
+    condition in any file, as an info where the file includes others, which may read the argument.
+
+    It is an info where only a class of the file uses the name; where only the files that include this one set it, and
+    this one declares an argument that begins its name (`R` for `roll`) and uses that nowhere; and where other files
+    include this one and may set it, or it uses many, or declares none at all: then the user, or the including file,
+    must set it. It is an info where the file includes a file that is not here, if it declares other arguments and no
+    file of the workspace has that name; where pages, scripts or the comments of the file show commands that start it,
+    and each of these gives the argument; and where only actions use it that are never added, or off by default.
     """
     configurations, file = of.configurations, of.configurations.file
-    found = [each for each in configurations.unset() if each.state != "late"]
+    found = [each for each in unset(configurations) if each.state != "late"]
     many = len(found) > FEW
     is_for_others = not any(each.declared for each in found)
     level = Severity.INFO if many or configurations.is_included else None
@@ -105,29 +107,29 @@ def undeclared_launch_argument(of: ConfigurationsAndPages) -> Iterator[Hit]:
             hint = did_you_mean(each.name, alike)
             message, better = f"no file declares the launch argument `{each.name}`{hint}", "" if hint else better
         raised = f"KeyError: '{each.name}'" if each.is_lookup else f"launch configuration '{each.name}' does not exist"
-        told = f", {TOLD}" if of.is_told(each.name) else ""
+        given = f", {DOCUMENTED}" if of.is_documented(each.name) else ""
         unless = "given, or set by a file that it includes" if each.may_be_included else "given"
-        stops = f'unless {unless}{told}, the launch stops ("{raised}"){unread(each)}{why}'
-        yield Hit(file.path, each.span, f"{message}: {stops}{better}", Severity.INFO if told else mild)
+        stops = f'unless {unless}{given}, the launch stops ("{raised}"){unread(each)}{why}'
+        yield Hit(file.path, each.span, f"{message}: {stops}{better}", Severity.INFO if given else mild)
 
 
 def idle(each: UnsetConfiguration, file: LaunchFile, workspace: Workspace) -> str:
-    """Return why no plain launch comes to a use: a lookup in Python raises KeyError, whatever becomes of its value."""
+    """Return why no plain launch reaches a use: a lookup in Python raises KeyError, whatever becomes of its value."""
     reason = why_unmet if each.is_lookup else why_unvisited
     why = reason(file, each.span, workspace)
     return f", {why}" if why else ""
 
 
 def unread(each: UnsetConfiguration) -> str:
-    """Return why nobody meets it today, where that is so."""
+    """Return that nothing reads the variable of a use, so that launch does not fail today; "" where something does."""
     return ", as soon as something reads the variable, which nothing does" if each.is_unread else ""
 
 
 def always_default(each: UnsetConfiguration) -> str:
     """Return what is wrong with a use that has a default, which hides the slip."""
-    meant = each.declared[0]
-    what = f"no file declares the launch argument `{each.name}`, but `{meant}`, one letter away, which nothing uses"
-    return f"{what}: it always has its default, and setting `{meant}` has no effect{unread(each)}; write them alike"
+    declared = each.declared[0]
+    what = f"no file declares the launch argument `{each.name}`, but `{declared}`, one letter away, which nothing uses"
+    return f"{what}: it always has its default, and setting `{declared}` has no effect{unread(each)}; write them alike"
 
 
 def only_inherited(each: UnsetConfiguration) -> str:

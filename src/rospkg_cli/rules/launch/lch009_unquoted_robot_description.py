@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.robot_description import RobotDescriptions, RobotParameter
+from ...checks.launch.robot_description import RobotDescriptions
+from ...checks.launch.robot_parameters import RobotParameter
 from ...edits.launch_file import import_name, pass_through
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity

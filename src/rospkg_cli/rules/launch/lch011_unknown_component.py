@@ -67,21 +67,25 @@ def unknown_component(loaded: LoadedComponents) -> Iterator[Hit]:
     Finds components in launch files that the CMakeLists.txt of their package does not register.
     Composable nodes of this package, or of another one of the workspace, have to be in
     `rclcpp_components_register_node`. A component of an unknown package is reported where another package registers its
-    class. Of packages that everybody uses it knows the components, and says what is a letter or two away from one, and
-    what only distributions that are no longer supported had. All places of a name in the launch files of a package are
-    one finding, where it is worst.
+    class. Of well-known packages it knows the components: it reports names a letter or two away from one, and those
+    that only old distributions had. All places of a name in the launch files of a package are one finding, at the worst
+    of them.
 
     ## Why is this bad?
     The container starts, and says "Failed to find class with the requested plugin name" (or, of a package that
     registers none, "Could not find requested resource in ament index"); it goes on without the node.
 
     ## When it is quiet
-    Packages whose components are not all known are left alone. Where CMake calls a macro of another package, or
-    includes a file that can't be read, these may register more: then only a slip of a registered name is told. Where
-    this package's source registers the class and CMake names another, CMK108 reports it there. A component whose
-    container is off by default or never added is an info. So is what Foxy or Galactic had, unless the run checks for a
-    distribution (`--target`), or pages and scripts name Humble or later ones alone, and a name of a package that is
-    meant in a fork: package.xml declares a sister of it that no distribution has.
+    Left alone are packages whose components are not all known. Where CMake calls a macro of another package, or
+    includes a file that can't be read, these may register more: then only a misspelt registered name is reported. Where
+    this package's source registers the class and CMake names another, CMK108 reports it there.
+
+    It is an info
+
+    - where the container is off by default or never added to the launch description;
+    - for names of Foxy or Galactic, unless the run checks for a distribution (`--target`), or pages and scripts name
+      Humble or later ones alone;
+    - where package.xml declares a package of the same prefix that no distribution has: a fork may have the component.
 
     ## Fix safety
     The name is replaced by the only similar class; another one may be right.

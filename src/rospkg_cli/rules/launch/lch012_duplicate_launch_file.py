@@ -36,8 +36,8 @@ def duplicate_launch_file(launch: InstalledLaunchFiles) -> Iterator[Hit]:
     more than once in the share directory of package 'my_pkg'".
 
     ## When it is quiet
-    Where all of the files are included by their paths, no one has to start them by name, and they are left alone, and
-    so are those of which CMake installs several only under conditions: one of a distribution, as it may be.
+    Left alone are files that are all included by their paths, as no one has to start them by name, and files of which
+    CMake installs several only under conditions, such as one for each distribution.
     """
     for row, name, paths in launch.doubles():
         where = " and ".join(f"`{path}`" for path in paths[:3]) + (" and others" if paths[3:] else "")

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from ...checks.depends.unwritten_parts import why_open
 from ...checks.launch.late_names import late_names
-from ...checks.launch.meant_names import hint
 from ...checks.launch.wrong_imports import wrong_attributes, wrong_imports
 from ...checks.python.module_attributes import absent_attributes
 from ...example import Example, manifest
@@ -86,11 +85,11 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
     ImportError at once.
 
     ## When it is quiet
-    Files that import `*`, that run strings as code or use `locals()`, and imports that are optional (`try … except
-    ImportError`), are left alone. A function that neither the function that launch calls (in a test,
-    `generate_test_description`) nor the module level leads to, by calls or by its name
-    (`OpaqueFunction(function=setup)`), or that only an uncalled method calls, is one info, and so is a name in a branch
-    that is never taken (`DEBUG = False` … `if DEBUG:`), and one of which a comment says that it is still to be defined.
+    Left alone are files that import `*`, that run strings as code or use `locals()`, and optional imports (`try …
+    except ImportError`). It is an info, once for each, in a function that is never called: neither the function that
+    launch calls (in a test, `generate_test_description`) nor the module level leads to it, by calls or by its name
+    (`OpaqueFunction(function=setup)`), or only an uncalled method calls it. It is an info in a branch that is never
+    taken (`DEBUG = False` … `if DEBUG:`), and for a name of which a comment says that it is still to be defined.
     """
     if file.python is None or not file.has_entry_point:
         return
@@ -101,6 +100,8 @@ def undefined_launch_name(file: LaunchFile) -> Iterator[Hit]:
             found.setdefault(name.name, []).append(weighed(file.python, name))
     for uses in found.values():
         use = min(uses, key=lambda one: LEVELS.index(one.level))
+        from ...checks.launch.intended_names import hint  # few launch files have an undefined name
+
         left = why_open(file.python, use.found.name, use.found.span)
         message = f"`{use.found.name}` is defined nowhere: {use.ends}{left or hint(use.found)}"
         yield Hit(file.path, use.found.span, message, Severity.INFO if left else use.level)

@@ -64,28 +64,40 @@ def invalid_launch_call(calls: LaunchCalls) -> Iterator[Hit]:
     """
     ## What it does
     Finds calls in Python launch files that raise, or do not do what they say.
-    They are numbers where launch takes strings, a value where a parameter file is expected, a set where a parameter
-    dict or a list of words is expected, a parameter as a pair (`{'name': 'rate', 'value': 1}`), `launch_arguments`
-    without `.items()`, a method or function that is not called (`args.items`), a path that is joined of a tuple or a
-    list, one text where a path is joined of a list, an action or `MoveItConfigs` as a parameter, a comma that makes a
-    tuple of an action, words that lack a comma between them (`['-topic' 'robot']`), a class of sources for files of
-    another kind (`XMLLaunchDescriptionSource` of a `.launch.py`), arguments that a class does not have or that are
-    missing; and places that treat a substitution as if its value were known while the file is read: `not x`, `if x:`,
-    `x == 'true'`, `os.path.join(x, …)`, `f'{x}'`, `names.get(x)`.
+    They are
+
+    - numbers where launch takes strings, a value where a parameter file is expected, a set where a dict of parameters
+      or a list of words is expected, a parameter as a pair (`{'name': 'rate', 'value': 1}`), an action or
+      `MoveItConfigs` as a parameter;
+    - `launch_arguments` without `.items()`, a method or function that is not called (`args.items`);
+    - a path that is joined from a tuple or a list, one text where a list of parts is expected;
+    - a comma that makes a tuple of an action, words that lack a comma between them (`['-topic' 'robot']`);
+    - a launch description source for files of another kind (`XMLLaunchDescriptionSource` of a `.launch.py`);
+    - arguments that a class does not have, or that are missing;
+    - code that treats a substitution as if its value were known while the file is read: `not x`, `if x:`, `x ==
+      'true'`, `os.path.join(x, …)`, `f'{x}'`, `names.get(x)`.
 
     ## Why is this bad?
     Most of these end the launch with a TypeError from deep inside of launch. With the others it goes on: a condition is
     always true, a path holds the name of a Python object.
 
     ## When it is quiet
-    Arguments of unknown value are left alone, files that `ros2 launch` can't start, and comparisons of a helper that
-    takes plain values, too, and performs what is none (`x == True or x.perform(context) == 'true'`). In a function that
-    nothing calls it is an info, and so is a LifecycleNode without a namespace where pages and scripts name Foxy alone,
-    which gives it one. What launch looks at only when it visits an action, and what goes on with another value, is an
-    info where nothing adds the action or reads the value or argument (of an `if`, all that it chooses among), or the
-    action is off by default. A pathlib.Path where a text belongs is an info: launch of all supported distributions
-    takes it since January 2026. A number or word behind an option of one letter (`'-z' '1.5'`) lacks no comma: most
-    programs take both in one word. `include_scoped_launch_py_description` of launch_pal takes a dict.
+    Left alone are
+
+    - arguments of unknown value, and files that `ros2 launch` can't start;
+    - comparisons of a helper that takes plain values as well, and performs substitutions (`x == True or
+      x.perform(context) == 'true'`);
+    - a number or word behind an option of one letter (`'-z' '1.5'`), which most programs take in one word;
+    - dicts for `include_scoped_launch_py_description` of launch_pal, which takes one.
+
+    It is an info
+
+    - in a function that nothing calls;
+    - for a LifecycleNode without a namespace where pages and scripts name Foxy alone, which gives it one;
+    - for what launch looks at only when it visits an action, and for a call that goes on with another value, where
+      nothing adds the action or reads the value or argument (of an `if`, all that it chooses among), or the action is
+      off by default;
+    - for a pathlib.Path where a text is expected: launch of all supported distributions takes it since January 2026.
 
     ## Fix safety
     A number is quoted, `.items()` is added: what launch requires.

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.include_arguments import ArgumentMismatch, IncludeContext
+from ...checks.launch.argument_mismatch import ArgumentMismatch
+from ...checks.launch.include_arguments import IncludeContext
 from ...edits.caused_places import level_of, other_places
 from ...example import Example, manifest
 from ...finding import Hit, Severity
@@ -45,7 +46,7 @@ GOOD = {"launch/robot.launch.xml": GIVEN.replace("«ratee»", "rate")}
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "an argument without effect that is no slip of one, that a file further on may take, or that is "
-        "given as what the meant one is by default"
+        "given with the default of the intended one"
     },
     examples=(
         Example(bad={**FILES, "launch/robot.launch.xml": GIVEN}, good=GOOD),
@@ -58,20 +59,24 @@ def include_argument_mismatch(context: IncludeContext) -> Iterator[Hit]:
     Finds arguments of an included launch file that it does not declare, or that are missing.
     The file is of this package or of another one of the workspace. An argument is unknown if neither it nor anything it
     includes declares or uses it, and missing if it has no default and is not given. Of well-known launch files
-    (nav2_bringup, realsense2_camera) what is one letter from an argument is told. A wrong name that several includes
+    (nav2_bringup, realsense2_camera) a name one letter from an argument is reported. A wrong name that several includes
     of a file give is one finding.
 
     ## Why is this bad?
-    An unknown argument has no effect, without a warning: of a slip, the value meant never arrives. A missing one stops
-    the launch: "Included launch description missing required argument 'speed'".
+    An unknown argument has no effect, without a warning: a value under a misspelt name never arrives. A missing one
+    stops the launch: "Included launch description missing required argument 'speed'".
 
     ## When it is quiet
-    An unknown argument that is like none of the included file's is left over: an info, since nothing fails; so
-    is one that is like many of them, and one whose value is the default of the one that is meant. Included
-    files that can't be evaluated to the end, or include something unknown, may take any argument: of them a name is an
-    info that is one letter from a declared one which is not given. An include whose arguments are not all known lacks
-    none. Where every launch ends before, as it looks for a package that nothing here brings, or nothing adds the
-    include, it is an info.
+    An include whose arguments are not all known lacks none.
+
+    It is an info
+
+    - for an unknown argument that is like none that the included file declares, or like many of them: it is left over,
+      and nothing fails;
+    - where the value is the default of the intended argument;
+    - for a name one letter from an argument that is not given, where the included file can't be evaluated to the end,
+      or includes something unknown, which may take it;
+    - where the include is never added, or every launch ends before, as it looks for a package that nothing here brings.
     """
     for places in context.together():
         first = places[0]
@@ -95,8 +100,8 @@ def message(mismatch: ArgumentMismatch) -> str:
             f"`{mismatch.file}`{of} declares `{mismatch.suggestion}`, and no `{mismatch.argument}`: unless a file that "
             f"it includes takes that, it has no effect; did you mean `{mismatch.suggestion}`?"
         )
-    meant = " or ".join(f"`{each}`" for each in (mismatch.suggestion, *mismatch.rivals))
-    hint = f"did you mean {meant}?" if mismatch.is_clear else "remove it, or declare it there"
+    intended = " or ".join(f"`{each}`" for each in (mismatch.suggestion, *mismatch.rivals))
+    hint = f"did you mean {intended}?" if mismatch.is_clear else "remove it, or declare it there"
     same = f", and nothing differs: it is the default of `{mismatch.suggestion}`" if mismatch.is_default else ""
     return (
         f"`{mismatch.file}`{of} takes no argument `{mismatch.argument}`: it has no effect{same}{mismatch.why}; {hint}"

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.told_arguments import TOLD, ConfigurationsAndPages
+from ...checks.launch.documented_arguments import DOCUMENTED, ConfigurationsAndPages
+from ...checks.launch.unset_configurations import unset
 from ...checks.launch.who_meets import why_unvisited
 from ...example import Example, manifest
 from ...finding import Hit, Severity
@@ -31,7 +32,7 @@ GOOD = """\
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "the launch ends before, at a package that nothing here brings, the action is off by default, "
-        "or each command that pages and comments tell gives the argument"
+        "or every command in documentation and comments gives the argument"
     },
     examples=(
         Example(
@@ -57,15 +58,15 @@ def late_argument(of: ConfigurationsAndPages) -> Iterator[Hit]:
     name may have set it. An argument without a default has to be given wherever it is declared: without it the launch
     stops before it begins, and given it is set from the start. Where the launch ends before, as it looks for a package
     that nothing here brings, or only an action uses it that is off by default, it is an info; so it is where pages,
-    scripts or the comments of the file tell how to start it, and each of these commands gives the argument.
+    scripts or the comments of the file show commands that start it, and each of these gives the argument.
     """
     configurations = of.configurations
-    for each in configurations.unset():
+    for each in unset(configurations):
         if each.state == "late":
             why = why_unvisited(configurations.file, each.span, configurations.workspace)
-            told = f", {TOLD}" if of.is_told(each.name) else ""
+            given = f", {DOCUMENTED}" if of.is_documented(each.name) else ""
             message = (
-                f"`{each.name}` is used before it is declared: unless given{told}, the launch stops "
+                f"`{each.name}` is used before it is declared: unless given{given}, the launch stops "
                 f"(\"launch configuration '{each.name}' does not exist\"){why and ', '}{why}; move the declaration up"
             )
-            yield Hit(configurations.file.path, each.span, message, Severity.INFO if why or told else None)
+            yield Hit(configurations.file.path, each.span, message, Severity.INFO if why or given else None)

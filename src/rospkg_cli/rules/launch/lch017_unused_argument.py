@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.unset_configurations import LaunchConfigurations
+from ...checks.launch.launch_configurations import LaunchConfigurations
+from ...checks.launch.unset_configurations import unused
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import Profile, rule
@@ -46,7 +47,7 @@ def unused_argument(configurations: LaunchConfigurations) -> Iterator[Hit]:
     Files that include others are left alone, since these see the arguments as well, and so are files that can't be
     evaluated to the end.
     """
-    for argument in configurations.unused():
+    for argument in unused(configurations):
         name = argument.name.literal
         message = f"nothing uses the launch argument `{name}`: setting it has no effect; use it, or remove it"
         yield Hit(configurations.file.path, argument.span, message)

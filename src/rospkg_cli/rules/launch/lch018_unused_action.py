@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.copied_actions import told_once
-from ...checks.launch.unset_configurations import LaunchConfigurations
+from ...checks.launch.copied_actions import reported_once
+from ...checks.launch.launch_configurations import LaunchConfigurations
 from ...checks.launch.unused_actions import UnusedAction
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
@@ -72,13 +72,14 @@ def unused_action(configurations: LaunchConfigurations) -> Iterator[Hit]:
     launch visits only what the launch description holds: the node is never started, and nothing says so.
 
     ## When it is quiet
-    A name that a comment mentions was taken out on purpose, and so was one that begins with `_`. Arguments whose use
-    LCH008 or LCH017 reports are left to these. What copies of a launch file have alike is one finding, at the first. It
-    is an info: many an action is left out on purpose. Where an event handler waits for it
-    (`OnProcessExit(target_action=…)`), and no comment mentions it, it is a warning: nothing that the handler holds
-    starts. Not so where the launch description holds all of that too.
+    It is an info, as many an action is left out on purpose; what copies of a launch file have alike is one finding, at
+    the first. It is a warning where an event handler waits for the action (`OnProcessExit(target_action=…)`) and no
+    comment mentions it: nothing that the handler holds starts, unless the launch description holds all of that too.
+
+    Left alone are names that a comment mentions or that begin with `_`, as they were taken out on purpose, and
+    arguments whose use LCH008 or LCH017 reports.
     """
-    for action, places in told_once(configurations):
+    for action, places in reported_once(configurations):
         message = f"{action.what} is made and never added to the launch description: {action.harm}"
         if action.again:
             message = f"line {action.again} gives {action.what} to something else before this is added: {action.harm}"

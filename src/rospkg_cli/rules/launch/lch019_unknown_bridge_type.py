@@ -52,10 +52,10 @@ def unknown_bridge_type(bridges: Bridges) -> Iterator[Hit]:
     """
     ## What it does
     Finds types that ros_gz_bridge can't take, in arguments of `parameter_bridge` and config files.
-    An argument is `topic@package/msg/Type`, and what stands for Gazebo behind `@`, `[` or `]`. In a config file a type
-    has to be written so as well; a direction that the bridge does not know is told, too, and `topic_name` beside
-    `ros_topic_name` or `gz_topic_name`. Two types in the wrong order, one alone, and two that are not made for each
-    other (`sensor_msgs/msg/Imu[gz.msgs.Imu`, which is `gz.msgs.IMU`) are no pair.
+    An argument is `topic@package/msg/Type`, followed by `@`, `[` or `]` and the type of Gazebo. In a config file a type
+    has to be written in the same way; a direction that the bridge does not know is reported too, and `topic_name`
+    together with `ros_topic_name` or `gz_topic_name`. Two types in the wrong order, one alone, and two that are not
+    made for each other (`sensor_msgs/msg/Imu[gz.msgs.Imu`, which is `gz.msgs.IMU`) are no pair.
 
     ## Why is this bad?
     The bridge says that it knows no such pair of types, and goes on without the topic.

@@ -26,7 +26,7 @@ BAD = """\
     over=LaunchFile,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "no launch argument that is used and not declared can be meant, an included file may declare "
+        Severity.INFO: "no other launch argument is used and not declared, an included file may declare "
         "it, or each use of it has that default"
     },
     examples=(
@@ -45,14 +45,14 @@ def repeated_argument(file: LaunchFile) -> Iterator[Hit]:
     Finds launch arguments that a file declares twice with different defaults.
 
     ## Why is this bad?
-    The first default stays, the second is never used, and launch says nothing. Often another name was meant, which is
-    then declared nowhere.
+    The first default stays, the second is never used, and launch says nothing. Often the second should have
+    another name, which is then declared nowhere.
 
     ## When it is quiet
     Declarations under a condition, in groups or functions that may not run, and with the same default or with one that
-    is not known are left alone. Where the other name stops the launch, LCH008 tells of it. It is an info where no other
-    name can be meant, where a file that is included may declare that one, and where each use of it has the second
-    default anyway.
+    is not known are left alone. Where the other name stops the launch, LCH008 reports it. It is an info where no other
+    name is used and not declared, where an included file may declare that name, and where each use of it has the
+    second default anyway.
     """
     first: dict[str, DeclaredArgument] = {}
     together = () if file.is_ros1 else declared_together(file)
@@ -63,18 +63,22 @@ def repeated_argument(file: LaunchFile) -> Iterator[Hit]:
         before = first.setdefault(name, argument)
         if before is argument or not differ(before.default, argument.default):
             continue
-        meant = meant_by(file, name)
-        if meant and is_told_as_undeclared(file, meant):
+        intended = intended_by(file, name)
+        if intended and is_reported_as_undeclared(file, intended):
             continue
         is_open = any(event.kind in ("open", "include") for event in file.events or ())
         unless = " here, unless a file that it includes does so" if is_open else ""
-        hint = f"; did you mean `{meant}`, which is used and not declared{unless}?" if meant else "; remove one of them"
-        is_same = meant is not None and is_default_of(file, meant, argument.default)
-        same = f", and nothing differs: each use of `{meant}` has it" if is_same else ""
+        hint = (
+            f"; did you mean `{intended}`, which is used and not declared{unless}?"
+            if intended
+            else "; remove one of them"
+        )
+        is_same = intended is not None and is_default_of(file, intended, argument.default)
+        same = f", and nothing differs: each use of `{intended}` has it" if is_same else ""
         text = f"the launch argument `{name}` is declared twice: this second default is never used{same}{hint}"
         again = (Related(file.path, before.span, "declared first"),)
         yield Hit(
-            file.path, argument.span, text, None if meant and not is_open and not is_same else Severity.INFO, again
+            file.path, argument.span, text, None if intended and not is_open and not is_same else Severity.INFO, again
         )
 
 
@@ -105,7 +109,7 @@ def is_default_of(file: LaunchFile, name: str, default: LaunchText | None) -> bo
     return default is not None and all(event.default is not None and event.default == default.literal for event in uses)
 
 
-def meant_by(file: LaunchFile, name: str) -> str | None:
+def intended_by(file: LaunchFile, name: str) -> str | None:
     """Return the one name nearly like this one that the file uses and never declares or sets."""
     events = file.events or ()
     set_here = {event.name for event in events if event.kind in ("declare", "define")}
@@ -114,7 +118,7 @@ def meant_by(file: LaunchFile, name: str) -> str | None:
     return near[0] if near else None
 
 
-def is_told_as_undeclared(file: LaunchFile, name: str) -> bool:
+def is_reported_as_undeclared(file: LaunchFile, name: str) -> bool:
     """Return whether the launch stops at a name, and everything that may set it is known."""
     uses = (event for event in file.events or () if event.kind == "use" and event.name == name)
     is_open = any(event.kind in ("open", "include") for event in file.events or ())

@@ -35,7 +35,7 @@ def generate_launch_description():
     over=DroppedPaths,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "it is a path that many machines have (`/tmp/…`), no file or folder is plainly meant, nothing "
+        Severity.INFO: "it is a path that many machines have (`/tmp/…`), no file or folder fits the rest, nothing "
         "installs the file, no program is shown to come there, or a launch file does not use what is made of the path"
     },
     examples=(
@@ -54,13 +54,13 @@ def dropped_path(paths: DroppedPaths) -> Iterator[Hit]:
 
     ## Why is this bad?
     Such a part is a path from the root: what stands before it is dropped without a word, and
-    `os.path.join(share, '/config/robot.yaml')` is `/config/robot.yaml`, which nobody has.
+    `os.path.join(share, '/config/robot.yaml')` is `/config/robot.yaml`, which no machine has.
 
     ## When it is quiet
-    Where the path begins with what stands before it, or that is unpacked with `*`. Where setup.py installs something is
-    SET208's. In a launch file it is an info where nothing adds the action, or reads the local variable or the argument,
-    that the path is for. In other code it is one where no program is shown to come to the line, and where it may be the
-    name of a topic (`os.path.join(namespace, '/cmd_vel')`).
+    Left alone are paths that begin with what stands before them, and parts that are unpacked with `*`. Where setup.py
+    installs something, SET208 reports it. In a launch file it is an info where nothing adds the action that the path is
+    for, or reads the local variable or the argument. In other code it is one where no program is shown to run the line,
+    and where the path may be the name of a topic (`os.path.join(namespace, '/cmd_vel')`).
     """
     for each in paths.all:
         how = "`/`" if each.by == "/" else f"`{each.by}`"

@@ -68,9 +68,9 @@ def invalid_node_arguments(started: StartedPrograms) -> Iterator[Hit]:
     controller is not started. A period at the end was right in ROS 1: "Failed to parse qw argument as float".
 
     ## When it is quiet
-    Where the words are not all known, a value of an argument is one word that may be right. Options are those of all
-    supported distributions, and may be shortened where argparse takes that. What is given to ROS, behind `--ros-args`,
-    is left alone, and so are a program of the workspace, and flags of `create` in a test (`launch_testing`).
+    Left alone are programs of the workspace, arguments for ROS (behind `--ros-args`), and flags of `create` in a test
+    (`launch_testing`). Options of any supported distribution count as known, also shortened where argparse takes that.
+    Where the words are not all known, a value of an argument is one word that may be right.
     """
     for fault in started.faults():
         softer, why = level_met(started.file, fault.span, started.workspace)

@@ -40,7 +40,7 @@ HANDED = {
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "launch files, code or a page name the file, and none is shown to give it to a node",
-        Severity.INFO: "nothing names the file, nobody starts the nodes that get it, or code parses it itself",
+        Severity.INFO: "nothing names the file, the nodes that get it are never started, or code parses it itself",
     },
     examples=(
         Example(
@@ -69,11 +69,12 @@ def missing_ros_parameters(scope: RefusedValues) -> Iterator[Hit]:
 
     ## When it is quiet
     Only YAML files that hold a block of parameters (perhaps misspelt), begin with `/**:`, or are passed to a node by a
-    launch file are read; those of tests, and templates, are not. Where a launch file parses the file itself
-    (`yaml.safe_load`) and gives no node its path, a block without the key may be for something else; nothing is said of
-    a file that only code opens: launch for single values of it, or a program by a parser of its own. It is an error
-    only where a launch file of the workspace gives a node the file by its path, and an info where nothing of the
-    workspace names the file, or gives it to nodes alone that nobody starts.
+    launch file are read; tests and templates are not. Where a launch file parses the file itself (`yaml.safe_load`) and
+    gives no node its path, a block without the key may be for something else. Nothing is reported in a file that only
+    code opens: launch for single values of it, or a program by a parser of its own.
+
+    It is an error only where a launch file of the workspace gives a node the file by its path. It is an info where
+    nothing of the workspace names the file, or only nodes get it that are never started.
 
     ## Fix safety
     The fix of the spelling is safe. A missing `ros__parameters:` is added above all that the block holds, which is

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.params import displaced_blocks as displaced
 from ...checks.params.costmap_faults import costmap_faults
+from ...checks.params.misnamed_blocks import misnamed_blocks, mistyped_blocks_of
 from ...checks.params.spawn_faults import spawn_faults
 from ...checks.params.unread_blocks import NodeBlocks, shown_block, shown_readers
 from ...edits.fault_hits import hits
@@ -45,7 +46,7 @@ controller_manager:
     severity=Severity.WARNING,
     levels={
         Severity.INFO: "a default gives the node its name, nothing names the file, several nodes get it, another one "
-        "may be meant, the block holds defaults alone, or the launch file is not installed or adds no node"
+        "may be intended, the block holds defaults alone, or the launch file is not installed or adds no node"
     },
     examples=(
         Example(
@@ -82,34 +83,37 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     several nodes, none of which reads it.
 
     It also finds blocks that have nearly the name of a controller that the same file gives `controller_manager`, or of
-    a node that everybody uses (`controller_manager`, those of nav2), and that has no block there; blocks with the name
+    a well-known node (`controller_manager`, those of nav2), and that has no block there; blocks with the name
     of an executable that is started under another name; and blocks of a node that is started in another namespace:
     `talker` is `/talker` alone; and controllers that are spawned under nearly the name of one that has a type. The
-    costmaps of nav2 are in namespaces that have their names: `local_costmap` alone is no node, where the block of the
-    server that makes it stands beside.
+    costmaps of nav2 are in namespaces that have their names: `local_costmap` alone is no node, if the file has the
+    block of the server that makes it.
 
     ## Why is this bad?
     rcl goes by the node's name, as the launch file gives it, and ignores all other blocks without a warning: the node
     runs with its defaults.
 
     ## When it is quiet
-    Files that only code opens (launch for single values, a program by its own parser), and blocks of nodes that any
-    launch file here starts are left alone, and those of several whose name is like that of no node which lacks one:
+    Left alone are files that only code opens (launch for single values, a program by its own parser), blocks of nodes
+    that any launch file here starts, and, of several blocks, those whose name is like that of no node which lacks one:
     nodes that other packages start may read them. So are names that differ by a number, and nodes inside of a process
-    that is given the file: what a container or ros2_control_node loads, the costmap in a server of nav2. It is an info
-    where another node may be meant: code, a page, or a launch file in a comment, names one so; the program is of a
-    package that is not here; several blocks or nodes are left over; another package names the file. It is one where the
-    only launch files that give the file to a node are not installed or are laid aside, or nothing adds the action that
-    starts the node; where a block holds no more than defaults (false, 0 or empty where they are not known); for one of
-    several namespaces for a node's name, as the launch file chooses; where a spawner is given a type or a file; and
-    where a comment says that nothing reads the block.
+    that is given the file: what a container or ros2_control_node loads, the costmap in a server of nav2.
+
+    It is an info
+
+    - where another node may be intended: code, a page, or a launch file in a comment, gives a node that name; its
+      program is of a package that is not here; several blocks or nodes are left; or another package names the file;
+    - where the only launch files that give the file to a node are not installed or laid aside, or the action is never
+      added;
+    - where the block holds no more than defaults (false, 0 or empty where they are not known), a comment says that
+      nothing reads it, the launch file chooses among several namespaces, or a spawner is given a type or a file.
 
     ## Fix safety
     The file may be for another node as well, one that is started elsewhere.
     """
     if not (launched := scope.launched).is_whole:
         return
-    for file, block, readers in launched.misnamed():
+    for file, block, readers in misnamed_blocks(launched):
         names = sorted({each.known_name or "" for each in readers})
         is_named = len(names) == 1 and all(each.name or each.in_code for each in readers)
         same, may = scope.lost_nothing(block, readers), scope.why_not_sure(file, block, readers)
@@ -117,20 +121,20 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
         level = None if is_sure and any(map(scope.readers.is_met, readers)) else Severity.INFO
         where = tuple(Related(each.launch.path, each.node.span, "the node") for each in readers)
         fix = renaming(file, block, names[0]) if len(names) == 1 and not may else None
-        told = f"{shown_block(block, may)}: {shown_readers(readers[0], names)}{may or same}"
-        yield Hit(file.path, block.key.span, told, level, where, fix)
+        message = f"{shown_block(block, may)}: {shown_readers(readers[0], names)}{may or same}"
+        yield Hit(file.path, block.key.span, message, level, where, fix)
     for file, block, given in displaced.displaced_blocks(launched):
         same, may = scope.lost_nothing(block, [given]), displaced.why_not(launched, file, block)
         where = (Related(given.launch.path, given.node.span, "the node"),)
         level = None if scope.readers.is_met(given) and not (may or same) else Severity.INFO
-        yield Hit(file.path, block.key.span, displaced.told_of(block, given) + (may or same), level, where)
+        yield Hit(file.path, block.key.span, displaced.displaced_message(block, given) + (may or same), level, where)
     for path, fault in (*spawn_faults(launched), *costmap_faults(scope.readers)):
         yield from hits(path, [fault])
-    for file, wrong in launched.mistyped():
+    for file, wrong in mistyped_blocks_of(launched):
         same = scope.lost_nothing_of(file, wrong)
         message = f"no node is called `{wrong.block.key.text}`: {wrong.owner} and runs with its defaults{same}"
         level = Severity.INFO if same or scope.readers.is_unopened(file) else None
-        yield Hit(file.path, wrong.block.key.span, message, level, fix=renaming(file, wrong.block, wrong.meant))
+        yield Hit(file.path, wrong.block.key.span, message, level, fix=renaming(file, wrong.block, wrong.intended))
     for file, block, name in scope.unread():
         message = f"no node is called `{block.key.text}`: this package's is `{name}`, and never reads the block"
         yield Hit(file.path, block.key.span, message, Severity.INFO, fix=renaming(file, block, name))

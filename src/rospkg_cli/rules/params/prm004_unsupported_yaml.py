@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.rcl_validation import EMPTY_LIST, rcl_faults
+from ...checks.params.rcl_validation import rcl_faults
+from ...checks.params.rcl_values import EMPTY_LIST
 from ...checks.params.refused_values import RefusedValues
 from ...edits.fault_hits import hits
 from ...example import Example, manifest
@@ -45,8 +46,8 @@ def example(bad: str, good: str) -> Example:
     levels={
         Severity.WARNING: "a list is empty, at which only C++ nodes stop, rcl reads past the mappings in a list, or "
         "launch files, code or a page name the file, and none is shown to give it to a node",
-        Severity.INFO: "nothing names the file, nobody starts the nodes that get it, components alone do, or a list is "
-        "empty in a block that no C++ node is shown to read",
+        Severity.INFO: "nothing names the file, the nodes that get it are never started, components alone do, or a "
+        "list is empty in a block that no C++ node is shown to read",
     },
     examples=(
         example("    limits: [1, «2.5»]\n", "    limits: [1.0, 2.5]\n"),
@@ -71,19 +72,29 @@ def unsupported_yaml(scope: RefusedValues) -> Iterator[Hit]:
     something else. At an empty list a C++ node throws "No parameter value set".
 
     ## When it is quiet
-    Files without `ros__parameters` that no launch file passes to a node may hold any YAML, and so may those that a
-    launch file parses itself, to hand on values (and what a `RewrittenYaml`, as nav2_bringup has one for its
-    `params_file`, fills in, or an alias of plain values that it writes out), or that only code names and parses. rcl
-    takes a list of mappings with one key each (`- a: 1`), and makes parameters of it. Other mappings in a list are a
-    warning where all that stands in them is of one type, as keys and quoted numbers are (`- name: a`, `type: b`): rcl
-    reads past them, the node starts, and the list is not set. An empty list is a warning: a Python node takes it;
-    nothing is said of it where launch files give the file to such nodes alone (of a Python package, or an executable
-    `*.py`); it is an info where no node in C++ that is started is shown to read the block: one that is given the file,
-    or has the block's name, and not of a package that is neither here nor released. All of a file is a warning that no
-    launch file of the workspace gives a node by its path; where they give it to components alone, which get it as
-    PyYAML reads it, all but empty lists is an info. Of a file that no launch file, program or README of the workspace
-    names, or that goes to nodes alone which nobody starts (of a launch file that is not installed, or never added), it
-    is an info.
+    Left alone are
+
+    - files without `ros__parameters` that no launch file passes to a node, which may hold any YAML;
+    - files that only code names and parses, or that a launch file parses itself, to hand on values; and what a
+      `RewrittenYaml`, as nav2_bringup has one for its `params_file`, fills in, or an alias of plain values that it
+      writes out;
+    - lists of mappings with one key each (`- a: 1`), of which rcl makes parameters;
+    - empty lists that launch files give only to nodes in Python (of a Python package, or an executable `*.py`).
+
+    It is a warning
+
+    - for other mappings in a list where all that stands in them is of one type, as keys and quoted numbers are (`-
+      name: a`, `type: b`): rcl reads past them, the node starts, and the list is not set;
+    - for an empty list, which a Python node takes;
+    - for all of a file that no launch file of the workspace gives a node by its path.
+
+    It is an info
+
+    - for an empty list in a block that no C++ node is shown to read: one that is started, is given the file or has the
+      block's name, and is of a package that is here or released;
+    - for all but empty lists where launch files give the file to components alone, which get it as PyYAML reads it;
+    - where no launch file, program or README of the workspace names the file, or only nodes get it that are never
+      started (their launch file is not installed, or their action never added).
 
     ## References
     ros2/rcl: rcl_yaml_param_parser/src/parse.c; ros2/rclcpp: parameter_map.cpp

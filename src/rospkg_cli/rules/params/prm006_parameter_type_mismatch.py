@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.params.declaring_packages import given_type
 from ...checks.params.differing_numbers import differing_numbers
 from ...checks.params.idle_nodes import level_of, may_start
 from ...checks.params.mistyped_known import MistypedValues, mistyped_known
 from ...checks.params.mistyped_launched import article, mistyped_launched, what_stops
+from ...checks.params.rcl_types import given_type
 from ...edits.double_numbers import INTEGERS, as_double, known_as_double
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Safety, Severity
@@ -79,7 +79,7 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     ## What it does
     Finds values in a parameter file whose type differs from the declared type.
     Types are declared by `declare_parameter` and its like in C++ and Python, and by definitions for
-    generate_parameter_library. Those of packages that everybody uses (nav2, ros2_control, slam_toolbox,
+    generate_parameter_library. Those of well-known packages (nav2, ros2_control, slam_toolbox,
     robot_localization and others) are known without their sources. Values in launch files are compared likewise, with
     the defaults of arguments, and the texts that `perform` returns in Python, as YAML makes no number of these. Where a
     type is not known, and another file of the package gives the same node a double for an int, that is an info.
@@ -89,30 +89,30 @@ def parameter_type_mismatch(scope: MistypedValues) -> Iterator[Hit]:
     "parameter 'rate' has invalid type".
 
     ## When it is quiet
-    A block belongs to a package that declares most of its names: to this one, to one that it depends on, or by at least
-    three names. Where declarations differ, a type is not known, a launch file or script fills the value in, or only
-    code opens the file, nothing is said, nor where releases of a well-known package differ; what Humble lacks yet is an
-    info, unless pages name newer distributions alone. Where pages and scripts name Foxy alone, which takes any type,
-    only types of well-known packages are told, as an info; where other pages or names of files do, all is an info.
-    Where nothing names the file but an argument that no launch file takes, nothing adds the action that starts the
-    node, launch files replace the value, no node that is started (and configured) reads the block, code declares what
-    only ends so (`prefix + '.x'`), no list of the block has the plugin, or only the name of one tells the package, it
-    is an info; nav2's nodes are known by several blocks. Launch files for ROS 1 (LCH006) are left alone.
+    A block belongs to the package that declares most of its names: this one, one that it depends on, or any by at least
+    three names. Nothing is reported where declarations differ, also between releases of a well-known package, where a
+    type is not known, a launch file or script fills the value in, or only code opens the file. What Humble lacks yet is
+    an info, unless pages name newer distributions alone. Where pages and scripts name Foxy alone, which takes any type,
+    only types of well-known packages are reported, as an info; where other pages or names of files do, all is an info.
+    It is an info, too, where nothing names the file but an argument that no launch file takes; nothing adds the action
+    that starts the node; launch files replace the value; no node that is started (and configured) reads the block; code
+    declares what only ends so (`prefix + '.x'`); no list of the block has the plugin; or only the name of the block
+    shows its package (those of nav2 are known by several blocks). Launch files for ROS 1 (LCH006) are left alone.
     """
-    told, is_old = set(), scope.distribution.is_named_alone
+    reported, is_old = set(), scope.distribution.is_named_alone
     for group in () if is_old else scope.given.groups():
         for parameter in group.parameters:
             given, wanted = given_type(parameter.value), group.wanted_type(parameter)
             if wanted is not None and given and given != wanted[0]:
                 message = f"`{parameter.name}` is declared as {wanted[0]} in `{wanted[1].path}`"
                 fix = as_double(group.file.path, parameter) if (given, wanted[0]) in INTEGERS else None
-                told.add(place := (group.file.path, parameter.value.span))
+                reported.add(place := (group.file.path, parameter.value.span))
                 foxy = FOXY if scope.distribution.is_for_older(group.file.path) else ""
                 what = f"{message}: {article(given)} stops the node when it starts{foxy}; write {article(wanted[0])}"
                 is_mild = foxy or wanted[1].tail or scope.readers.is_idle(*place)
                 yield Hit(*place, what, Severity.INFO if is_mild else None, fix=fix)
     for each in mistyped_known(scope.known):
-        if (each.path, each.value.value) not in told:
+        if (each.path, each.value.value) not in reported:
             message = f"`{each.value.name}` is declared as {each.wanted} by `{each.package}`"
             fix = known_as_double(each) if (each.value.type, each.wanted) in INTEGERS else None
             given = f"{article(each.value.type)} stops the {each.kind} when it starts"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ...checks.params.idle_nodes import level_of, start_of
-from ...checks.params.missing_parameters import MissingParameters
+from ...checks.params.missing_parameters import MissingParameters, missing_parameters
 from ...checks.params.needed_parameters import needed_faults
 from ...checks.params.plugin_faults import plugin_faults
 from ...edits.fault_hits import hits
@@ -100,18 +100,21 @@ def missing_parameter(scope: MissingParameters) -> Iterator[Hit]:
     The node stops when it starts: "Statically typed parameter 'rate' must be initialized".
 
     ## When it is quiet
-    A node that is given values which can't be evaluated, or a file that is not here, may have all that it needs; so may
-    one with parameters on its command line, or behind a SetParameter. So may one whose declaration has a default, lies
-    behind a condition or in a `try`, or in a function that is called so, and one whose program gives itself values. In
-    nav2, a list that is the default one brings its types. A launch file that ROS 2 refuses for what it has of ROS 1
-    starts no node (LCH006). Lists of plugins in a file that is called as being for Foxy or another unsupported
-    distribution had other names there; in a repository for such alone what they lack is an info. Where nobody starts
-    the node, or no node that is started reads the block, it is an info; so it is behind the place where every launch
-    ends, as it looks for a package that is neither here, nor released, nor in a repository that is listed.
+    Left alone are
+
+    - nodes that are given values which can't be evaluated, or a file that is not here, nodes with parameters on their
+      command line or behind a SetParameter, and programs that give values to their own nodes;
+    - parameters whose declaration has a default, or stands under a condition, in a `try`, or in a
+      function that is called so;
+    - the default list of plugins in nav2, which brings its types, and launch files that ROS 2 refuses (LCH006).
+
+    It is an info where the node is never started, no node that is started reads the block, or every launch ends before,
+    as it looks for a package that is neither here, nor released, nor in a listed repository. Lists of plugins had other
+    names before Humble: in a file or a repository for unsupported distributions alone, what they lack is an info.
     """
     if not scope.launched.is_whole:
         return
-    for given, missing in scope.launched.missing():
+    for given, missing in missing_parameters(scope.launched):
         started = given.node.executable or given.node.plugin
         if started is not None:
             names, code = listed([one.name for one in missing]), missing[0].path

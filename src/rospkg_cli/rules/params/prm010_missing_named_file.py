@@ -55,7 +55,7 @@ def missing_named_file(scope: NamedFiles) -> Iterator[Hit]:
     """
     ## What it does
     Finds files that maps and parameter files name, and that do not exist.
-    The `image` of a map stands beside it; a value such as `$(find-pkg-share my_pkg)/trees/a.xml` or
+    The `image` of a map is looked for in its folder; a value such as `$(find-pkg-share my_pkg)/trees/a.xml` or
     `package://my_pkg/trees/a.xml` is looked for in what this package, or another one of the workspace, installs.
 
     ## Why is this bad?
@@ -63,17 +63,21 @@ def missing_named_file(scope: NamedFiles) -> Iterator[Hit]:
     here, too.
 
     ## When it is quiet
-    Files that git ignores, that the build or the package's own code writes, or that lie in a submodule, are left alone,
-    and so are packages of which not all is known that they install. What is there and not installed is told by others.
-    In a package of tests, a file that nothing names is left alone, too. It is an info where nothing names the map, nor
-    starts nav2 or a map server and names its folder, and where neither code of the workspace nor a well-known node is
-    shown to read the parameter by its key. So it is where programs alone name the map, none of them near a map server,
-    and they name a picture of their own, or parse the map and never ask for its `image`. It is one where people bring
-    what is missing: a page or a script has it fetched, saved or copied there by its name, an archive of its name is
-    beside, or its folder, for what people make (`maps`, `calibration`, `data`), holds nothing but a `.gitkeep` or a
-    README, or where a comment has them write their own name (`# change this to your map`). And it is one for a trained
-    model or a recording of a kind that the package has none of, and where the parameter says that a node writes the
-    file (`output_file`, `log_path`).
+    Left alone are files that git ignores, that the build or the package's own code writes, or that a submodule brings;
+    packages of which not all is known that they install; and, in a package of tests, files that nothing names. Other
+    rules report a file that is there and not installed.
+
+    It is an info
+
+    - where nothing names the map, or starts nav2 or a map server and names the map's folder;
+    - where only programs name the map, none of them near a map server, and they name a picture of their own, or parse
+      the map and never ask for its `image`;
+    - where neither code of the workspace nor a well-known node is shown to read the parameter by its key;
+    - where people bring the file: a page or a script fetches, saves or copies it there by its name, an archive of its
+      name is in the folder, the folder is one that people fill (`maps`, `calibration`, `data`) and has nothing but a
+      `.gitkeep` or a README, or a comment asks for another name (`# change this to your map`);
+    - for a trained model or a recording of a kind that the package has none of, and where the parameter says that a
+      node writes the file (`output_file`, `log_path`).
     """
     for path, fault in scope.faults():
         yield from hits(path, [fault])

@@ -1,4 +1,4 @@
-"""What is meant by a name of a Python launch file that nothing defines."""
+"""Suggestions for names in Python launch files that nothing defines (LCH013)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Comparisons that are for plain values alone: the code beside them sees to substitutions (LCH014)."""
+"""Comparisons for plain values only, where the code around them handles launch substitutions itself (LCH014)."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from ...languages.python.nodes import FunctionNode, functions_of, last_name, nod
 from ...package.launch.evaluated_launch import SubstitutionUse
 
 ASKS = frozenset({"isinstance", "hasattr", "type"})
-"""What tells of which kind a value is."""
+"""Functions that ask for the type of a value."""
 LEAVES = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
 
-def is_told_apart(use: SubstitutionUse, file: PythonFile) -> bool:
-    """Return whether a substitution that is compared is performed where the comparison does not decide.
+def is_guarded(use: SubstitutionUse, file: PythonFile) -> bool:
+    """Return whether the code performs a substitution where comparing it does not decide.
 
-    A helper may take `True` as well as a substitution: `param == True or param.perform(context) == 'true'`. What the
-    file itself makes a substitution is none of these, and only such an `or` makes up for its comparison.
+    A helper may take `True` as well as a substitution: `param == True or param.perform(context) == 'true'`. For a
+    value that the file itself makes a substitution, only such an `or` counts.
     """
     for node in nodes_of_kind(file.tree, ast.Compare):
         if file.span(node) == use.span:
@@ -36,7 +36,7 @@ def is_made_up_for(compared: ast.Compare, name: str, use: SubstitutionUse, file:
 
 
 def is_for_plain_values(compared: ast.Compare, name: str, use: SubstitutionUse, file: PythonFile) -> bool:
-    """Return whether a function asks of which kind its own value is, or performs it where it is unlike the other."""
+    """Return whether a function asks for the type of its own value, or performs it where it differs from the other."""
     around = [each for each in functions_of(file.tree) if compared in nodes_of(each)]
     if not around:
         return False
@@ -60,7 +60,7 @@ def is_made_here(name: str, use: SubstitutionUse, file: PythonFile) -> bool:
 
 
 def reached(compared: ast.Compare, operator: str, function: FunctionNode) -> Iterator[ast.AST]:
-    """Yield what Python comes to only where the things that are compared are unlike."""
+    """Yield the nodes that Python reaches only where the two compared values differ."""
     for node in nodes_of(function):
         if not isinstance(node, ast.If | ast.IfExp) or compared not in nodes_of(node.test):
             continue

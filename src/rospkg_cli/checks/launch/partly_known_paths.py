@@ -1,4 +1,4 @@
-"""Paths of which launch alone knows a part, and that no file fits, whatever the part may be: `maps/….yaml`."""
+"""Paths of which a part is known only when launch runs, and that no file fits: `maps/….yaml` (LCH003)."""
 
 from __future__ import annotations
 
@@ -7,16 +7,17 @@ import re
 from collections.abc import Collection, Iterator
 
 from ...files import PackageFiles
-from ...package.launch.file_references import OPEN, FileReference
+from ...package.launch.file_references import FileReference
+from ...package.launch.joined_path import OPEN
 from ...package.package_facts import PackageFacts
 
 ANYTHING = "x"
-"""Stands for what is not known, where a path is asked for."""
+"""Takes the place of the unknown part where a function needs a whole path."""
 MARKS = "_-."
 
 
 def fits_nothing(named: FileReference, facts: PackageFacts, files: PackageFiles, *, own: bool) -> bool:
-    """Return whether files are where a path looks for one, and none of them is called as it may be."""
+    """Return whether the folder of a path has files, and none of them fits it, whatever its unknown part is."""
     sample = named.path.replace(OPEN, ANYTHING)
     if not named.has_slash or not facts.knows("share_files") or facts.may_write(sample):
         return False
@@ -32,8 +33,11 @@ def pattern_of(path: str) -> re.Pattern[str]:
     return re.compile(".*".join(map(re.escape, path.split(OPEN))))
 
 
-def meant(path: str, known: Collection[str]) -> str | None:
-    """Return the path with the name of the files that are there without what stands before it: `mapping.yaml`."""
+def closest_to_known_part(path: str, known: Collection[str]) -> str | None:
+    """Return a path with the only name in its folder that ends as its known end does; None for none or several.
+
+    For `maps/…_map.yaml`, where `maps` has `map.yaml` alone, that is `maps/map.yaml`.
+    """
     folder, name = posixpath.split(path)
     end = name.rpartition(OPEN)[2].lstrip(MARKS)
     names = set(named_alike(pattern_of(folder), end, known))

@@ -1,4 +1,4 @@
-"""Paths of which only the launch knows a part: told where no file may be meant."""
+"""Paths of which a part is known only when launch runs: reported where no file fits."""
 
 from __future__ import annotations
 
