@@ -56,7 +56,7 @@ def test_what_lacks_the_files_of_an_empty_glob(lines: str, level: str) -> None:
 def test_a_command_that_is_defined_anew_to_do_the_same(lines: str, level: str) -> None:
     (text,) = said(package(lines), "CMK116")
     assert text.startswith(f"{level}: ")
-    assert ("which may be meant" in text) == (level == "info")
+    assert ("which may be intended" in text) == (level == "info")
 
 
 CONFIG = (

@@ -141,7 +141,7 @@ def test_a_program_of_its_name_is_made_of_other_files(target: str, is_beside: bo
     files = {"src/spare_node.cpp": NODE, "README.md": page, "src/spare.cpp": NODE}
     found = lint_files({**package(target), **files}, ["CMK202"]).findings
     (told,) = [each for each in found if each.location.path == "src/spare.cpp"]
-    assert ("a leftover beside the target `spare`" in told.message) == is_beside
+    assert ("there is the target `spare`" in told.message) == is_beside
     assert ("finds nothing" in told.message) != is_beside
     assert told.severity.value == ("warning" if page and not is_beside else "info")
 

@@ -10,8 +10,8 @@ from ..languages.cmake.evaluated_command import EvaluatedCommand
 from ..languages.cmake.values import UNKNOWN
 from ..ros.share_layout import FOLDERS
 from .cmake.cmake_project import CMake
+from .cmake.intended_paths import intended_paths
 from .cmake.made_paths import files_written_by
-from .cmake.meant_paths import meant_paths
 from .cmake.referenced_paths import ReferencedPaths
 from .install_table import InstallTable
 
@@ -41,7 +41,7 @@ def made_files(reading: ReaderInput) -> frozenset[str]:
     named = ReferencedPaths(cmake)
     texts = [text for call in named.made.calls for text in made_by(call)]
     texts += [each.path for each in named.absent() if each.use == "install"]
-    texts += meant_paths(cmake)
+    texts += intended_paths(cmake)
     names = {posixpath.basename(text).replace(UNKNOWN, "*") for text in texts}
     folders = {f"*{posixpath.basename(each.path)}/*" for each in named.absent() if each.use == "folder"}
     return frozenset(name for name in names if name.strip("*.") and not name.endswith(CODE)) | folders

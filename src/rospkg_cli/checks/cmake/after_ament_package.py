@@ -48,7 +48,7 @@ class MisplacedCommand:
     end: EvaluatedCommand
     consequence: str
     unmissed: str = ""
-    """Why nothing is lost: nobody reads what the call says, or another call says it in time; "" where it is."""
+    """Why nothing is lost: nothing reads what the call registers, or another call does so in time; "" where it is."""
 
     @property
     def only_linters(self) -> bool:
@@ -74,9 +74,9 @@ def commands_after_ament_package(cmake: CMake) -> Iterator[MisplacedCommand]:
 
 
 def unmissed(call: EvaluatedCommand, before: Sequence[EvaluatedCommand]) -> str:
-    """Return why nobody misses what a call registers too late; "" where it may be missed."""
+    """Return why nothing is lost with what a call registers too late; "" where something may be."""
     if call.name == DESCRIBES and call.texts[:1] == (COMPONENTS,):
-        return "nobody looks for it, as containers load what `rclcpp_components_register_node` registers"
+        return "nothing looks for it, as containers load what `rclcpp_components_register_node` registers"
     said = [each for each in before if each.name == call.name and is_sure(each)]
     is_said = call.name in REGISTERS and any(each.texts == call.texts for each in said)
     return "the same call stands above in time" if is_said else ""

@@ -1,4 +1,4 @@
-"""Branches of CMake that only a build with catkin takes, beside one for ament of the same `if`."""
+"""Branches of CMake that only a build with catkin takes, where another branch of the same `if` is for ament."""
 
 from __future__ import annotations
 

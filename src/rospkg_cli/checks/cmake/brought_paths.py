@@ -30,7 +30,7 @@ class BroughtPaths:
     """How pages outside may call the folder of the package."""
 
     def why_left(self, use: Use, paths: list[str]) -> str:
-        """Return why nobody who does as a page says misses some paths of one use; "" where somebody may."""
+        """Return why some paths of one use exist for all who follow a page; "" where they may be missing."""
         return UNTIL_MADE if paths and all(self.is_brought(use, each) for each in paths) else ""
 
     def is_brought(self, use: Use, path: str) -> bool:

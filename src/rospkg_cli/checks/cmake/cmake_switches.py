@@ -1,4 +1,4 @@
-"""The switches of a CMakeLists.txt: what commands set them to, and whether a page tells people to turn one on."""
+"""Switches of a CMakeLists.txt (options, variables): whether a command, a page or a script turns one on."""
 
 from __future__ import annotations
 
@@ -42,10 +42,10 @@ class CMakeSwitches:
     cmake: CMake
 
     def is_left_off(self, name: str) -> bool:
-        """Return whether nobody turns a switch on here: no command, page or script."""
-        return self.is_turned_on_by_nobody(name) and not self.is_told(name)
+        """Return whether no command, page or script here turns a switch on."""
+        return self.is_off_in_commands(name) and not self.is_on_in_pages(name)
 
-    def is_turned_on_by_nobody(self, name: str) -> bool:
+    def is_off_in_commands(self, name: str) -> bool:
         """Return whether all commands that set a name are options that are off, or there is none.
 
         Where there is no option, what does not look like a switch may be set by a package that is found.
@@ -56,10 +56,8 @@ class CMakeSwitches:
         is_known = bool(values) or SWITCH.fullmatch(name) is not None
         return is_known and all(value in ((), *FIXED) for value in values) and name not in self.named
 
-    def is_told(self, name: str) -> bool:
-        """Return whether a page, a script or a workflow tells people to turn a switch on: a line that has the name and
-        does not say that it is off.
-        """
+    def is_on_in_pages(self, name: str) -> bool:
+        """Return whether a page, a script or a workflow turns a switch on: a line has its name and not off."""
         lines = re.compile(rf"(?m)^.*(?:-D|(?<!\w)){name}(?!\w).*$")
         files = self.cmake.package_files
         own = (files.readable_text(path) for path in PRESETS if path in files.paths)

@@ -13,8 +13,8 @@ from ...package.cmake.install_rule import InstallRule
 from .misplaced_files import MisplacedFiles
 
 
-def astray(package: CMakePackage) -> Iterator[tuple[Word, str]]:
-    """Yield what lands beside the folders of packages, or below one of its own name, with what is said of it."""
+def misplaced_folders(package: CMakePackage) -> Iterator[tuple[Word, str]]:
+    """Yield what is installed next to the folders of packages, or into a folder of its own name, with a message."""
     name = package.facts.name
     yield from ((each.word, each.sentence(name)) for each in MisplacedFiles(package).all())
     for word, folder in DoubledFolders(package).all():
@@ -35,7 +35,7 @@ class DoubledFolders:
             for word in rule.items if rule.kind == "DIRECTORY" and not rule.call.maybe else ():
                 own = [copy for other, copy in copies if other is rule and copy.item is word]
                 name = posixpath.basename(word.text)
-                if own and self.is_doubled(rule, name, word) and not self.is_meant(name, own, copies):
+                if own and self.is_doubled(rule, name, word) and not self.is_intended(name, own, copies):
                     yield word, name
 
     def is_doubled(self, rule: InstallRule, name: str, word: Word) -> bool:
@@ -43,8 +43,8 @@ class DoubledFolders:
         is_known = bool(name) and UNKNOWN not in word.text and not word.maybe
         return is_known and place == f"share/{self.package.facts.name}/{name}"
 
-    def is_meant(self, name: str, own: list[CopiedFile], copies: list[tuple[InstallRule, CopiedFile]]) -> bool:
-        """Return whether other rules install a file too, or a launch file names it: LCH004 tells of it there."""
+    def is_intended(self, name: str, own: list[CopiedFile], copies: list[tuple[InstallRule, CopiedFile]]) -> bool:
+        """Return whether other rules install a file too, or a launch file names it, which LCH004 reports."""
         sources = [copy.source for _, copy in copies]
         texts = [each for each in MisplacedFiles(self.package).launch_texts if self.package.facts.name in each]
         named = (f"{name}/{name}", *(posixpath.basename(copy.source) for copy in own))

@@ -34,7 +34,7 @@ WITH_VALUE = frozenset({"RELATIVE", "LIST_DIRECTORIES"})
 class EmptyGlob:
     word: Word
     variable: str
-    meant: str
+    near: str
     """The pattern that matches, relative to the folder of the CMake file."""
     is_needed: bool = True
     """Whether something is made of these files alone: without them CMake stops."""
@@ -54,8 +54,8 @@ class EmptyGlobs:
             if path is None or not path.endswith(READ) or "*" not in path or "[" in path or self.is_found(call, path):
                 continue
             if not self.cmake.package_files.absent.is_expected(path) and (folder := self.holding(path)) is not None:
-                meant = posixpath.join(posixpath.relpath(folder or ".", call.folder or "."), posixpath.basename(path))
-                yield EmptyGlob(patterns[0], call.texts[1], meant.removeprefix("./"), self.is_needed(call.texts[1]))
+                near = posixpath.join(posixpath.relpath(folder or ".", call.folder or "."), posixpath.basename(path))
+                yield EmptyGlob(patterns[0], call.texts[1], near.removeprefix("./"), self.is_needed(call.texts[1]))
 
     def is_needed(self, variable: str) -> bool:
         """Return whether a command makes something of what a variable holds and of nothing else but headers."""

@@ -1,4 +1,4 @@
-"""Components of Boost that an exported target hands on, and that nobody asks for on behalf of its users (CMK113)."""
+"""Components of Boost that an exported target links, and that users of it do not find (CMK113)."""
 
 from __future__ import annotations
 

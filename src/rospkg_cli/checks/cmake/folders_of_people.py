@@ -17,15 +17,15 @@ BRINGS = (
     r"[ \t\"'{1}]{0}(?:/[^\s\"'`]*)?[\"'`]?[ \t]*$"
 )
 """What is brought to a folder has it as the last word."""
-TELLS = (
+SAYS = (
     r"(?im)^.*\b(?:create|make|put|place|copy|store|save|add|extract|unpack|download\w*)\b[^\n]*"
     r"(?:[`\"'*]{0}/?[`\"'*]|[ \t]{0}/?[ \t](?:folder|directory)\b)"
 )
 """What a page says in words."""
 START = r"(?:(?:\.{1,2}|\$\{?\w+\}?|\$\([^)\n]*\))/)*"
 """What may stand before a folder of the package: `../`, `$HERE/`."""
-TELLS_OF_CREATING = "ros2 pkg create"
-"""A page with it tells how the package came to be, and not what to do with it."""
+SHOWS_CREATION = "ros2 pkg create"
+"""A page with it says how the package was created, and not what to do with it."""
 RUN = (".sh", ".bash", ".yml", ".yaml", ".json", "Makefile", "Dockerfile", "justfile")
 """Files that make folders themselves."""
 
@@ -40,7 +40,7 @@ class FoldersOfPeople:
         """Return whether a script makes or fills a folder, or a page has people do so with one of theirs."""
         if self.is_in(self.scripts, path, (MAKES, BRINGS)):
             return True
-        return is_of_people(path) and self.is_in(self.pages, path, (MAKES, BRINGS, TELLS))
+        return is_of_people(path) and self.is_in(self.pages, path, (MAKES, BRINGS, SAYS))
 
     def is_in(self, texts: tuple[tuple[str, ...], tuple[str, ...]], path: str, patterns: tuple[str, ...]) -> bool:
         """Return whether a text names a folder, from that of the package or from above it."""
@@ -67,4 +67,4 @@ class FoldersOfPeople:
 
 def has_line(texts: tuple[str, ...], folder: str, before: str, given: tuple[str, ...]) -> bool:
     patterns = [re.compile(each.replace("{0}", folder).replace("{1}", before)) for each in given]
-    return any(each.search(text) for text in texts if TELLS_OF_CREATING not in text for each in patterns)
+    return any(each.search(text) for text in texts if SHOWS_CREATION not in text for each in patterns)

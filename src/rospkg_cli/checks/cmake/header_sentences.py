@@ -1,17 +1,17 @@
-"""What is said of headers that users do not find (CMK106)."""
+"""Messages on headers that users of a package do not find (CMK106)."""
 
 from __future__ import annotations
 
 from ..enumeration import in_ticks
+from .exported_include_folders import UnexportedFolder
 from .private_includes import PrivateInclude
-from .told_folders import UntoldFolder
 
 
-def not_told(each: UntoldFolder) -> str:
-    told = f"users are told of {in_ticks(each.told)} alone" if each.told else "no command tells users of it"
+def not_exported(each: UnexportedFolder) -> str:
+    others = f"the package exports {in_ticks(each.exported)} alone" if each.exported else "no command exports it"
     stops = f"`#include <{each.header}>` stops in packages that use this one"
-    wanted = f"write `$<INSTALL_INTERFACE:{each.folder}>`" if each.is_told_by_target else f"export `{each.folder}`"
-    return f"the headers land in `{each.folder}/`, and {told}: {stops}; {wanted}"
+    wanted = f"write `$<INSTALL_INTERFACE:{each.folder}>`" if each.is_set_by_target else f"export `{each.folder}`"
+    return f"the headers land in `{each.folder}/`, but {others}: {stops}; {wanted}"
 
 
 def private(each: PrivateInclude, others: int) -> str:

@@ -1,4 +1,4 @@
-"""Whether all is known of the packages that CMake looks for: one that nobody knows may find or define anything."""
+"""Whether all packages that CMake looks for are known: an unknown one may find or define anything."""
 
 from __future__ import annotations
 

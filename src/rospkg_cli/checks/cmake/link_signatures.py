@@ -55,12 +55,12 @@ class LinkSignatures:
     def mixed(self) -> Iterator[MixedLink]:
         """Yield, once for a target, the first call that links it otherwise than one before."""
         former: dict[str, list[SignedLink]] = {}
-        told: set[str] = set()
+        reported: set[str] = set()
         for link in self.links():
             before = former.setdefault(link.target, [])
             other = next((each for each in before if self.clash(each, link)), None)
-            if other is not None and link.target not in told:
-                told.add(link.target)
+            if other is not None and link.target not in reported:
+                reported.add(link.target)
                 perhaps = any(each.call.maybe or each.call.name in AUTOMATIC for each in (other, link))
                 unsought = (self.dead.package_of(each.call) for each in (other, link))
                 is_off = any(self.off.has(each.call) for each in (other, link))

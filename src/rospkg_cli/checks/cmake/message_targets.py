@@ -78,9 +78,9 @@ class MessageTargets:
                 if level and link.word.text not in seen:
                     seen.add(link.word.text)
                     yield MessageTarget(link.word, package, level)
-            if not colons and package not in seen and (meant := self.exported_by(package)) and self.is_sure(link):
+            if not colons and package not in seen and (near := self.exported_by(package)) and self.is_sure(link):
                 seen.add(package)
-                yield MessageTarget(link.word, package, "error", meant)
+                yield MessageTarget(link.word, package, "error", near)
 
     def exported_by(self, package: str) -> str:
         """Return the target that a package of ROS exports, where its library has no plain name; else ""."""
@@ -100,12 +100,12 @@ class MessageTargets:
 
     @cached_property
     def found(self) -> frozenset[str]:
-        """The packages that CMake certainly finds: DEP107 tells of others."""
+        """The packages that CMake certainly finds: DEP107 reports others."""
         cmake = self.links.package.cmake
         return self.links.found if cmake.named(*SEARCHES) else frozenset(each.name for each in cmake.packages)
 
     def level_of_exported(self) -> Level | None:
-        """Return how bad a target of a released package is: None unless an older distribution is certainly meant."""
+        """Return how bad a target of a released package is: None unless it is certainly for an older distribution."""
         if self.targets.names:
             return self.level_of_new()
         named = self.distribution.named

@@ -67,9 +67,9 @@ class MisplacedExecutables:
                 target = cmake.target(word.text) if rule.kind == "TARGETS" else None
                 if target is not None and target.is_executable:
                     place, name = artifacts.destination(rule, target), artifacts.file_name(target)
-                    is_meant = place == "bin" and (rule.call.testing or f"/bin/{name}" in self.pages)
-                    is_meant = is_meant or self.is_named_with(posixpath.basename(place or ""), name)
-                    if self.is_wrong(place) and not is_meant:
+                    is_intended = place == "bin" and (rule.call.testing or f"/bin/{name}" in self.pages)
+                    is_intended = is_intended or self.is_named_with(posixpath.basename(place or ""), name)
+                    if self.is_wrong(place) and not is_intended:
                         ros = self.programs.uses_ros(target.name) and self.programs.may_be_node(target)
                         is_other = place == "bin" or has_side_name(name)
                         tool = self.has_others and is_other

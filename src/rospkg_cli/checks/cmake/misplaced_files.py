@@ -1,4 +1,4 @@
-"""Files that are installed into `share` or `lib` itself, beside the folders of packages."""
+"""Files that are installed into `share` or `lib` itself, next to the folders of packages."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class MisplacedFile(NamedTuple):
     """`share` or `lib`."""
 
     def sentence(self, package: str) -> str:
-        start = f"`{self.path}` is beside the folders of the packages in `{self.folder}`"
+        start = f"`{self.path}` is next to the folders of the packages in `{self.folder}`"
         looks = f"`ros2 run {package}`" if self.folder == "lib" else f"who looks in the share directory of `{package}`"
         return f"{start}: {looks} does not find it; install into `{self.folder}/${{PROJECT_NAME}}`"
 
@@ -40,15 +40,15 @@ class MisplacedFiles:
         sources = [copy.source for _, copy in copies]
         seen: list[InstallRule] = []
         for rule, copy in copies:
-            if rule.call.maybe or rule in seen or sources.count(copy.source) > 1 or not self.is_beside(rule, copy):
+            if rule.call.maybe or rule in seen or sources.count(copy.source) > 1 or not self.is_outside(rule, copy):
                 continue
             seen.append(rule)
-            if any(self.is_told(other) for each, other in copies if each.call is rule.call):
+            if any(self.is_reported(other) for each, other in copies if each.call is rule.call):
                 continue
             yield MisplacedFile(copy.item, copy.destination, (rule.destination or "").rstrip("/"))
 
-    def is_told(self, copy: CopiedFile) -> bool:
-        """Return whether a file is a launch file, which CMK101 tells of, or one names it: LCH004 tells of it there."""
+    def is_reported(self, copy: CopiedFile) -> bool:
+        """Return whether a file is a launch file, which CMK101 reports, or named in one, which LCH004 reports."""
         name = posixpath.basename(copy.source)
         return LAUNCH.fullmatch(name) is not None or any(name in text for text in self.launch_texts)
 
@@ -58,7 +58,7 @@ class MisplacedFiles:
         paths = (path for path in files.paths if LAUNCH.fullmatch(posixpath.basename(path)))
         return tuple(files.readable_text(path) for path in paths)
 
-    def is_beside(self, rule: InstallRule, copy: CopiedFile) -> bool:
+    def is_outside(self, rule: InstallRule, copy: CopiedFile) -> bool:
         """Return whether a rule installs a file into no folder of the package, nor one of several packages."""
         folder, _, below = copy.destination.partition("/")
         if (rule.destination or "").rstrip("/") != folder or self.package.facts.name in below:

@@ -14,8 +14,8 @@ from ...package.file_role import role_of
 
 MAKERS = ("pybind11_add_module", "nanobind_add_module", "python3_add_library", "python_add_library")
 PLACES = ("lib", "bin", "share")
-"""The folders from which nothing is imported, but for what lies beside a script."""
-TOLD = "PYTHONPATH"
+"""Folders from which nothing is imported, except by scripts in the same folder."""
+ON_PATH = "PYTHONPATH"
 
 
 @dataclass(frozen=True)
@@ -39,10 +39,10 @@ class MisplacedModules:
     def all(self) -> Iterator[MisplacedModule]:
         """Yield each module whose places are all known and none of Python's.
 
-        Scripts beside it may import it, and a hook may tell Python of the folder.
+        Scripts in the same folder may import it, and a hook may add the folder to PYTHONPATH.
         """
         found = list(self.installed()) if self.package.is_ament and not self.package.cmake.reads_unknown_files else []
-        for word, place in found if found and not self.tells_python else ():
+        for word, place in found if found and not self.names_python_path else ():
             others = [each for other, each in found if other.text == word.text]
             if all(map(self.is_wrong, others)) and others[0] == place:
                 yield MisplacedModule(word, place, self.is_imported(word.text))
@@ -69,11 +69,11 @@ class MisplacedModules:
         return frozenset((each.destination or UNKNOWN).rstrip("/") for each in rules)
 
     @property
-    def tells_python(self) -> bool:
-        """Whether a text of the package speaks of Python's path."""
+    def names_python_path(self) -> bool:
+        """Whether a file of the package has the word PYTHONPATH."""
         files = self.package.cmake.package_files
         ends = (".txt", ".cmake", ".py", ".dsv", ".sh", ".in", ".xml", ".yaml", ".md")
-        return any(TOLD in files.readable_text(path) for path in files.paths if path.endswith(ends))
+        return any(ON_PATH in files.readable_text(path) for path in files.paths if path.endswith(ends))
 
     def is_imported(self, name: str) -> bool:
         """Return whether a file of Python that a rule installs, and no test, imports a module."""

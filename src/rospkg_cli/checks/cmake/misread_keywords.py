@@ -22,7 +22,7 @@ class MisreadKeyword:
     program: str
     """The name of that program; "" where it is not known."""
     is_target: bool
-    """Whether a target is called so, beside which the other command can't make one of that name."""
+    """Whether a target has this name, so that the other command can't make one of that name."""
     is_made: bool
     """Whether something else makes the program: the command then only adds names to an index."""
 

@@ -91,7 +91,7 @@ class ExportedDependencies:
         """
         has_some = any(each != "-" for each in rows("cmake_targets.txt").get(package, ()))
         of_ros = MESSAGES.fullmatch(package) is not None or has_some
-        if package not in self.declared:  # DEP104 tells of it, too
+        if package not in self.declared:  # DEP104 reports it, too
             return package in self.found and MESSAGES.fullmatch(package) is not None
         return package in self.found and (of_ros or not link.package)
 
@@ -172,7 +172,7 @@ class ExportedDependencies:
 
     @cached_property
     def of_families(self) -> frozenset[str]:
-        """The packages of whose family one is there that nobody knows: `arm_planning` finds `arm`, most likely."""
+        """The needed packages that an unknown exported one likely finds: `arm_planning` finds `arm`."""
         tables = [rows(f"{name}.txt") for name in TABLES]
         unknown = [each for each in self.there[0] if self.workspace.named(each) is None]
         unknown = [each for each in unknown if not any(each in table for table in tables)]

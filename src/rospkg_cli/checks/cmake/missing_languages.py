@@ -76,9 +76,9 @@ class MissingLanguages:
                 yield MissingLanguage(language, word, project, is_only=not compiled)
 
     def is_set(self, target: Target) -> bool:
-        """Return whether a command tells the language of a source, or gives the target more of them."""
-        told = any("LANGUAGE" in call.texts or "LINKER_LANGUAGE" in call.texts for call in self.cmake.calls)
-        return told or any(target.name in call.texts for call in self.cmake.named("target_sources"))
+        """Return whether a command sets the language of a source, or adds sources to the target."""
+        is_set = any("LANGUAGE" in call.texts or "LINKER_LANGUAGE" in call.texts for call in self.cmake.calls)
+        return is_set or any(target.name in call.texts for call in self.cmake.named("target_sources"))
 
 
 def languages_of(call: EvaluatedCommand) -> set[str]:

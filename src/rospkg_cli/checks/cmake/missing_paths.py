@@ -9,7 +9,7 @@ from posixpath import splitext
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from ...package.cmake.meant_paths import meant_path
+from ...package.cmake.intended_paths import intended_path
 from ...package.cmake.referenced_paths import ReferencedPath, ReferencedPaths
 from ...suggest import near_names
 from .branch_names import names_around
@@ -48,10 +48,10 @@ class MissingPaths:
         folder; of what is installed, and may be made until then, what is a letter or two off."""
         if named.use == "source":
             return True
-        meant = meant_path(self.cmake, named)
-        if meant is None or named.use in STOPPING:
-            return meant is not None
-        stem, other = splitext(named.path)[0], splitext(meant)[0]
+        near = intended_path(self.cmake, named)
+        if near is None or named.use in STOPPING:
+            return near is not None
+        stem, other = splitext(named.path)[0], splitext(near)[0]
         return digits(stem) == digits(other) and differ_in_long_words(stem, other) and bool(near_names(stem, [other]))
 
     def is_elsewhere(self, named: ReferencedPath) -> bool:
@@ -61,7 +61,7 @@ class MissingPaths:
         return is_for_some and (command in self.of_other_systems or bool(self.of_processors.get(command)))
 
     def is_idle(self, named: ReferencedPath) -> bool:
-        """Return whether a path is named in a branch that is not taken on Linux, or that nobody is shown to take."""
+        """Return whether a path is named in a branch that is not taken on Linux, or that nothing here turns on."""
         return self.is_elsewhere(named) or self.off.has(named.call) or self.off.is_never_run(named.call)
 
     @cached_property

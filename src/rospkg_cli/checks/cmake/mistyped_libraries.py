@@ -16,7 +16,7 @@ from .target_references import TargetReferences
 
 PLAIN = regex(r"[A-Za-z_][\w-]*")
 SHORTEST = 5
-"""Letters of a name that can be told from another one."""
+"""Letters that a name needs so that a similar one is not another library."""
 SHORT = 8
 """Letters of a name from which two may be wrong."""
 FOLDERS = ("link_directories", "target_link_directories")
@@ -63,7 +63,7 @@ class MistypedLibraries:
 
     @property
     def may_be_elsewhere(self) -> bool:
-        """Whether the linker is told of a folder that may hold libraries which nothing here builds."""
+        """Whether the linker gets a folder that may hold libraries which nothing here builds."""
         return any(True for _ in self.cmake.named(*FOLDERS))
 
     @cached_property

@@ -33,7 +33,7 @@ class MistypedLink:
 
     @property
     def is_certain(self) -> bool:
-        """Whether a target is near that is likely meant; a package may have one more of a short name."""
+        """Whether a target is near that is likely intended; a package may have one more of a short name."""
         return self.exported is not None or is_likely_slip(self.link.word.text, self.near)
 
 
@@ -135,7 +135,7 @@ def is_likely_slip(text: str, near: str) -> bool:
 
 
 def are_swapped(text: str, near: str) -> bool:
-    """Return whether only two letters stand in the other order: nobody calls two things so."""
+    """Return whether only two letters stand in the other order: no two things have such names."""
     return sorted(text) == sorted(near) and distance(text, near, 1) == 1
 
 

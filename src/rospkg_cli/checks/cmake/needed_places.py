@@ -30,8 +30,8 @@ class NeededPlaces:
     def why_not(self, call: EvaluatedCommand, folder: str) -> str:
         """Return why nothing is lost where a call misses a place of the package that it means; "" where something is.
 
-        A folder of headers is needed where a source includes one of them that is found neither beside it nor in another
-        folder, one of libraries where any lie there, and a value where something reads it.
+        A folder of headers is needed where a source includes one of them that is found neither next to it nor in
+        another folder, one of libraries where any lie there, and a value where something reads it.
         """
         if call.name in FOR_HEADERS:
             return "" if any(True for _ in self.lost_headers(folder)) else "all headers are found without it"
@@ -50,8 +50,8 @@ class NeededPlaces:
         """Yield each header that is included and found in a folder alone."""
         is_there = self.cmake.package_files.is_there
         for path, is_angled, header in self.includes:
-            beside = () if is_angled else (posixpath.dirname(path),)
-            places = (posixpath.normpath(posixpath.join(each, header)) for each in (*beside, *self.folders))
+            own_folder = () if is_angled else (posixpath.dirname(path),)
+            places = (posixpath.normpath(posixpath.join(each, header)) for each in (*own_folder, *self.folders))
             if is_there(posixpath.normpath(posixpath.join(folder, header))) and not any(map(is_there, places)):
                 yield header
 
@@ -65,7 +65,7 @@ class NeededPlaces:
 
     @cached_property
     def folders(self) -> frozenset[str]:
-        """The folders of the package that any target is told of."""
+        """The folders of the package that are include directories of any target."""
         words = ((word, call) for call in self.cmake.named(*FOR_HEADERS) for word in words_of(call))
         places = (path_in_package(text_of(word), call.folder) for word, call in words if not is_joined(text_of(word)))
         return frozenset(place for place in places if place is not None)

@@ -22,7 +22,7 @@ STARTS_ROS = regex(r"\b(?:rclcpp::(?:init|spin)|rclc?_init)\b")
 RUNS_NODE = regex(
     r"\brclcpp::(?:init|spin|executors)|\brclcpp_lifecycle::|\brclc?_\w*init|\b(?:Lifecycle)?Node\b|\binit\s*\(\s*arg"
 )
-"""What a program has that runs a node, beside those that only read or write bags with the same library."""
+"""What the code of a program has that runs a node, and not of one that only reads or writes bags."""
 EXECUTABLE = regex(r"""\b(?:node_executable|executable|exec)\s*[=:]\s*["']?([\w.-]+)""")
 MAX_DEPTH = 4
 
@@ -36,7 +36,7 @@ class NodePrograms:
         return TargetLinks(self.package.cmake)
 
     def is_run(self, target: Target) -> bool:
-        """Return whether `ros2 run` or a launch file may be meant to start a program."""
+        """Return whether a program is intended for `ros2 run` or a launch file."""
         return target.name in self.started or self.may_be_node(target)
 
     def may_be_node(self, target: Target) -> bool:

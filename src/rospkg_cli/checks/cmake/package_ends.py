@@ -14,7 +14,7 @@ from .known_packages import is_known_package, may_define
 from .unknown_commands import RESERVED, UnknownCommands
 
 BEFORE_ENDS = regex(r"install|rosidl_\w+|pluginlib_\w+|rclcpp_components_\w+|ament_(?!lint)\w+|generate_parameter\w*")
-"""Commands that are of no use behind `ament_package()`, beside those that make targets."""
+"""Commands that have no use after `ament_package()`, in addition to those that make targets."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class PackageEnds:
         return any(self.may_be_found(name, cmake) for name in late)
 
     def may_be_found(self, command: str, cmake: CMake) -> bool:
-        """Return whether a package may have a command: it begins like it, or nobody knows what the package has."""
+        """Return whether a package may have a command: it begins like it, or the package is not known."""
         found = {each.name for each in cmake.packages}
         vendors = {name.lower().partition("_")[0] for name in found}.difference(RESERVED)
         if command.partition("_")[0] in vendors:

@@ -29,7 +29,7 @@ class PrivateIncludes:
     exported: ExportedHeaders
 
     def all(self) -> Iterator[PrivateInclude]:
-        """Yield each header that lacks, at the first place; nothing where users are told of no headers."""
+        """Yield each header that lacks, at the first place; nothing where the package exports no headers."""
         headers = self.exported.headers
         cmake = headers.package.cmake
         is_known = cmake.is_complete and not cmake.reads_unknown_files and headers.table.knows("header")
@@ -48,14 +48,14 @@ class PrivateIncludes:
     def lost(self, file: CppFile, include: IncludeDirective) -> str:
         """Return the file of the package that an include means and that nothing installs; "" where there is none."""
         name = posixpath.basename(include.path)
-        beside = posixpath.normpath(posixpath.join(posixpath.dirname(file.path), include.path))
+        neighbour = posixpath.normpath(posixpath.join(posixpath.dirname(file.path), include.path))
         own = self.exported.headers.package.facts.name
         others = (each for each in self.exported.workspace.having("header_files", include.path) if each.name != own)
-        is_meant = include.path.startswith(f"{own}/") or not include.is_angled
-        if not is_meant or name in self.named or next(others, None) is not None:
+        is_own = include.path.startswith(f"{own}/") or not include.is_angled
+        if not is_own or name in self.named or next(others, None) is not None:
             return ""
         paths = [path for path in self.by_name.get(name, ()) if f"/{path}".endswith(f"/{include.path}")]
-        found = [beside] if beside in self.by_name.get(name, ()) else paths
+        found = [neighbour] if neighbour in self.by_name.get(name, ()) else paths
         if not found and name.startswith(WINDOW) and name.endswith(GENERATED):
             found = self.by_name.get(name.removeprefix(WINDOW).removesuffix(GENERATED) + DRAWN, [])
         return "" if not found or self.sources.intersection(found) else found[0]

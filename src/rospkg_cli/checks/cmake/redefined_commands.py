@@ -31,7 +31,7 @@ class RedefinedCommand:
     """Whether its body calls the command, which is then itself, without end."""
     is_called: bool
     """Whether the package calls it, or files do that any package finds."""
-    may_be_meant: bool = False
+    may_be_intended: bool = False
     """Whether only a text is lost, or only the package's own calls run it, for which it does something."""
     lost: str = ""
     """Why the definition may not hold: the end of a sentence."""
@@ -82,8 +82,8 @@ class RedefinedCommands:
             is_copy = is_definer(file.path, name)
             if name in self.known and f"_{name}" not in called and not is_wrapper and not is_copy:
                 lost, is_called = self.why_lost(file, block, name), self.is_called(name, block)
-                is_meant = name == SAYS or (name not in EVERYWHERE and not called <= IDLE)
-                yield RedefinedCommand(name, file.path, argument.span, name in called, is_called, is_meant, lost)
+                is_intended = name == SAYS or (name not in EVERYWHERE and not called <= IDLE)
+                yield RedefinedCommand(name, file.path, argument.span, name in called, is_called, is_intended, lost)
 
     def why_lost(self, file: CMakeFile, block: Block, name: str) -> str:
         """Return why a definition may not hold: ament's own comes behind it, or its file is read under a condition."""

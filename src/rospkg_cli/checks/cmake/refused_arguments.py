@@ -1,4 +1,4 @@
-"""Arguments that a command of CMake or ament refuses, or takes for something else than is meant."""
+"""Arguments that a command of CMake or ament refuses, or takes for something else than is intended."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class RefusedArgument:
     others: tuple[Word, ...] = ()
     """More words of the call with the same fault."""
     is_linked: bool = False
-    """Whether a build with `--symlink-install` takes the words as they are meant."""
+    """Whether a build with `--symlink-install` takes the words as they are intended."""
 
 
 def refused_calls(cmake: CMake) -> Iterator[RefusedArgument]:

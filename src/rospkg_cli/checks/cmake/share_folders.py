@@ -11,7 +11,7 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_packa
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.meant_paths import meant_paths
+from ...package.cmake.intended_paths import intended_paths
 from ...package.file_role import role_of
 from ...package.install_table import InstalledFile, InstallTable
 from ...package.launch.launch_file import LaunchFile
@@ -25,11 +25,11 @@ from .unmatched_patterns import unmatched_patterns
 LAUNCH = "launch"
 FEW = 2
 """Launch files that don't show what is done with a third one."""
-NOBODYS = f"share/{LAUNCH}/"
-"""Where nobody wants launch files, whatever else is installed."""
+STRAY = f"share/{LAUNCH}/"
+"""Where launch files are never found, whatever else is installed."""
 INSTALLERS = ("install", "ament_auto_package", "autoware_ament_auto_package")
 ONE_FILE = "generate_parameter_"
-"""How commands begin that make code of one file: those beside it are for run time."""
+"""How commands begin that make code of one file: others in its folder are for run time."""
 USED_AT_BUILD = regex(r"generate_parameter_|rosidl_|protobuf_|qt\d?_|ament_add_|add_launch_test|add_test|add_ros_test")
 
 
@@ -46,15 +46,15 @@ class RuntimeFolders:
             is_known = self.table.knows_folder("share", f"share/{self.package.cmake.project_name}/{folder}")
             if not is_known or self.is_installed(folder) or self.is_named(folder) or not self.useful(folder):
                 continue
-            unmatched = (each.folder for each in unmatched_patterns(self.package.cmake))  # CMK129 tells of the pattern
-            is_told = any(f"{each}/".startswith(f"{folder}/") for each in unmatched)
-            if not is_told and folder not in meant_paths(self.package.cmake):  # which CMK102 tells
+            unmatched = (each.folder for each in unmatched_patterns(self.package.cmake))  # CMK129 reports the pattern
+            is_reported = any(f"{each}/".startswith(f"{folder}/") for each in unmatched)
+            if not is_reported and folder not in intended_paths(self.package.cmake):  # which CMK102 reports
                 yield folder
 
     def left_out(self) -> Iterator[tuple[str, InstalledFile]]:
         """Yield the one launch file that is not installed where rules list all others of the folder, with one of them.
 
-        What a launch file names is told there.
+        What a launch file names is reported there.
         """
         files = [path for path in self.useful(LAUNCH) if posixpath.dirname(path) == LAUNCH] if self.is_clear else []
         listed = {text for rule in self.package.cmake.installs if rule.kind == "FILES" for text in rule.call.texts}
@@ -85,21 +85,21 @@ class RuntimeFolders:
     def misplaced_launch_file(self) -> InstalledFile | None:
         """Return the first launch file that is installed, where none is below share/ and the package's name.
 
-        Absolute places, and those below the name that project() has by mistake, are told by their own rules.
+        Absolute places, and those below the name that project() has by mistake, are reported by other rules.
         """
         files = self.useful(LAUNCH)
         rows = [row for row in self.table.rows if row.source in files]
         if not (self.is_clear and self.table.knows("other")):
-            rows = [row for row in rows if row.destination.startswith(NOBODYS)]
-        told = ("/", *(f"share/{name}/" for name in (self.package.facts.name, self.package.cmake.project_name)))
-        if any(self.is_told(row) for row in rows):
+            rows = [row for row in rows if row.destination.startswith(STRAY)]
+        known = ("/", *(f"share/{name}/" for name in (self.package.facts.name, self.package.cmake.project_name)))
+        if any(self.is_reported(row) for row in rows):
             return None
-        unclear = (row for row in rows if row.maybe and not row.destination.startswith(NOBODYS))
-        is_found = any(row.destination.startswith(told) for row in rows) or next(unclear, None) is not None
+        unclear = (row for row in rows if row.maybe and not row.destination.startswith(STRAY))
+        is_found = any(row.destination.startswith(known) for row in rows) or next(unclear, None) is not None
         return rows[0] if rows and not is_found else None
 
-    def is_told(self, misplaced: InstalledFile) -> bool:
-        """Return whether a launch file of the package names what the same command installs: LCH004 tells of it."""
+    def is_reported(self, misplaced: InstalledFile) -> bool:
+        """Return whether a launch file of the package names what the same command installs, which LCH004 reports."""
         calls = [rule.call for rule in self.package.cmake.installs if rule.call.path == misplaced.path]
         spans = (call.command.span for call in calls)
         whole = next((each for each in spans if each.holds(misplaced.span)), misplaced.span)

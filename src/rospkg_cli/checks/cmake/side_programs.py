@@ -1,4 +1,4 @@
-"""Programs for tests and demonstrations that lie beside others of their package: nobody misses them once installed."""
+"""Programs for tests and demonstrations, next to others of their package, that need not be installed."""
 
 from __future__ import annotations
 

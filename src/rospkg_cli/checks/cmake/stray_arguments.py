@@ -10,7 +10,7 @@ from ...languages.cmake.values import UNKNOWN, Word
 from ...package.cmake.install_keywords import ARTIFACTS, OPTIONS, TAKE_A_VALUE, intended_keywords
 
 FORMS = frozenset({"TARGETS", "FILES", "PROGRAMS"})
-"""Whose own keyword may stand again, before more of them; another `DIRECTORY` is told with the foreign keywords."""
+"""Whose own keyword may stand again, before more of them; another `DIRECTORY` is reported with the foreign keywords."""
 ALONE = frozenset({
     "OPTIONAL", "EXCLUDE_FROM_ALL", "NAMELINK_ONLY", "NAMELINK_SKIP", "USE_SOURCE_PERMISSIONS", "MESSAGE_NEVER",
     "FILES_MATCHING", *ARTIFACTS,
@@ -49,8 +49,8 @@ def stray_argument(call: EvaluatedCommand) -> tuple[Word, str] | None:
 
 def stray_words(call: EvaluatedCommand, form: str) -> Iterator[tuple[Word, str]]:
     keyword, room, part = form, -1, ""
-    for word, meant in intended_keywords(call):
-        text = meant or word.text
+    for word, intended in intended_keywords(call):
+        text = intended or word.text
         is_part = form == "TARGETS" and text in ARTIFACTS
         if is_part or text == form or text in OPTIONS:
             if part and text in OF_ALL:

@@ -1,4 +1,4 @@
-"""Commands in branches that nobody is shown to take: an option that is off, a switch that nothing sets, Windows."""
+"""Commands in branches that nothing here takes: an option that is off, a switch that nothing sets, Windows."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ class SwitchedOff:
     cmake: CMake
 
     def has(self, call: EvaluatedCommand) -> bool:
-        """Return whether a call is run only where somebody turns a switch on, and nothing here does so."""
+        """Return whether a call is run only where a switch is on, and nothing here turns that on."""
         return call.maybe and any(map(self.is_off, self.asked.get(id(call.command), ())))
 
     def is_never_run(self, call: EvaluatedCommand) -> bool:
-        """Return whether a call is in a branch that nobody can open: `if(FALSE)`, or after a plain set()."""
+        """Return whether a call is in a branch that is never taken: `if(FALSE)`, or after a plain set()."""
         names = self.asked.get(id(call.command), ())
         return bool(names) and id(call.command) in self.closed and any(map(self.is_fixed, names))
 

@@ -10,7 +10,7 @@ from ...package.cmake.artifacts import PYTHON_MODULES, Artifacts
 from ...package.cmake.foreign_commands import foreign_commands
 from ...package.cmake.installed_headers import LIBRARIES, TARGETS, PublicHeaders
 from .exported_headers import AUTOMATIC, ExportedHeaders
-from .told_folders import tells_of_any
+from .exported_include_folders import exports_any_folder
 from .unexported_targets import LOADED, UnexportedSet, UnexportedTargets
 
 EXPORTING = (LIBRARIES, *TARGETS, *AUTOMATIC, "ament_export_link_flags", "export")
@@ -29,7 +29,7 @@ class UnexportedLibraries:
         return self.exported.headers
 
     def first(self) -> Word | None:
-        """Return the first library whose headers others can include, where nothing tells others of any library."""
+        """Return the first library whose headers others can include, where the package exports no library."""
         cmake = self.headers.package.cmake
         is_clear = cmake.is_complete and not cmake.reads_unknown_files and cmake.ends_a_package
         if not self.headers.package.is_ament or not is_clear or self.has_own_way:
@@ -44,7 +44,7 @@ class UnexportedLibraries:
 
     @property
     def has_own_way(self) -> bool:
-        """Whether any command may hand a library on, or a file of the package tells others of it."""
+        """Whether any command may export a library, or a file of the package does so in its own way."""
         cmake = self.headers.package.cmake
         is_named = any(call.name in EXPORTING for call in (*cmake.calls, *cmake.unreachable))
         is_named = is_named or any(rule.kind in ("EXPORT", "CODE") or rule.export for rule in cmake.installs)
@@ -69,7 +69,7 @@ class UnexportedLibraries:
 
     def is_missed(self, found: UnexportedSet) -> bool:
         """Return whether a package of the workspace includes a header of this one, for which it needs the set."""
-        has_all = not found.is_built and tells_of_any(self.headers.package.cmake)
+        has_all = not found.is_built and exports_any_folder(self.headers.package.cmake)
         return self.exported.are_needed and not (found.is_handed_on or has_all)
 
     @property

@@ -21,7 +21,7 @@ from .missing_export_dependencies import REGISTERS
 from .target_references import EXPORTS, TargetReferences
 
 LOADED = regex(r"ADD_PLUGIN|REGISTER_\w*PLUGIN|EXPORT_\w*CLASS|REGISTER_\w*CLASS|REGISTER_NODE|PYBIND11_MODULE")
-"""Macros that make a plugin, which nobody links, of a library."""
+"""Macros that make a plugin, which nothing links, of a library."""
 DEFINITION = "BT_PLUGIN_EXPORT"
 DEFINES = "target_compile_definitions"
 
@@ -35,7 +35,7 @@ class UnexportedSet:
     is_handed_on: bool
     """Whether libraries are handed on without targets, by `ament_export_libraries`."""
     is_built: bool
-    """Whether one of them has code; one of headers alone is not missed where users are told of the folder."""
+    """Whether one of them has code; one of headers alone is not missed where the include directory is exported."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class UnexportedTargets:
             return
         named = set(self.named())
         if UNKNOWN in named or any(each.kind == "export" for each in TargetReferences(cmake).broken()):
-            return  # the name of the set may be misspelt, which CMK110 tells
+            return  # the name of the set may be misspelt, which CMK110 reports
         for name, words in self.filled().items():
             if name not in named:
                 linked = [each for _, each in words if not self.is_plugin(each)]
@@ -84,7 +84,7 @@ class UnexportedTargets:
 
     def is_only_loaded(self, target: Target) -> bool:
         """Return whether a library is a component, or a source of it registers a class: pluginlib or a container loads
-        it, and nobody links it."""
+        it, and nothing links it."""
         if any(each.target.text == target.name for each in self.package.cmake.components):
             return True
         return any(any(file.calls_to(*REGISTERS)) for file in self.sources_of(target))

@@ -57,7 +57,7 @@ class UnguardedTests:
     def are_met(self, found: Iterable[UnguardedTest]) -> bool:
         """Return whether somebody builds without tests, or what is looked for is neither declared nor there anyway.
 
-        `rosdep install` installs test dependencies, too, and colcon builds tests unless it is told not to.
+        `rosdep install` installs test dependencies, too, and colcon builds tests unless an option says otherwise.
         """
         looked_for = [each.what for each in found if each.call.name == "find_package"]
         depends_on = self.package.manifest.depends_on

@@ -34,7 +34,7 @@ class UninstalledPythonPackage:
     is_started: bool
     """Whether the file that imports it is an installed program or a launch file."""
     why_unmet: str = ""
-    """Why nobody is shown to come to the import."""
+    """Why nothing is known to reach the import."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ class PythonPackages:
                     and not each.level
                     and not (each.is_optional or each.is_for_typing)
                     and self.is_own(each)
-                    and not self.is_beside(row, name)
+                    and not self.is_next_to(row, name)
                     and file is not None
                 ):
                     is_started = row.what == "executable" or role_of(row.source) == "launch"
@@ -104,7 +104,7 @@ class PythonPackages:
 
         return why_found(self.package.cmake.package_files, posixpath.dirname(self.folders[name]))
 
-    def is_beside(self, row: InstalledFile, name: str) -> bool:
+    def is_next_to(self, row: InstalledFile, name: str) -> bool:
         """Return whether a Python package is installed next to a file; or with it, next to a script that imports it."""
         here, inside = posixpath.dirname(row.destination), row.source.removeprefix(f"{self.folders[name]}/")
         above = row.destination.removesuffix(f"/{name}/{inside}")
@@ -132,12 +132,12 @@ class PythonPackages:
         files = [path for path in cmake.package_files.below(folder) if path.endswith(".py") and path not in programs]
         if not found or not is_known or is_used or self.has_other_ways or name not in self.folders or not files[1:]:
             return ""
-        is_told = self.names_no_folder or any(each.folder == name for each in self.uninstalled())
-        return "" if is_told else name
+        is_reported = self.names_no_folder or any(each.folder == name for each in self.uninstalled())
+        return "" if is_reported else name
 
     @cached_property
     def names_no_folder(self) -> bool:
-        """Whether `ament_python_install_package()` is given a folder that is not there, which CMK102 tells."""
+        """Whether `ament_python_install_package()` is given a folder that is not there, which CMK102 reports."""
         missing = ReferencedPaths(self.package.cmake).missing()
         return any(each.call.name == "ament_python_install_package" for each in missing)
 

@@ -40,24 +40,23 @@ class UnloadableComponent:
 
 
 def unloadable_components(registration: ComponentRegistration) -> Iterator[UnloadableComponent]:
-    """Yield the first component of each such target; a class that no source registers is told for that alone.
+    """Yield the first component of each such target.
 
-    But for the program that the command itself makes, which is a fault of its own.
-
-    It is an error where the command makes a program, which does nothing else than load it.
+    A class that no source registers is reported for that alone, except where the target is the program that the command
+    itself makes. It is an error where the command makes a program, which does nothing else than load it.
     """
     cmake = registration.package.cmake
     if not cmake.is_complete:
         return
-    told = {component.plugin.text for component in registration.without_source()}
+    reported = {component.plugin.text for component in registration.without_source()}
     seen: set[str] = set()
     for component in registration.sure():
         name = component.target.text
         made = [target for target in cmake.targets if target.name == name]
         kinds = {kind_of(target) for target in made}
         is_itself = component.executable is not None and component.executable.text == name
-        is_told = component.plugin.text in told and not is_itself
-        if len(kinds) != 1 or name in seen or is_told or any(each.call.maybe for each in made):
+        is_reported = component.plugin.text in reported and not is_itself
+        if len(kinds) != 1 or name in seen or is_reported or any(each.call.maybe for each in made):
             continue
         seen.add(name)
         if what := kinds.pop():

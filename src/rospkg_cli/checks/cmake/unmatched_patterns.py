@@ -41,16 +41,16 @@ class UnmatchedPattern:
     folder: str
     patterns: tuple[str, ...]
     others: tuple[str, ...]
-    """The files that are meant, most likely."""
+    """The files that are intended, most likely."""
     is_installed: bool
     """Whether another rule installs them all."""
     is_harmless: bool = False
-    """Whether a rule beside it takes some of them, or it stands in a function, which others call for other folders."""
+    """Whether another rule takes some of them, or it stands in a function, which others call for other folders."""
 
 
 @dataclass(frozen=True)
 class UnmatchedPatterns:
-    """The folders of a package, and whether somebody looks for what is not installed of them."""
+    """The folders of a package, and whether anything looks for what is not installed of them."""
 
     package: CMakePackage
     workspace: Workspace
@@ -82,7 +82,7 @@ def unmatched_patterns(cmake: CMake) -> Iterator[UnmatchedPattern]:
         family = next((each for each in FAMILIES if each.issuperset(endings)), None)
         for item in rule.items if family is not None else ():
             path = path_in_package(item.text, rule.call.folder) if item.is_known and not item.maybe else None
-            if path and UNKNOWN not in path and (found := meant(cmake, rule, item, path, sorted(family or ()))):
+            if path and UNKNOWN not in path and (found := similar_files(cmake, rule, item, path, sorted(family or ()))):
                 others = [each for each in cmake.installs if each is not rule]
                 copies = [copy for each in others for copy in copied_files(each, cmake.package_files)]
                 there = {copy.source for copy in copies}
@@ -101,7 +101,7 @@ def takes(cmake: CMake, rule: InstallRule, folder: str, wanted: Sequence[str]) -
     )
 
 
-def meant(cmake: CMake, rule: InstallRule, item: Word, folder: str, endings: Sequence[str]) -> list[str]:
+def similar_files(cmake: CMake, rule: InstallRule, item: Word, folder: str, endings: Sequence[str]) -> list[str]:
     """Return the files below a folder of the same purpose as those that a rule asks for; none where it has some.
 
     Those that the build makes, or that git ignores, are not known.

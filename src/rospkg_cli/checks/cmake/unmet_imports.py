@@ -1,4 +1,4 @@
-"""Why nobody is shown to meet an import that fails in an installed file of Python."""
+"""Why nothing is known to reach an import that fails in an installed Python file."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class UnmetImports:
     definitions: ReachedDefinitions | None
 
     def why(self, file: PythonFile, each: Import, row: InstalledFile) -> str:
-        """Return why nobody comes to an import, as the end of a sentence; "" where somebody does."""
+        """Return why nothing reaches an import, as the end of a sentence; "" where something may."""
         first = ros1_import(file.imports)
         if first is not None and (each.is_local or first.span.start < each.span.start):
             return f"; the file is for ROS 1, and ends at `{first.module}` before"

@@ -14,7 +14,7 @@ from ...suggest import near_names
 from .mistyped_links import digits
 
 NAME = regex(r"[A-Za-z_]\w{7,}")
-"""Of a variable that can be told from another one."""
+"""A name that is long enough to differ from others on purpose."""
 READ = regex(r"\$\{([A-Za-z_]\w{7,})\}")
 GROWS = frozenset({"APPEND", "PREPEND"})
 

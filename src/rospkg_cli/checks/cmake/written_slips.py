@@ -73,8 +73,8 @@ class WrittenSlips:
         variable, rest = match.groups()
         folder = "" if "CURRENT" not in variable else call.folder
         folder = posixpath.dirname(call.path) if "LIST" in variable else folder
-        is_meant = files.is_there(posixpath.normpath(posixpath.join(folder, rest)))
-        if is_meant and not (folder and files.is_there(folder + rest)):
+        is_path = files.is_there(posixpath.normpath(posixpath.join(folder, rest)))
+        if is_path and not (folder and files.is_there(folder + rest)):
             lost = f"`${{{variable}}}` ends without a slash: `{argument.text}` is no path"
             why = self.places.why_not(call, posixpath.normpath(posixpath.join(folder, rest)))
             todo = f"write `${{{variable}}}/{rest}`{'; ' if why else ''}{why}"

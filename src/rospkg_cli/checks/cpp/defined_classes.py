@@ -16,7 +16,7 @@ PLAIN = regex(r"[A-Za-z_]\w*")
 
 
 def defined_as(name: str, sources: Iterable[CppFile]) -> str:
-    """Return the full name of the class that is meant by one with other namespaces; "" where it is not the only one.
+    """Return the full name of the class that is intended by one with other namespaces; "" where it is not the only one.
 
     It is "" as well where there is a class of that name, or one within something else than a namespace.
     """

@@ -80,7 +80,7 @@ class DroppedLinks:
         """Return whether it is not certain that anything needs a library when it starts.
 
         A program needs one whose header it certainly includes: one that stands with the library's sources, if it
-        compiles none of these itself. How a library that lies beside is loaded is its host's affair.
+        compiles none of these itself. A library in the same folder may be loaded by its host in another way.
         """
         cmake, offered = self.package.cmake, self.offered(library)
         linked = [link.target for link in TargetLinks(cmake).with_word(library) if not link.package]

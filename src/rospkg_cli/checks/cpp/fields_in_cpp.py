@@ -43,11 +43,11 @@ class FieldsInCpp:
                 yield from self.in_text(source, code_text(text))  # which takes longer
 
     def may_lack(self, members: tuple[frozenset[str], tuple[str, ...]]) -> bool:
-        """Return whether one of some members, each of the one before, is told of whichever message it is."""
+        """Return whether one of some members, each of the one before, is reported for any of the messages."""
         if members not in self._lacking:
             messages, names = members
-            is_told = any(self.first_wrong(message, names) is not None for message in messages)
-            self._lacking[members] = is_told and not any(self.has(message, names) for message in messages)
+            is_reported = any(self.first_wrong(message, names) is not None for message in messages)
+            self._lacking[members] = is_reported and not any(self.has(message, names) for message in messages)
         return self._lacking[members]
 
     @cached_property
@@ -68,8 +68,8 @@ class FieldsInCpp:
             if name not in fields:
                 is_here = self.known.is_here(message.partition("/")[0])
                 near = similar(name, fields, is_certain=is_here)
-                is_told = not name.startswith("_") and (near or is_here or name in ros1_fields(message))
-                return (at, message, near) if is_told else None
+                is_reported = not name.startswith("_") and (near or is_here or name in ros1_fields(message))
+                return (at, message, near) if is_reported else None
             message = fields[name]
         return None
 

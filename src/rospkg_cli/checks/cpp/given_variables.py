@@ -33,7 +33,7 @@ NEAR = 200
 class GivenVariable:
     parameters: tuple[str, ...]
     state: bool | None
-    """What the variable is as long as nobody sets a parameter; None where that is not one value."""
+    """The value of the variable while no parameter is set; None where that is not one value."""
 
 
 def given_to(name: str, texts: Iterable[str]) -> GivenVariable | None:

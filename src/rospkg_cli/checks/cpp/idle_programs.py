@@ -1,4 +1,4 @@
-"""Programs that nobody misses where they are not installed."""
+"""Programs that need not be installed: a comment has their rule, or pages start them where they are built."""
 
 from __future__ import annotations
 

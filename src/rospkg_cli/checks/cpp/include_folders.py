@@ -47,7 +47,7 @@ class IncludeFolders:
                     return True
                 own = self.links.own(link.word.text)
                 if own is None and not link.package and near_names(link.word.text, self.targets):
-                    return True  # it is meant for that one: CMK110 tells
+                    return True  # it is intended for that one: CMK110 reports it
                 left += [own.name] if own is not None else []
         return False
 
@@ -68,7 +68,7 @@ class IncludeFolders:
         return match is not None and match[1].lower() in names
 
     def of(self, target: str, without: str = "") -> Iterator[tuple[Word, EvaluatedCommand]]:
-        """Yield what a target is told, but for a scope; what is told to one of an unknown name, too."""
+        """Yield the include directories of a target, and of targets of unknown names; without those of one scope."""
         for call in self.package.cmake.named(FOR_ONE):
             if call.words and (call.texts[0] == target or not call.words[0].is_known):
                 scope = ""
@@ -83,7 +83,7 @@ class IncludeFolders:
 
     @cached_property
     def names_no_target(self) -> bool:
-        """Whether a command is for a target that nothing makes: it is meant for another one."""
+        """Whether a command is for a target that nothing makes: it is intended for another one."""
         calls = self.package.cmake.named(FOR_ONE, "target_link_libraries", "ament_target_dependencies")
         return any(call.words and call.words[0].is_known and call.texts[0] not in self.targets for call in calls)
 

@@ -23,7 +23,7 @@ from ..interfaces.known_interfaces import KnownInterfaces, base_name
 from .installed_headers import is_installed_header
 
 HEADER = regex(r"([a-z]\w*)/(msg|srv|action)/(?!rosidl_)(\w+)\.(?:hpp|h)")
-"""Of one interface; rosidl's own, which begin with its name, are beside them."""
+"""Of one interface; those of rosidl itself, which begin with its name, are left out."""
 TYPE = regex(r"(?<!\w)(?<!\w::)([a-z]\w*)::(msg|srv|action)::([A-Z]\w*)")
 # Linear: each looks at two or three letters; these are the two steps of rosidl's own conversion.
 NAME = regex(r"[/:]")
@@ -86,8 +86,8 @@ class InterfacesInCpp:
                 continue
             near = near or near_names(name, lowered, 2 if self.known.is_here(package) else 1)
             if near or self.known.is_here(package):
-                meant = f"{package}/{kind}/{near[0]}.{each.path.rpartition('.')[2]}" if near else ""
-                yield self.hit(source, each.span, each.path, package, kind, meant)
+                header = f"{package}/{kind}/{near[0]}.{each.path.rpartition('.')[2]}" if near else ""
+                yield self.hit(source, each.span, each.path, package, kind, header)
 
     @cached_property
     def _lowered(self) -> dict[tuple[str, str], Mapping[str, str]]:
@@ -121,9 +121,9 @@ class InterfacesInCpp:
             if self.has_own_headers(package, kind):
                 continue
             if self.known.lacks(package, kind, name):
-                meant = (self.known.meant(package, kind, name) or "").replace(".", "::")
+                full_name = (self.known.meant(package, kind, name) or "").replace(".", "::")
                 span = Span(found.start(), found.start(3) + len(name))
-                yield self.hit(source, span, f"{package}::{kind}::{name}", package, kind, meant)
+                yield self.hit(source, span, f"{package}::{kind}::{name}", package, kind, full_name)
 
     def may_lack(self, package: str, kind: str, name: str) -> bool:
         names = self.names(package, kind)
@@ -134,7 +134,7 @@ class InterfacesInCpp:
         return (self.known.of(package) or {}).get(kind, frozenset())
 
     def is_there(self, header: str) -> bool:
-        """Return whether the package has a header of that path, wherever, or another one beside its generated ones."""
+        """Return whether the package has a header of that path, wherever, or another one among its generated ones."""
         is_own = any(f"/{path}".endswith(f"/{header}") for path in self.files.paths)
         return is_own or is_installed_header(header, self.known.workspace)
 
@@ -156,6 +156,6 @@ class InterfacesInCpp:
         texts = (each.source.text for each in self.sources)
         return any(pattern.search(text) and (own or opened.search(text)) for text in texts)
 
-    def hit(self, source: CppFile, span: Span, text: str, package: str, kind: str, meant: str) -> WrongInterface:
+    def hit(self, source: CppFile, span: Span, text: str, package: str, kind: str, near: str) -> WrongInterface:
         level = harm_in(self.cmake, self.sources, source.path)
-        return WrongInterface(source.path, span, text, package, kind, meant, level)
+        return WrongInterface(source.path, span, text, package, kind, near, level)

@@ -19,7 +19,7 @@ class LoadedByName:
     made: MadeClasses
 
     def why_unmissed(self, name: str) -> str:
-        """Return why nobody misses a class by its name: code makes it, and nothing here names it; "" for others."""
+        """Return why nothing misses a class by its name: code makes it, and nothing here names it; "" for others."""
         return "" if self.is_named(name) else self.made.why_unloaded(name)
 
     def is_named(self, name: str) -> bool:

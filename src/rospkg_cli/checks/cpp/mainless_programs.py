@@ -53,7 +53,7 @@ class MainlessPrograms:
 
     def all(self) -> Iterator[MainlessProgram]:
         """Yield the programs of which every source is known; where one is not there, or a library not known, only those
-        beside which a file has a `main()`."""
+        that have another file with a `main()` next to their sources."""
         cmake = self.package.cmake
         for target in cmake.targets if self.package.is_ament and cmake.is_complete else ():
             is_judged = target.is_built and target.call.name in PLAIN and not (target.call.maybe or target.call.testing)
@@ -130,8 +130,8 @@ class MainlessPrograms:
 
     def lost(self, paths: list[str]) -> str:
         folders, compiled = {posixpath.dirname(path) for path in paths}, own_compiled(self.package.cmake, self.sources)
-        beside = (each.path for each in self.sources if posixpath.dirname(each.path) in folders)
-        others = [path for path in beside if path.endswith(SOURCES) and path not in (compiled or ())]
+        neighbours = (each.path for each in self.sources if posixpath.dirname(each.path) in folders)
+        others = [path for path in neighbours if path.endswith(SOURCES) and path not in (compiled or ())]
         written = "".join(file.source.text for file in self.package.cmake.files)
         found = [path for path in others if MAIN.search(self.text(path)) and posixpath.basename(path) not in written]
         return found[0] if len(found) == 1 else ""

@@ -38,7 +38,7 @@ def named_members(source: Source) -> Iterator[tuple[frozenset[str], tuple[str, .
 
 
 def named_variables(source: Source) -> Iterator[tuple[str, str]]:
-    """Yield what may be the name of a variable, with the message that stands beside it."""
+    """Yield what may be the name of a variable, with the message that stands next to it."""
     text = source.text
     for each in generated_types(source):
         found = BEHIND.match(text, each.behind_package)

@@ -21,7 +21,7 @@ BUILT = regex(r".*\.(?:a|so(?:\.\d+)*|lib|dylib)")
 def is_built_elsewhere(files: PackageFiles, path: str, read: frozenset[str]) -> bool:
     """Return whether a file of another build lies in a folder around a source, below that of the package.
 
-    One beside package.xml counts where it has the name of the source, or takes all there are. `read` holds the files
+    One next to package.xml counts where it has the name of the source, or takes all there are. `read` holds the files
     of CMake that the package's own build reads.
     """
     *folders, name = path.split("/")

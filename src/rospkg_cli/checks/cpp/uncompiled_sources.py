@@ -75,14 +75,14 @@ class UncompiledSources:
 
     @cached_property
     def are_known(self) -> bool:
-        """Whether the sources of all targets are known, and no other rule tells of a target or a source."""
+        """Whether the sources of all targets are known, and no other rule reports a target or a source."""
         cmake = self.package.cmake
         is_known = are_sources_known(cmake) and cmake.ends_a_package and not cmake.includes_unknown_files
         if not self.package.is_ament or not is_known or may_make_targets(cmake):
             return False
         if any(each.kind == "target" for each in TargetReferences(cmake).broken()):
-            return False  # CMK110 tells of the target, which would compile the file
-        # CMK102 tells of the name, which may be meant for the file
+            return False  # CMK110 reports the target, which would compile the file
+        # CMK102 reports the name, which may be intended for the file
         return not any(each.use == "source" for each in ReferencedPaths(cmake).missing())
 
     def is_wanted(self, source: UncompiledSource) -> bool:
@@ -99,8 +99,8 @@ class UncompiledSources:
             self.is_handed_out(path) and named.search(uncommented(path, text)) for path, text in texts
         )
 
-    def beside(self, source: UncompiledSource) -> str:
-        """Return what has the name of a node already, made of other files, so that `ros2 run` finds that; else ""."""
+    def existing_program(self, source: UncompiledSource) -> str:
+        """Return the program that has the name of a node and is made of other files, for `ros2 run`; else ""."""
         target = self.package.cmake.target(source.name) if source.what == "node" else None
         if target is not None and target.is_executable and target.is_built:
             return f"the target `{source.name}`"
@@ -108,7 +108,7 @@ class UncompiledSources:
         return f"the program `{source.name}`" if has_program else ""
 
     def is_handed_out(self, path: str) -> bool:
-        """Return whether CMake names a description, to install or export it: else nobody finds the class by it."""
+        """Return whether CMake names a description, to install or export it: else nothing finds the class by it."""
         file = path.rpartition("/")[2]
         return not path.endswith(".xml") or any(file in each.source.text for each in self.package.cmake.files)
 
@@ -141,7 +141,7 @@ class UncompiledSources:
         name = posixpath.basename(path)
         stem, texts = posixpath.splitext(name)[0], [file.source.text for file in self.package.cmake.files]
         target, has_file = self.package.cmake.target(stem), self.package.cmake.package_files.has_file
-        is_whole = target is not None and all(has_file(word.text) for word in target.sources)  # CMK102 tells of others
+        is_whole = target is not None and all(has_file(word.text) for word in target.sources)  # CMK102 reports others
         is_target = is_whole and not any(MADE_OF_NAMES.search(each) for each in texts)
         word = re.compile(rf"(?<![\w.-]){re.escape(name if is_target else stem)}(?!\.(?:xml|ya?ml)\b)(?![\w-])")
         is_source = stem in self.source_names or name in self.included

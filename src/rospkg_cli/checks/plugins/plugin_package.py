@@ -10,7 +10,7 @@ from ...languages.cpp.file import CppFile
 from ...languages.cpp.read import SUFFIXES
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from ...package.cmake.meant_paths import meant_paths
+from ...package.cmake.intended_paths import intended_paths
 from ...package.file_role import role_of
 from ...package.package_facts import PackageFacts
 from ...package.plugins.description import PluginClass, PluginDescription
@@ -146,7 +146,7 @@ class PluginPackage:
             descriptions = self._described.get(spaceless(each.type), ())
             found = any(description.is_indexed or description.is_for_rqt for description in descriptions)
             for description in () if found else descriptions:
-                if description.file not in seen and description.file not in meant_paths(self.cmake):
+                if description.file not in seen and description.file not in intended_paths(self.cmake):
                     seen.add(description.file)
                     if not may_export(self.cmake, description.file):
                         yield description, each

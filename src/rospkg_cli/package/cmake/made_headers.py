@@ -44,13 +44,13 @@ def renamed_headers(cmake: CMake, below: frozenset[str]) -> Iterator[str]:
 
 
 def exported_folders(cmake: CMake) -> frozenset[str]:
-    """Return the folders below include/ that others are told of, relative to it."""
-    told = [text for call in cmake.named("ament_export_include_directories") for text in call.texts]
+    """Return the folders below include/ that the package exports, relative to it."""
+    exported = [text for call in cmake.named("ament_export_include_directories") for text in call.texts]
     words = (text for call in cmake.named("target_include_directories") for text in call.texts)
-    told += (text for text in words if "INSTALL_INTERFACE" in text)
+    exported += (text for text in words if "INSTALL_INTERFACE" in text)
     for call in cmake.named("install"):
-        told += call.texts[call.texts.index("INCLUDES") :] if "INCLUDES" in call.texts else ()
-    found = (EXPORTED.search(text) for text in told)
+        exported += call.texts[call.texts.index("INCLUDES") :] if "INCLUDES" in call.texts else ()
+    found = (EXPORTED.search(text) for text in exported)
     return frozenset(f"{each[1].rstrip('/')}/" for each in found if each is not None)
 
 

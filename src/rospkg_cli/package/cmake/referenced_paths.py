@@ -104,7 +104,7 @@ class ReferencedPaths:
 
 
 BY_HAND = frozenset("launch config params param urdf rviz include meshes worlds".split())
-"""Folders whose files nobody generates."""
+"""Folders whose files are never generated."""
 INSTALLERS = frozenset({
     "install", "ament_auto_package", "autoware_ament_auto_package", "ament_python_install_package",
     "ament_python_install_module", "pluginlib_export_plugin_description_file",

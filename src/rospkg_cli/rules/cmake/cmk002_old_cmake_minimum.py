@@ -59,7 +59,7 @@ def old_cmake_minimum(checked: CMakeForTargets) -> Iterator[Hit]:
     3.10 is there on every supported distribution.
 
     ## When it is quiet
-    In packages of catkin, in a branch with commands of catkin beside one with those of ament, and where the version
+    In packages of catkin, in a branch for catkin next to one for ament, and where the version
     can't be evaluated. A range (`3.5...3.27`) counts by its upper end. All places of a package are one finding, at the
     oldest version. It is an info where all distributions that the pages, scripts and workflows of the repository name
     are older than Lyrical.

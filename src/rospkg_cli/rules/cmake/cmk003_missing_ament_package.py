@@ -29,7 +29,7 @@ MACRO = regex(r"(?!ament_|find_|configure_|write_|catkin_|cpm|install|extract_|a
 INSTALLS = regex(r"rosidl_|pluginlib_|rclcpp_components_|ament_python_|ament_index_|ament_auto_|generate_parameter")
 """How commands begin that install or register something."""
 CALLED = regex(r"\b(?:autoware_)?ament_(?:auto_)?package\s*\(")
-HOLLOW = "all that would build something is commented out: the build is green, and the package is hollow"
+EMPTIED = "all that would build something is commented out: the build is green, and the package is empty"
 
 
 @rule(
@@ -68,7 +68,7 @@ def missing_ament_package(ends: PackageEnds) -> Iterator[Hit]:
     Where all that is built is for tests. Where a file that can't be read is included, and where a macro of another
     package whose name has `package` in it is called: both may call `ament_package()`. (`autoware_package()` does not.)
     Where a macro that no file here defines comes behind all that is built, installed and exported, and may be of a
-    package that is found: it begins like that (`team_finish` of `team_cmake`), or nobody knows what that package has.
+    package that is found: it begins like that (`team_finish` of `team_cmake`), or that package is not known.
     Where its name is misspelt, which CMK114 reports. It is an info where targets are built and nothing is installed,
     exported or registered, as for tests that are run in the build folder. It is a warning where the call is commented
     out, and with it all that would build or install something: the package is switched off on purpose, and is built all
@@ -88,11 +88,11 @@ def missing_ament_package(ends: PackageEnds) -> Iterator[Hit]:
     place = projects[0].span if projects else root.source.line_span(1)
     if is_switched_off(package):
         advice = "mark it with an empty file `COLCON_IGNORE`, or bring its commands back"
-        yield Hit(root.path, place, f"{HOLLOW}; {advice}", Severity.WARNING)
+        yield Hit(root.path, place, f"{EMPTIED}; {advice}", Severity.WARNING)
         return
     is_idle, name = has_only_built(package), package.facts.name
     found = f"`ros2 run {name}` and `find_package({name})` don't find the package"
-    found = "nobody finds the package, of which nothing is installed either" if is_idle else found
+    found = "nothing finds the package, of which nothing is installed either" if is_idle else found
     message = f"CMakeLists.txt never calls `ament_package()`: the build is green, but {found}; call it last"
     knows_ament = any(each.name.startswith("ament_cmake") for each in cmake.packages)
     fix = Fix("call `ament_package()` at the end", (add_at_end(root, "ament_package()"),)) if knows_ament else None
@@ -107,7 +107,7 @@ def is_switched_off(package: CMakePackage) -> bool:
 
 
 def has_only_built(package: CMakePackage) -> bool:
-    """Return whether targets are made, and CMake is told to hand on nothing: they are run where they are built."""
+    """Return whether targets are made, and nothing is installed or exported: they are run where they are built."""
     cmake = package.cmake
-    hands_on = cmake.installs or any("export" in each.name or INSTALLS.match(each.name) for each in cmake.calls)
-    return bool(cmake.targets) and not hands_on and not package.facts.executables
+    passes_on = cmake.installs or any("export" in each.name or INSTALLS.match(each.name) for each in cmake.calls)
+    return bool(cmake.targets) and not passes_on and not package.facts.executables

@@ -23,7 +23,7 @@ EXPORT = "ament_export_include_directories(include/${PROJECT_NAME})\n"
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "what comes too late are only the linters",
-        Severity.INFO: "what is registered too late is registered in time as well, or nobody looks for it",
+        Severity.INFO: "what is registered too late is registered in time as well, or nothing looks for it",
     },
     examples=(
         Example(

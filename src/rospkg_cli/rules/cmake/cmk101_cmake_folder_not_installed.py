@@ -31,8 +31,8 @@ ONE = CMAKE.replace("ament_package", "install(DIRECTORY meshes DESTINATION share
     levels={
         Severity.ERROR: "code, a launch file or the README opens it in the share directory (RViz goes on without)",
         Severity.INFO: "nothing in the package or the workspace seems to; or the README opens it in the source folder; "
-        "or it is one launch file beside others, which no page or script starts; or a comment installs it, and nothing "
-        "here opens it",
+        "or it is one launch file next to others, which no page or script starts; or a comment installs it, and "
+        "nothing here opens it",
     },
     examples=(
         Example(

@@ -14,7 +14,7 @@ from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.cmake_project import CMake
-from ...package.cmake.meant_paths import meant_path
+from ...package.cmake.intended_paths import intended_path
 from ...package.cmake.referenced_paths import ReferencedPath, ReferencedPaths
 from ...rule import rule
 
@@ -104,7 +104,7 @@ def missing_installed_path(package: CMakePackage) -> Iterator[Hit]:
     left = BroughtPaths(package.cmake.package_files, names)
     for (named, for_everyone), *others in together(package.cmake, missing.all()):
         paths = list(dict.fromkeys([named.path, *(each.path for each, _ in others)]))
-        near = f" (did you mean `{meant}`?)" if (meant := meant_path(package.cmake, named)) else ""
+        near = f" (did you mean `{intended}`?)" if (intended := intended_path(package.cmake, named)) else ""
         do, end = ("do", PLURAL.get(named.use, consequence(named))) if paths[1:] else ("does", consequence(named))
         message = f"{in_ticks(paths)} {do} not exist{near}: {end}"
         related = tuple(Related(each.word.path, each.word.span, "and here") for each, _ in others[:MAX_RELATED])
@@ -131,7 +131,7 @@ def together(cmake: CMake, found: Iterable[tuple[ReferencedPath, bool]]) -> Iter
     same: dict[object, list[tuple[ReferencedPath, bool]]] = {}
     for named, for_everyone in found:
         kind = (consequence(named), for_everyone)
-        is_one = named.use == "folder" and not meant_path(cmake, named)
+        is_one = named.use == "folder" and not intended_path(cmake, named)
         of_call = same.get((id(named.call.command), *kind)) if is_one else None
         group = same.setdefault((named.path, *kind), [] if of_call is None else of_call)
         group.append((named, for_everyone))

@@ -22,7 +22,7 @@ from ...package.cmake.uninstalled_targets import UninstalledTargets
 from ...rule import rule
 from ...suggest import near_names
 
-MAIN, README = "int main() {return 0;}\n", "Run `ros2 run my_pkg listener` beside it.\n"
+MAIN, README = "int main() {return 0;}\n", "Run `ros2 run my_pkg listener` next to it.\n"
 TWO = """\
 add_executable(talker src/talker.cpp)
 add_executable(«listener» src/listener.cpp)
@@ -64,7 +64,7 @@ def cmake(lines: str) -> str:
         Severity.ERROR: "an exported target needs it: CMake stops",
         Severity.INFO: "an executable is no node: its sources leave ROS alone, and nothing starts it by `ros2 run`; or "
         "a comment has its `install()`, a page starts it where it is built, or it is a test or demonstration by its "
-        "name or folder beside programs that are installed; or it is not certain that a program needs a library, or "
+        "name or folder next to programs that are installed; or it is not certain that a program needs a library, or "
         "no package here looks for this one, which exports it; or a source of ROS 1 ends its build",
     },
     examples=(
@@ -100,25 +100,25 @@ def target_not_installed(dropped: DroppedLinks) -> Iterator[Hit]:
     examples or third parties. For static libraries, with EXCLUDE_FROM_ALL, and where the RPATH of what is installed
     names the build folder. A library is an info where what is linked with it does not surely include a header of it
     with a function, or compiles a source of it itself (`#include "core.cpp"`): the linker leaves it out
-    (`--as-needed`); and one in another folder where that is a MODULE, or lies beside it: a host loads these. So are one
-    that is only exported, where no package here looks for this one, targets that stop at ROS 1, and `./talker`.
+    (`--as-needed`); and one in another folder where that is a MODULE, or lies next to it: a host loads these. So are
+    one that is only exported, where no package here looks for this one, targets that stop at ROS 1, and `./talker`.
     """
     package = dropped.package
     if not package.is_ament:
         return
     misspelt = {each.word.text for each in TargetReferences(package.cmake).broken() if each.call.name == "install"}
-    programs, told = NodePrograms(package), set()
+    programs, reported = NodePrograms(package), set()
     for forgotten in UninstalledTargets(package.cmake).all():
         word = forgotten.target.word
         if near_names(word.text, misspelt):
             continue  # the install rule that means it is CMK110's
         fix = only_plain_names(Fix(f"install `{word.text}`", (edit(package, forgotten),)), word.text)
-        told.add(word.text)
+        reported.add(word.text)
         why_idle, unmet = dropped.why_idle(forgotten), dropped.why_unmet(forgotten)
         text, worth = uninstalled(package, forgotten, why_idle=why_idle), level(forgotten, programs, dropped)
         yield Hit(word.path, word.span, text + unmet, Severity.INFO if why_idle or unmet else worth, fix=fix)
     for each in DoubledNames(package.cmake).all():
-        if each.target.name not in told:
+        if each.target.name not in reported:
             related = (Related(each.first.path, each.first.span, "it stands here first"),)
             yield Hit(each.word.path, each.word.span, said_twice(each), related=related)
     for misplaced in MisplacedLibraries(package.cmake).all():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.doubled_folders import astray
+from ...checks.cmake.doubled_folders import misplaced_folders
 from ...checks.cmake.misplaced_executables import MisplacedExecutables
 from ...checks.cmake.misplaced_modules import MisplacedModules
 from ...edits.misplaced_together import OF_FILES, level, together
@@ -47,7 +47,7 @@ def cmake(lines: str) -> str:
     levels={
         Severity.WARNING: "neither a launch file nor the README starts the node, and it goes to bin/, or is a script",
         Severity.INFO: "nothing shows that it is a node, it lies in bin/ on purpose or is a test or demonstration "
-        "beside others, a script is installed as another file, any file beside the packages' folders in lib/ or "
+        "next to others, a script is installed as another file, any file next to the packages' folders in lib/ or "
         "share/, or a folder in one of its own name",
     },
     examples=(
@@ -87,9 +87,9 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
     tests put into bin/, or a page or script of the package starts by its path (`…/bin/talker`), a launch file or a test
     by its folder (`examples/talker`). For scripts that neither use rclpy nor are started by name, and for those that a
     launch file runs by their path, or pages and scripts alone (`python3 …/talker.py`). In a folder whose CMakeLists.txt
-    names a project of its own, where `lib/${PROJECT_NAME}` is meant, and where a rule runs code, which may link it
+    names a project of its own, where `lib/${PROJECT_NAME}` is intended, and where a rule runs code, which may link it
     there. In bin/, which is on the PATH, an info is what runs no node (no `rclcpp::init`, no `Node`), as a tool for
-    bags, or lies beside others that go to `lib/<package>`.
+    bags, or lies next to others that go to `lib/<package>`.
 
     ## Fix safety
     What is in bin/, and is started by no launch file and no README, may be called by its name: moving it is not safe.
@@ -99,7 +99,7 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
         return
     project = misplaced.package.cmake.project_name
     wrong = (each for each in misplaced.all() if project == name or each.destination != f"lib/{project}")
-    for edits, (first, *others) in together(misplaced.package.cmake, wrong):  # of the project's name CMK001 tells
+    for edits, (first, *others) in together(misplaced.package.cmake, wrong):  # CMK001 reports the project's name
         count = f" and {len(others)} more" if others else ""
         start = f"`{first.name}`{count} {'are' if others else 'is'} installed into `{first.destination}`"
         lacks = ", as `DESTINATION` has no value" if empty_destination(first.rule) else ""
@@ -112,7 +112,7 @@ def wrong_executable_destination(misplaced: MisplacedExecutables) -> Iterator[Hi
         places = dict.fromkeys((each.word.path, each.word.span) for each in others if each.word != first.word)
         related = tuple(Related(path, span, "and here") for path, span in places)
         yield Hit(first.word.path, first.word.span, message, severity, related, fix)
-    for word, sentence in astray(misplaced.package):
+    for word, sentence in misplaced_folders(misplaced.package):
         yield Hit(word.path, word.span, sentence, Severity.INFO)
     for module in MisplacedModules(misplaced.package).all():
         severity = Severity.WARNING if module.is_imported else Severity.INFO

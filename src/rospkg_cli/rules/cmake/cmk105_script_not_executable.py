@@ -37,7 +37,7 @@ def cmake(lines: str) -> str:
         Severity.WARNING: "only the bit of its source is missing: it can't be run after `colcon build "
         "--symlink-install`; or it is no node, and nothing starts it",
         Severity.INFO: "only its bit is missing, which a copy may have lost, and nothing starts it, or it says that "
-        "nobody uses it, or pages and scripts start it by its path alone; or it has no bit, "
+        "it is not used, or pages and scripts start it by its path alone; or it has no bit, "
         "and another file of its folder imports it; or it came with its folder or by a pattern, nothing starts it, and "
         "a file imports it, a comment names it, or it has no word of ROS",
     },

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.cmake.exported_headers import ExportedHeaders
-from ...checks.cmake.header_sentences import lacking, not_told, private
+from ...checks.cmake.exported_include_folders import ExportedIncludeFolders
+from ...checks.cmake.header_sentences import lacking, not_exported, private
 from ...checks.cmake.met_here import by_whom
 from ...checks.cmake.private_includes import PrivateIncludes
-from ...checks.cmake.told_folders import ToldFolders
 from ...checks.cmake.unmatched_patterns import unmatched_patterns
 from ...edits.cmake_commands import remove
 from ...edits.cmake_install import install_headers
@@ -63,8 +63,8 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
     ## What it does
     Finds packages that export a library or include directories and install no headers.
     Only packages that have headers in `include/` are checked. It also finds `install(DIRECTORY include DESTINATION
-    include)`, which makes a folder in the folder, and headers in `include/my_pkg/` where users are told of `include`
-    alone (`$<INSTALL_INTERFACE:…>`, INCLUDES DESTINATION, `ament_export_include_directories()`), or the other way
+    include)`, which makes a folder in the folder, and headers in `include/my_pkg/` where only `include` is exported
+    (`$<INSTALL_INTERFACE:…>`, INCLUDES DESTINATION, `ament_export_include_directories()`), or the other way
     round; single headers of `include/` that another package of the workspace includes; and those that an installed one
     includes (`ui_window.h` of Qt, too).
 
@@ -83,7 +83,7 @@ def headers_not_installed(exported: ExportedHeaders) -> Iterator[Hit]:
         return
     yield from misplaced(exported)
     if exported.headers.are_uninstalled():
-        unmatched = {path for each in unmatched_patterns(cmake) for path in each.others}  # CMK129 tells of the pattern
+        unmatched = {path for each in unmatched_patterns(cmake) for path in each.others}  # CMK129 reports the pattern
         yield from none_installed(exported) if unmatched.isdisjoint(exported.headers.offered) else ()
     elif wanted := exported.wanted():
         call = [each for each in cmake.calls if each.name.endswith(PACKAGE_ENDS)][-1]
@@ -133,8 +133,8 @@ def misplaced(exported: ExportedHeaders) -> Iterator[Hit]:
         level = None if exported.are_needed else Severity.INFO
         text = by_whom(f"{message}; install `include/`, with a slash", exported.are_needed)
         yield Hit(word.path, word.span, text, level)
-    elif untold := ToldFolders(headers).untold():
-        if not untold.told and (exported.are_of_plugins or (untold.is_shared and not exported.is_built_against)):
+    elif folder := ExportedIncludeFolders(headers).unexported():
+        if not folder.exported and (exported.are_of_plugins or (folder.is_shared and not exported.is_built_against)):
             return
         level = None if exported.are_needed else Severity.INFO
-        yield Hit(untold.row.path, untold.row.span, by_whom(not_told(untold), exported.are_needed), level)
+        yield Hit(folder.row.path, folder.row.span, by_whom(not_exported(folder), exported.are_needed), level)

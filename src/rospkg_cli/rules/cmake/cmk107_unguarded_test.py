@@ -61,10 +61,11 @@ def unguarded_test(tests: UnguardedTests) -> Iterator[Hit]:
     ## When it is quiet
     Where the package is more than a `<test_depend>`, and so there without tests too. Inside a condition that can't be
     evaluated, for tests in functions of the package, and in a package that is only for tests.
-    `rosdep install` installs test dependencies, and colcon builds tests unless it is told not to. It is a warning where
-    the repository is visibly released (bloom's files, a job for it, or a CHANGELOG.rst of this name among packages that
-    all have one), where a page, a script or a workflow installs only some tags or sets `BUILD_TESTING=OFF`, and where a
-    package that is looked for is neither declared nor a part of ros_core, as ament_lint_auto is; an info elsewhere.
+    `rosdep install` installs test dependencies, and colcon builds tests unless an option says otherwise. It is a
+    warning where the repository is visibly released (bloom's files, a job for it, or a CHANGELOG.rst of this name among
+    packages that all have one), where a page, a script or a workflow installs only some tags or sets
+    `BUILD_TESTING=OFF`, and where a package that is looked for is neither declared nor a part of ros_core, as
+    ament_lint_auto is; an info elsewhere.
 
     ## Fix safety
     Neighbouring commands that are only for tests are put into one `if(BUILD_TESTING)`; what they set is then no longer

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.modules_beside_scripts import LeftModule, modules_left_behind
+from ...checks.cmake.modules_next_to_scripts import LeftModule, modules_left_behind
 from ...checks.cmake.uninstalled_python import PythonPackages
 from ...edits.cmake_install import install_script
 from ...edits.cmake_python import install_python_package, python_install
@@ -24,7 +24,7 @@ GOOD = (
     .replace(INSTALL, f"{INSTALL}\nament_python_install_package(${{PROJECT_NAME}})\n")
 )
 HELLO = "scripts/hello.py"
-BESIDE = "install(PROGRAMS\n  scripts/hello.py\n  DESTINATION lib/${PROJECT_NAME}\n)\n"
+ALONE = "install(PROGRAMS\n  scripts/hello.py\n  DESTINATION lib/${PROJECT_NAME}\n)\n"
 BODY = "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n"
 
 
@@ -36,7 +36,7 @@ BODY = "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n"
     levels={
         Severity.WARNING: "a module next to a script, which a build with --symlink-install finds; only data "
         "imports it; or interfaces take its name",
-        Severity.INFO: "nothing in the package imports it, or nobody is shown to come to the import",
+        Severity.INFO: "nothing in the package imports it, or nothing is known to reach the import",
     },
     examples=(
         Example(
@@ -53,13 +53,13 @@ BODY = "  <buildtool_depend>ament_cmake_python</buildtool_depend>\n"
         ),
         Example(
             bad={
-                "CMakeLists.txt": CMAKE.replace("ament_package", BESIDE.replace(HELLO, f"«{HELLO}»") + "ament_package"),
+                "CMakeLists.txt": CMAKE.replace("ament_package", ALONE.replace(HELLO, f"«{HELLO}»") + "ament_package"),
                 "scripts/hello.py": SCRIPT.replace("my_pkg.words", "words"),
                 "scripts/words.py": "HELLO = 'hello'\n",
             },
             good={
                 "CMakeLists.txt": CMAKE.replace(
-                    "ament_package", BESIDE.replace(HELLO, f"{HELLO}\n  scripts/words.py") + "ament_package"
+                    "ament_package", ALONE.replace(HELLO, f"{HELLO}\n  scripts/words.py") + "ament_package"
                 )
             },
             on="ament_cmake",
@@ -102,11 +102,11 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
         yield Hit(place.path, place.command.span, message, level, (related,), fix)
     if name := packages.forgotten():
         start = f"the Python package `{name}` is not installed, though CMake looks for ament_cmake_python"
-        message = f"{start}: no one can import it; {repair(packages, name)}"
+        message = f"{start}: nothing can import it; {repair(packages, name)}"
         fix = installing(packages, name)
         yield Hit(ends[-1].path, ends[-1].command.span, message, Severity.INFO, fix=fix)
     for left in modules_left_behind(packages):
-        yield beside(packages, left)
+        yield next_to_script(packages, left)
 
 
 def is_generated(packages: PythonPackages, name: str) -> bool:
@@ -131,7 +131,7 @@ def installing(packages: PythonPackages, name: str) -> Fix | None:
     return only_plain_names(Fix(f"install the Python package {name}", edits), name)
 
 
-def beside(packages: PythonPackages, left: LeftModule) -> Hit:
+def next_to_script(packages: PythonPackages, left: LeftModule) -> Hit:
     script = install_script(packages.package.cmake, left.source) if not left.needs_folder else None
     fix = only_plain_names(Fix(f"install `{left.source}`", (script,)), left.source) if script else None
     related = Related(left.script, left.imported, "it is imported here")

@@ -24,7 +24,7 @@ STANDARD = regex(r"(?:.*/install(?:/[^/]+)?)?/((?:share|lib|include|bin)/.*)")
 OF_SOMEBODY = regex(r"/home/|/Users/|~")
 """What only one machine has; other folders are there for whoever builds as root, as in a container."""
 SLASH_TOO_MANY = regex(r"/(?:share|lib)/\$\{PROJECT_NAME\}(?:/|$)")
-"""What is meant nowhere, whatever the condition around it."""
+"""What is intended nowhere, whatever the condition around it."""
 
 
 @rule(
@@ -63,7 +63,7 @@ def absolute_destination(package: CMakePackage) -> Iterator[Hit]:
     ## When it is quiet
     For what begins with a variable (`${CMAKE_INSTALL_PREFIX}/share`), also behind a slash where the variable holds the
     prefix or is unknown. Under a condition that can't be evaluated only `/share/${PROJECT_NAME}` and
-    `/lib/${PROJECT_NAME}` are told, as warnings.
+    `/lib/${PROJECT_NAME}` are reported, as warnings.
     Rules of udev and units of systemd may belong in the system's folders: a warning. So are all its other folders
     (`/opt/tools`), where the build may write as root, and `$ENV{HOME}`, the home of whoever builds.
     """

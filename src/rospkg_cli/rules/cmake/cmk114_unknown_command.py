@@ -32,8 +32,8 @@ def cmake(lines: str) -> str:
     over=UnfoundCommands,
     severity=Severity.ERROR,
     levels={
-        Severity.INFO: "another package that is found may find the one that defines it, or define it itself: nobody "
-        "knows that package, or the name is two letters or a word off",
+        Severity.INFO: "another package that is found may find the one that defines it, or define it itself: that "
+        "package is not known, or the name is two letters or a word off",
     },
     examples=(
         Example(
@@ -69,7 +69,7 @@ def unknown_command(commands: UnfoundCommands) -> Iterator[Hit]:
     of words which commands have (`add_gtest`), names with another number in them (`qt4_wrap_cpp`), and names of less
     than six letters. Under a condition that can't be evaluated, and where the command is never run. For a module of
     CMake where a .cmake file of the package names it. A name that is near to a known one, or is of ROS 1, is an info
-    where a package is found that nobody knows, or one of the workspace that has nothing but CMake files for others;
+    where an unknown package is found, or one of the workspace that has nothing but CMake files for others;
     the first also where two letters or a word are other.
     """
     cmake = commands.package.cmake

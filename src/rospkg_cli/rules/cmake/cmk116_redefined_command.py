@@ -17,7 +17,7 @@ endfunction()
 """
 
 
-MEANT = "; nothing here is shown to fail by it, which may be meant"
+INTENDED = "; nothing here is known to fail by it, which may be intended"
 
 
 def cmake(lines: str) -> str:
@@ -32,7 +32,8 @@ def cmake(lines: str) -> str:
     levels={
         Severity.ERROR: "its body calls the command, and so itself",
         Severity.INFO: "the package does not call it, and it is none that nearly all packages call, or ament's own "
-        "takes its place again; or it may be meant: it does something for the package's own calls, or only shows texts",
+        "takes its place again; or it may be intended: it does something for the package's own calls, or only shows "
+        "texts",
     },
     examples=(
         Example(
@@ -60,11 +61,11 @@ def redefined_command(package: CMakePackage) -> Iterator[Hit]:
 
     ## When it is quiet
     It is an info where the package does not call it and it is no command that the files of nearly all packages call
-    (`find_package`, `install`), or calls it and its body does something for that, which may be meant; where only texts
-    are lost (`message`), where `find_package()` defines ament's own behind it again, or where its file is included
-    under a condition. It is quiet inside of an `if`, which may ask whether the command exists, and where the body
-    calls the former command by the name that CMake keeps for it (`_install`). In a copy of the file in which CMake or
-    ament defines the command (`GoogleTest.cmake`). Commands of others, such as pybind11, Qt or rosidl, are none of
+    (`find_package`, `install`), or calls it and its body does something for that, which may be intended; where only
+    texts are lost (`message`), where `find_package()` defines ament's own behind it again, or where its file is
+    included under a condition. It is quiet inside of an `if`, which may ask whether the command exists, and where the
+    body calls the former command by the name that CMake keeps for it (`_install`). In a copy of the file in which CMake
+    or ament defines the command (`GoogleTest.cmake`). Commands of others, such as pybind11, Qt or rosidl, are none of
     these.
     """
     for each in RedefinedCommands(package.cmake).all():
@@ -75,7 +76,7 @@ def redefined_command(package: CMakePackage) -> Iterator[Hit]:
             whose = "every later call in the build of this package runs this one, in files that it finds too"
             message = f"{start}: {whose}; give it another name"
         level = Severity.ERROR if each.calls_itself else None
-        is_idle = each.may_be_meant and not each.calls_itself
+        is_idle = each.may_be_intended and not each.calls_itself
         is_met = each.is_called and not each.lost and not is_idle
-        why = each.lost or (MEANT if is_idle and each.is_called else "")
+        why = each.lost or (INTENDED if is_idle and each.is_called else "")
         yield Hit(each.path, each.span, message + why, level if is_met else Severity.INFO)

@@ -43,7 +43,7 @@ def cmake_handed(keyword: str) -> str:
         Severity.WARNING: "it is the package itself, which may be installed from an earlier build; or a target is "
         "looked for that is linked, and not required; or an image that the repository builds on may bring it",
         Severity.INFO: "it is exported, and no package of the workspace looks for this one; or another package, a "
-        "folder outside or a repository that is listed may bring it: it is found in other letters, nobody knows it, or "
+        "folder outside or a repository that is listed may bring it: it is found in other letters, is not known, or "
         "a package that is not declared, or a short name two letters off, is near",
     },
     examples=(

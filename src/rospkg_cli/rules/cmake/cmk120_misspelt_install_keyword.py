@@ -53,8 +53,8 @@ def misspelt_install_keyword(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
     Finds words in `install()` that are one or two letters off a keyword, such as `DESTINTION`.
-    Its first word, which says what is installed, is also told in small letters (`install(targets …)`).
-    All other rules read the call as it is meant.
+    Its first word, which says what is installed, is also reported in small letters (`install(targets …)`).
+    All other rules read the call as it is intended.
 
     ## Why is this bad?
     CMake takes the word for one more target, file or folder, and what follows it too: it stops, at once or when it
@@ -71,15 +71,15 @@ def misspelt_install_keyword(package: CMakePackage) -> Iterator[Hit]:
     for call in cmake.named("install"):
         if form := intended_form(call):
             yield hit(cmake, call, call.words[0], form, "it does not say what to install")
-        for word, meant in intended_keywords(call):
-            if meant and not (cmake.target(word.text) or cmake.package_files.is_there(word.text)):
-                yield hit(cmake, call, word, meant, "it takes it for something to install")
+        for word, keyword in intended_keywords(call):
+            if keyword and not (cmake.target(word.text) or cmake.package_files.is_there(word.text)):
+                yield hit(cmake, call, word, keyword, "it takes it for something to install")
 
 
-def hit(cmake: CMake, call: EvaluatedCommand, word: Word, meant: str, why: str) -> Hit:
-    start = f"`install` has no keyword `{word.text}` (did you mean `{meant}`?)"
+def hit(cmake: CMake, call: EvaluatedCommand, word: Word, keyword: str, why: str) -> Hit:
+    start = f"`install` has no keyword `{word.text}` (did you mean `{keyword}`?)"
     message = f"{start}: CMake stops, as {why}; correct it"
-    fix = Fix(f"write `{meant}`", (Edit(word.path, word.span, meant),), Safety.UNSAFE)
+    fix = Fix(f"write `{keyword}`", (Edit(word.path, word.span, keyword),), Safety.UNSAFE)
     is_literal = cmake.source_text(word) == word.text
     level = Severity.WARNING if call.maybe or word.maybe else None
     return Hit(word.path, word.span, message, level, fix=fix if is_literal else None)

@@ -54,7 +54,7 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
     """
     ## What it does
     Finds targets that include headers of a package that CMake finds, and are not linked with it.
-    `find_package()` alone tells no target where the headers are: `target_link_libraries()` does, or
+    `find_package()` alone adds no include directory to a target: `target_link_libraries()` does, or
     `ament_target_dependencies()` up to Kilted. So are the headers of the package's own interfaces, which come with what
     `rosidl_get_typesupport_target()` returns. octomap, ompl and yaml-cpp set no variable that
     `ament_target_dependencies()` reads, so that it links nothing of them: an info.
@@ -65,7 +65,7 @@ def unlinked_include(includes: UnlinkedIncludes) -> Iterator[Hit]:
 
     ## When it is quiet
     The package's own interfaces bring what `rosidl_generate_interfaces()` is given as DEPENDENCIES. What a target is
-    linked with brings what it passes on itself, as far as package.xml tells, and the CMake of a package of the
+    linked with brings what it passes on itself, as far as package.xml says, and the CMake of a package of the
     workspace (what it is linked with as PRIVATE stays there), and so do the folders of a package
     (`${tf2_INCLUDE_DIRS}`); where one link or folder is not known, nothing is said of the target, and where that is not
     known of one package, or it brings it on some distributions alone, all that it may bring is one info. What rclcpp is
@@ -118,7 +118,7 @@ def without_own(found: Sequence[OwnInterface]) -> Hit | None:
 
 
 def perhaps_brought(found: Sequence[UnlinkedInclude]) -> Hit:
-    """Return one info for all that a target lacks and a package may bring of which nobody knows what it brings."""
+    """Return one info for all that a target lacks, and that a package may bring whose dependencies are not known."""
     first, *others = found
     names = in_ticks(dict.fromkeys(each.package for each in found))
     are, them = ("are", "them") if others else ("is", "it")

@@ -45,8 +45,8 @@ def cmake(lines: str) -> str:
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "under a condition that can't be evaluated, or CMake goes on with another value, or a "
-        "condition compares what is empty for some, or each command that tells to build it has `--symlink-install`, "
-        "with which a second `DIRECTORY` is read as it is meant",
+        "condition compares what is empty for some, or each documented build command has `--symlink-install`, "
+        "with which a second `DIRECTORY` is read as it is intended",
         Severity.INFO: "what it compares is set wherever ROS is set up, or the condition stands in a block; or no "
         "linker runs for what is linked, or a folder without its slash is not needed",
     },
@@ -76,7 +76,7 @@ def cmake(lines: str) -> str:
 def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
     """
     ## What it does
-    Finds calls whose arguments CMake refuses, or takes for something else than is meant.
+    Finds calls whose arguments CMake refuses, or takes for something else than is intended.
     It knows `target_include_directories()` and its like without `PUBLIC`, `PRIVATE` or `INTERFACE`,
     `install(FILES …)` without a destination or with a keyword of another form, what stands behind the value of a
     keyword (`install(TARGETS a DESTINATION bin b)`), `EXPORT` in the part of `RUNTIME` and its like,
@@ -96,7 +96,7 @@ def refused_arguments(package: CMakePackage) -> Iterator[Hit]:
     Where an argument is a variable that can't be evaluated, for a command that the package defines itself, and for a
     target, file or folder that is called like the keyword. For an operand that a file sets or asks for
     (`if(DEFINED ENV{NAME})`), and one of ROS where package.xml names ros_environment.
-    A folder without its slash is an info where the headers of it that are included are found beside the file or in
+    A folder without its slash is an info where the headers of it that are included are found next to the file or in
     another folder, where it should have libraries and has none, and where nothing reads the variable.
     `target_link_libraries(x SHARED …)` is an info for a static library with which nothing is linked here:
     `add_library(x …)` makes one, unless ament_cmake_ros or BUILD_SHARED_LIBS says otherwise.

@@ -56,4 +56,4 @@ def empty_source_glob(package: CMakePackage) -> Iterator[Hit]:
         message = f"`{name}` matches no file: `{each.variable}` is empty, and CMake does not say so"
         why = "" if each.is_needed else "; nothing here is made of it alone"
         level = None if each.is_needed else Severity.INFO
-        yield Hit(each.word.path, each.word.span, f"{message}; did you mean `{each.meant}`?{why}", level)
+        yield Hit(each.word.path, each.word.span, f"{message}; did you mean `{each.near}`?{why}", level)

@@ -42,7 +42,7 @@ int main(int argc, char ** argv)
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is built on demand alone; or a source is not there, as one of a submodule, or a library "
-        "can't be evaluated, and a file beside the others has a `main()`",
+        "can't be evaluated, and a file next to the others has a `main()`",
         Severity.INFO: "a comment in a source says that the code is still to be written",
     },
     examples=(
@@ -70,9 +70,9 @@ def program_without_main(programs: MainlessPrograms) -> Iterator[Hit]:
     Where a source is not known, or of another language than C++; where one, a header of the package that it includes,
     or a library of the package has `main(`, `MAIN`, BOOST_TEST_MODULE or an unknown macro in it, or includes a file
     called so, and where a library is linked that has `main` in its name (`gtest_main`). Where a source is not there or
-    a library can't be evaluated, unless a file beside the others has a `main()` and stands in no CMake file: a warning,
-    as for a program that is only built on demand (EXCLUDE_FROM_ALL). For tests, and below a condition that can't be
-    evaluated. Where a comment in a source says that the code is still to be written, it is an info.
+    a library can't be evaluated, unless a file next to the others has a `main()` and stands in no CMake file: a
+    warning, as for a program that is only built on demand (EXCLUDE_FROM_ALL). For tests, and below a condition that
+    can't be evaluated. Where a comment in a source says that the code is still to be written, it is an info.
     """
     for each in programs.all():
         word = each.target.word

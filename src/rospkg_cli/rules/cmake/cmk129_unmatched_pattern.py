@@ -21,8 +21,8 @@ LAUNCH = "<launch/>\n"
     over=UnmatchedPatterns,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "another rule installs these files, it is in a function, all sources are of ROS 1, or nobody is "
-        "known to include the headers or to open the files"
+        Severity.INFO: "another rule installs these files, it is in a function, all sources are of ROS 1, or nothing "
+        "is known to include the headers or to open the files"
     },
     examples=(
         Example(
@@ -43,7 +43,7 @@ def unmatched_pattern(patterns: UnmatchedPatterns) -> Iterator[Hit]:
     """
     ## What it does
     Finds folders that are installed with FILES_MATCHING and a PATTERN that none of their files fits.
-    It tells where the folder has files of the same purpose with another ending: headers (`.h`, `.hpp`), launch files,
+    It reports folders that have files of the same purpose with another ending: headers (`.h`, `.hpp`), launch files,
     parameters, meshes, robots or pictures.
 
     ## Why is this bad?
@@ -52,10 +52,10 @@ def unmatched_pattern(patterns: UnmatchedPatterns) -> Iterator[Hit]:
     ## When it is quiet
     For other patterns than `*.ending` and for REGEX, where another rule with FILES_MATCHING takes the files, where git
     ignores or the build makes such files, for folders that are not there (CMK102), and below a condition that can't be
-    evaluated. It is an info in a function or a macro, which others may call for other folders, and where a pattern
-    beside it takes files of the folder to a place that is not known; and where CMake chooses between ament and catkin
-    and all sources are of ROS 1. So it is where nobody is known to look for the files: no package of the workspace that
-    looks for this one includes a header, or nothing opens the files. Launch files are there to be started.
+    evaluated. It is an info in a function or a macro, which others may call for other folders, and where another
+    pattern takes files of the folder to a place that is not known; and where CMake chooses between ament and catkin
+    and all sources are of ROS 1. So it is where nothing is known to look for the files: no package of the workspace
+    that looks for this one includes a header, or nothing opens the files. Launch files are there to be started.
     """
     for each in patterns.all():
         names = in_ticks(each.patterns)

@@ -36,7 +36,7 @@ int main()
     levels={
         Severity.WARNING: "in a file that only others compile, tests do, or that is compiled on demand, or in a folder "
         "that no command names",
-        Severity.INFO: "in a file that nothing compiles, beside others or in a package that installs nothing, that "
+        Severity.INFO: "in a file that nothing compiles, next to others or in a package that installs nothing, that "
         "only a switch which is off has, or behind a header of ROS 1",
     },
     examples=(

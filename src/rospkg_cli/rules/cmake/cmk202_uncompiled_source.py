@@ -74,17 +74,17 @@ def uncompiled_source(sources: UncompiledSources) -> Iterator[Hit]:
     files, the file may be a leftover: an info.
     """
     for each in sources.all():
-        beside = sources.beside(each)
-        message = f"no target in CMakeLists.txt compiles `{each.path}`: {harm(sources, each, beside)}"
-        yield Hit(each.path, each.span, message, None if sources.is_wanted(each) and not beside else Severity.INFO)
+        existing = sources.existing_program(each)
+        message = f"no target in CMakeLists.txt compiles `{each.path}`: {harm(sources, each, existing)}"
+        yield Hit(each.path, each.span, message, None if sources.is_wanted(each) and not existing else Severity.INFO)
     for twin in uncompiled_twins(sources):
         yield Hit(twin.path, twin.span, twin.sentence, None if twin.user else Severity.INFO)
 
 
-def harm(sources: UncompiledSources, each: UncompiledSource, beside: str) -> str:
-    """Return what comes of it that nothing compiles a file, and what to do."""
-    if beside:
-        return f"it is a leftover beside {beside}, which has other sources; remove it"
+def harm(sources: UncompiledSources, each: UncompiledSource, existing: str) -> str:
+    """Return what happens as nothing compiles a file, and what to do."""
+    if existing:
+        return f"it is a leftover, as there is {existing} with other sources; remove it"
     if each.what == "node":
         fails = f"`ros2 run {sources.package.facts.name} {each.name}` finds nothing; add an executable of it"
     else:

@@ -27,11 +27,11 @@ class LeftModule:
     installed_as: str = ""
     """Where a rule installs it all the same, without its folder; "" where none does."""
     why_unmet: str = ""
-    """Why nobody is shown to come to the import."""
+    """Why nothing is known to reach the import."""
 
     @property
     def needs_folder(self) -> bool:
-        """Whether it helps nobody as a file of its own: a package is its folder."""
+        """Whether its folder must be installed with it, as it is a package."""
         return bool(self.installed_as) or self.source.endswith("/__init__.py")
 
     @property
@@ -88,6 +88,6 @@ def source_of(packages: PythonPackages, row: InstalledFile, each: Import) -> str
     here = f"{posixpath.dirname(row.source)}/{name}".lstrip("/")
     there = f"{posixpath.dirname(row.destination)}/{name}"
     found = next((path for path in (f"{here}.py", f"{here}/__init__.py") if files.has_file(path)), "")
-    is_beside = any(other.destination.startswith((f"{there}.", f"{there}/")) for other in packages.table.rows)
+    is_next_to_it = any(other.destination.startswith((f"{there}.", f"{there}/")) for other in packages.table.rows)
     is_package = found.endswith("/__init__.py") and "/" not in here
-    return "" if is_beside or is_package else found
+    return "" if is_next_to_it or is_package else found

@@ -1,4 +1,4 @@
-"""The folders of headers that users of a package are told of, against those into which it installs them (CMK106)."""
+"""The include directories that a package exports, against the folders into which it installs headers (CMK106)."""
 
 from __future__ import annotations
 
@@ -17,55 +17,56 @@ from .exported_headers import AUTOMATIC
 
 INTERFACE = regex(r"\$<INSTALL_INTERFACE:([^<>]*)>")
 GENERATES = ("rosidl_generate_interfaces", "generate_parameter_library", "generate_export_header")
-"""Commands that tell of include/ and the package's name by themselves, or put headers of their own there."""
+"""Commands that export include/ or include/<package> themselves, or install headers of their own there."""
 PROPERTIES = ("set_target_properties", "set_property")
-TELLING = (*INCLUDES, "target_include_directories", "install", *PROPERTIES)
+EXPORTING = (*INCLUDES, "target_include_directories", "install", *PROPERTIES)
 OURS = "include"
-"""The folder of the prefix that others may tell of as well."""
+"""The folder of the prefix that other packages may export as well."""
 
 
 @dataclass(frozen=True, slots=True)
-class UntoldFolder:
+class UnexportedFolder:
     row: InstalledFile
     header: str
     """As users include it."""
     folder: str
-    told: tuple[str, ...]
-    is_told_by_target: bool
-    """Whether it is `$<INSTALL_INTERFACE:…>` of a target that tells of another folder."""
+    exported: tuple[str, ...]
+    is_set_by_target: bool
+    """Whether a target has another folder in `$<INSTALL_INTERFACE:…>`."""
 
     @property
     def is_shared(self) -> bool:
-        """Whether it is the folder of which other packages may tell."""
+        """Whether it is the folder that other packages may export."""
         return self.folder == OURS
 
 
 @dataclass(frozen=True)
-class ToldFolders:
+class ExportedIncludeFolders:
     headers: PublicHeaders
 
-    def untold(self) -> UntoldFolder | None:
-        """Return the folder in which all headers of include/ are to be found, where users are told of others alone."""
+    def unexported(self) -> UnexportedFolder | None:
+        """Return the folder that all headers of include/ are installed to, where only others are exported."""
         cmake = self.headers.package.cmake
         is_known = cmake.is_complete and not cmake.reads_unknown_files and self.headers.table.knows("header")
         is_exported = self.headers.exports or (cmake.named(LIBRARIES) and not cmake.named(PLUGINS))
         if not is_known or not is_exported or cmake.named(*AUTOMATIC, *GENERATES) or cmake.functions:
             return None
-        told = [text for call in cmake.named(*TELLING) for text in told_by(call)]
+        exported = [text for call in cmake.named(*EXPORTING) for text in exported_by(call)]
         rows = [row for row in self.headers.table.rows if row.source in self.headers.offered]
         name = self.headers.package.facts.name
         bases = {base_of(row, name) for row in rows}
         folder = bases.pop() if len(bases) == 1 else ""
-        if not folder or any(row.maybe for row in rows) or any(UNKNOWN in text or text[:1] == "/" for text in told):
+        is_open = any(UNKNOWN in text or text[:1] == "/" for text in exported)
+        if not folder or is_open or any(row.maybe for row in rows):
             return None
         if folder == OURS and not self.is_named_whole(rows):
             return None
-        found = tuple(dict.fromkeys(posixpath.normpath(text) for text in told))
+        found = tuple(dict.fromkeys(posixpath.normpath(text) for text in exported))
         by_target = any(
             INTERFACE.search(text) for call in cmake.named("target_include_directories") for text in call.texts
         )
         header = rows[0].source.partition("/")[2]
-        return None if folder in found else UntoldFolder(rows[0], header, folder, found, by_target)
+        return None if folder in found else UnexportedFolder(rows[0], header, folder, found, by_target)
 
     def is_named_whole(self, rows: list[InstalledFile]) -> bool:
         """Return whether the package itself includes some of its headers, and each by its path below include/."""
@@ -91,8 +92,8 @@ def base_of(row: InstalledFile, package: str) -> str:
     return row.destination.removesuffix(f"/{path}") if is_known else ""
 
 
-def told_by(call: EvaluatedCommand) -> Iterator[str]:
-    """Yield the folders below the prefix that a command tells users of; UNKNOWN where that can't be evaluated."""
+def exported_by(call: EvaluatedCommand) -> Iterator[str]:
+    """Yield the include directories below the prefix that a command exports; UNKNOWN where they can't be evaluated."""
     texts = call.texts
     if call.name in INCLUDES:
         yield from (text.removeprefix(f"{PREFIX}/") for text in texts)
@@ -106,15 +107,15 @@ def told_by(call: EvaluatedCommand) -> Iterator[str]:
             yield from (UNKNOWN for _ in text[:1] if UNKNOWN in text)
 
 
-def tells_of_any(cmake: CMake) -> bool:
-    """Return whether users of a package may be told of any folder of headers, in whatever way."""
+def exports_any_folder(cmake: CMake) -> bool:
+    """Return whether a package may export any include directory, in whatever way."""
     names = (*INCLUDES, *TARGETS, *AUTOMATIC, *GENERATES)
     has_extras = any("CONFIG_EXTRAS" in text for call in cmake.calls for text in call.texts)
     return bool(cmake.named(*names)) or has_extras or next(foreign_commands(cmake), None) is not None
 
 
 def property_names(call: EvaluatedCommand) -> tuple[str, ...]:
-    """Return what a command for properties is given after their keyword, where each other word is a name."""
+    """Return the names of the properties that a command sets; UNKNOWN where it has no keyword before them."""
     for keyword, step in (("PROPERTIES", 2), ("PROPERTY", 0)):
         if keyword in call.texts:
             after = call.texts[call.texts.index(keyword) + 1 :]
