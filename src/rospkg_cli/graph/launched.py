@@ -5,7 +5,8 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
-from ..package.launch.launch_file import Include, LaunchFile
+from ..package.launch.launch_file import LaunchFile
+from ..package.launch.launched_parts import Include
 from .workspace_graph import GraphNode
 
 BESIDE = "$(dirname)/"

@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from ..control_characters import visible
-from ..package.launch.launch_file import DeclaredArgument, Include, LaunchedNode, LaunchFile
+from ..package.launch.launch_file import LaunchFile
+from ..package.launch.launched_parts import DeclaredArgument, Include, LaunchedNode
 from ..package.launch.text import LaunchText
 from .color import paint
 

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from ...languages.python.evaluate.values import Constant, Sequence, Value
 from ...light_dataclasses import dataclass
-from ...package.launch.launch_file import LaunchedNode, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import LaunchedNode
 from ...package.launch.text import LaunchText, Literal
 from ...source import Span
 

@@ -16,6 +16,7 @@ from ...unreadable import READABLE
 from ..fault import Fault, softer, softer_advice
 from ..paths.logged_texts import logged_spans
 from ..repository.older_distribution import OlderDistribution
+from .always_true_tests import test_faults
 from .call_arguments import argument_faults, tests_of, with_its_name
 from .call_signatures import signature_faults
 from .function_results import description_faults, function_faults
@@ -28,7 +29,7 @@ from .lone_commas import added_faults, at_the_comma, lone_commas, used_at_the_co
 from .lost_faults import where_met
 from .performed_texts import performed_faults
 from .program_prefixes import PROCESSES
-from .python_truth import Truth, is_comparison, test_faults, truth_values, use_faults
+from .python_truth import Truth, is_comparison, truth_values, use_faults
 from .relative_parameter_files import values_as_files
 
 LATER = "`LifecycleNode` is called without its required `namespace`"

@@ -8,8 +8,9 @@ from typing import Annotated
 
 from ...light_dataclasses import dataclass, replace
 from ...package.launch.file_references import FileReference, first_in
-from ...package.launch.launch_file import Include, LaunchFile
+from ...package.launch.launch_file import LaunchFile
 from ...package.launch.launch_signature import LaunchSignature
+from ...package.launch.launched_parts import Include
 from ...ros.known_launch_files import known_arguments
 from ...source import Span
 from ...suggest import nearest

@@ -8,7 +8,7 @@ from typing import Literal
 from ...light_dataclasses import dataclass
 from ...package.launch.file_references import ReferenceKind
 from ...package.launch.joined_path import OPEN
-from ...package.launch.launch_file import DeclaredArgument
+from ...package.launch.launched_parts import DeclaredArgument
 from ...source import Span
 
 USES: tuple[ReferenceKind, ...] = ("include", "open", "file", "default", "caught")

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.launch.launch_file import Command, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import Command
 from ...package.launch.text import LaunchText, Literal, Substitution
 from ...source import Span
 

@@ -10,7 +10,7 @@ from ...languages.python.nodes import nodes_of
 from ...package.launch.evaluated_launch import EvaluatedLaunch
 from ...package.launch.launch_classes import class_of
 from ..fault import Fault
-from .python_truth import bindings_of, operands
+from .always_true_tests import bindings_of, operands
 
 TRUTHS = frozenset({"true", "false"})
 

@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...languages.python.unread_values import only_read_in
-from ...package.launch.launch_file import DeclaredArgument, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import DeclaredArgument
 from ...package.launch.live_text import without, without_unread
 from ...package.launch.text import uncommented
 from ...source import Span

@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.argument_defaults import literal_defaults
-from ...package.launch.launch_file import LaunchedNode, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import LaunchedNode
 from ...package.launch.text import LaunchText, Substitution
 from ...source import Span
 from ..fault import Fault

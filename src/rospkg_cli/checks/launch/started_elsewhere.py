@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator
 
 from ...languages.python.evaluate.values import Call, Sequence
 from ...lazy_regex import regex
-from ...package.launch.launch_file import LaunchedNode, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import LaunchedNode
 from ...package.launch.never_launched import never_launched
 from ...package.launch.python_to_text import text_of
 from ...source import Span

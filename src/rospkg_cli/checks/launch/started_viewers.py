@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ...lazy_regex import regex
-from ...package.launch.launch_file import LaunchedNode, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import LaunchedNode
 from ...package.package_facts import PackageFacts
 from ...source import Span
 from .idle_actions import OFF, level_at

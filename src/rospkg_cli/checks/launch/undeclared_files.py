@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from ...lazy_regex import regex
-from ...package.launch.launch_file import LaunchedNode
+from ...package.launch.launched_parts import LaunchedNode
 from ...package.package_facts import PackageFacts
 from ...ros.known_nodes import known_nodes, known_parameters, newer_parameters
 from ...source import Span

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...lazy_regex import regex
-from ...package.launch.launch_file import LaunchedNode
+from ...package.launch.launched_parts import LaunchedNode
 from ...package.launch.text import uncommented
 from ...source import Span
 from .launch_context import LaunchContext

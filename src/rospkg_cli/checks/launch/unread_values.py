@@ -10,7 +10,7 @@ from ...files import PackageFiles
 from ...languages.python.unread_values import only_read_in
 from ...light_dataclasses import dataclass
 from ...package.launch.file_references import FileReference, first_in
-from ...package.launch.launch_file import DeclaredArgument, Include
+from ...package.launch.launched_parts import DeclaredArgument, Include
 from ...package.launch.live_text import without, without_unread
 from ...package.launch.text import uncommented
 from ...ros.known_launch_files import known_arguments

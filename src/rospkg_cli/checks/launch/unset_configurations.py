@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...package.launch.launch_file import DeclaredArgument
+from ...package.launch.launched_parts import DeclaredArgument
 from ...suggest import nearest
 from .launch_configurations import OWN, LaunchConfigurations
 from .misspelt_configurations import slips, unset_in_classes

@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
-import ast
-import re
 from collections.abc import Iterator
 
-from ...languages.python.bound_again import bound_again
 from ...languages.python.evaluate.values import Call
-from ...languages.python.file import PythonFile
-from ...languages.python.nodes import nodes_of
 from ...languages.python.undefined_names import undefined_names
-from ...languages.python.unread_values import is_stored
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_classes import class_of
-from ...package.launch.never_launched import of_module
 from ...package.launch.python_to_text import text_of
 from ...package.workspace import Workspace
 from ...ros.launch_calls import ACTIONS
@@ -22,6 +15,7 @@ from ...source import Span
 from ...suggest import near_names
 from .awaited_actions import only_awaited
 from .launch_configurations import LaunchConfigurations
+from .unread_bindings import is_mentioned, overwritten, unread
 from .unset_configurations import unset, unused
 
 HARM = {
@@ -84,14 +78,6 @@ def unused_actions(configurations: LaunchConfigurations) -> Iterator[UnusedActio
             yield UnusedAction(file.span(node), what, harm, is_gone, starter, line, written=written)
 
 
-def overwritten(file: PythonFile) -> Iterator[tuple[str, ast.expr, ast.expr, int]]:
-    """Yield what is bound to a name that holds something else where it is read, with the line that binds this."""
-    names = {node.id for node in nodes_of(file.tree) if isinstance(node, ast.Name) and not is_stored(node)}
-    for each in bound_again(file) if names.isdisjoint(("locals", "vars", "eval", "exec")) else ():
-        if each.target.id in names:
-            yield each.target.id, each.target, each.value, each.again.lineno
-
-
 def starts_nothing(call: Call, workspace: Workspace) -> bool:
     """Return whether a node's package is one of the workspace, and certainly has no such executable."""
     package, executable = (
@@ -101,43 +87,6 @@ def starts_nothing(call: Call, workspace: Workspace) -> bool:
     if facts is None or executable is None or not facts.knows("executables"):
         return False
     return executable not in facts.executables | facts.misplaced_executables and not facts.may_write(executable)
-
-
-def unread(file: PythonFile) -> Iterator[tuple[str, ast.expr, ast.expr]]:
-    """Yield what functions bind to a name that nothing reads, with the name's node; statements that bind nothing."""
-    nodes = list(nodes_of(file.tree))
-    read = {node.id for node in nodes if isinstance(node, ast.Name) and not is_stored(node)}
-    if read & {"locals", "vars", "eval", "exec"}:
-        return
-    for function in nodes:
-        for node in nodes_of(function) if isinstance(function, ast.FunctionDef) else ():
-            match node:
-                case ast.Assign(targets=[ast.Name(id=name) as target], value=value) if name not in read:
-                    yield name, target, value
-                case ast.Expr(value=ast.Call(func=function_name) as value):
-                    yield "", function_name, value
-                case ast.Expr(value=ast.Tuple(elts=items) | ast.List(elts=items)):  # a comma behind the action
-                    yield from (("", each.func, each) for each in items if isinstance(each, ast.Call))
-    for node in file.tree.body:
-        match node:
-            case ast.Assign(targets=[ast.Name(id=name) as target], value=value) if name in unread_names(file) - read:
-                yield name, target, value
-
-
-def unread_names(file: PythonFile) -> frozenset[str]:
-    return frozenset(name for names, _ in of_module(file) for name in names)
-
-
-def is_mentioned(name: str, file: PythonFile) -> bool:
-    """Return whether a name is taken out on purpose: by a comment, a text that is no value, or a leading `_`."""
-    word = re.compile(rf"\b{re.escape(name)}\b")
-    comments = re.findall(r"#.*", file.source.text)
-    texts = [
-        node.value.value
-        for node in nodes_of(file.tree)
-        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
-    ]
-    return name.startswith("_") or (bool(name) and any(word.search(each) for each in (*comments, *texts)))
 
 
 def reported_arguments(configurations: LaunchConfigurations) -> frozenset[str]:

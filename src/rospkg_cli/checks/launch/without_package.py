@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass
-from ...package.launch.launch_file import LaunchedNode
+from ...package.launch.launched_parts import LaunchedNode
 from ...package.launch.text import LaunchText
 from ...ros.well_known import packages_with_program
 from ..fault import Level

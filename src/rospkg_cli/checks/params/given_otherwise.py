@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 
 from ...lazy_regex import regex
-from ...package.launch.launch_file import LaunchedNode, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import LaunchedNode
 
 SETS = regex(
     r"""(?:\bSetParameter\s*\(|<set_parameter\b|\bset_parameter\s*:)\s*(?:-?\s*name\s*[=:]\s*)?(?:["']?(\w+)(?:["']|\s*\n))?"""

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...package.launch.configuration_events import ConfigurationSummary, file_name
-from ...package.launch.launch_file import Include, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import Include
 from ...package.launch.text import Substitution
 from ...package.workspace import Workspace
 

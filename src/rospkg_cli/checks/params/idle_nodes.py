@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable
 from typing import Protocol, TypeVar
 
-from ...package.launch.launch_file import LaunchedNode, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import LaunchedNode
 from ...package.workspace import Workspace
 from ...source import Span
 from ..fault import Level

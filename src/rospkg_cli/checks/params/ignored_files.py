@@ -10,7 +10,8 @@ from collections.abc import Iterable, Iterator
 from ...languages.python.nodes import nodes_of_kind
 from ...languages.python.unread_values import only_read_in
 from ...package.launch.file_references import first_in
-from ...package.launch.launch_file import Include, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import Include
 from ...package.launch.live_text import without
 from ...package.launch.never_launched import never_launched
 from ...package.launch.text import uncommented

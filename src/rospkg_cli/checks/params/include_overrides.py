@@ -7,11 +7,12 @@ import re
 from collections.abc import Iterable, Iterator
 
 from ...package.launch.file_references import first_in
-from ...package.launch.launch_file import Include, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import Include
 from ...package.launch.text import LaunchText
 from ...ros.replaced_parameters import replaces_for, replacing_argument
 from ..paths.home_path_texts import without_comments
-from .parameter_file_use import REWRITES
+from .rewritten_yaml import REWRITES
 
 
 def replaced_by_includes(path: str, node: str, parameter: str, launches: Iterable[LaunchFile]) -> Iterator[bool]:

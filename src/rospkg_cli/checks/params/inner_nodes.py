@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...lazy_regex import regex
-from ...package.launch.launch_file import LaunchedNode
+from ...package.launch.launched_parts import LaunchedNode
 
 COSTMAPS = {"local_costmap": "controller_server", "global_costmap": "planner_server"}
 """The node, and the one that makes it. (nav2_controller, nav2_planner)"""

@@ -5,7 +5,8 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterable, Iterator
 
-from ...package.launch.launch_file import LaunchedNode, LaunchFile, NodeParameters
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import LaunchedNode, NodeParameters
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...source import Span
 from .include_overrides import replaced_by_includes, replaced_by_rewriting

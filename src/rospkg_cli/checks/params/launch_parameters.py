@@ -8,7 +8,8 @@ from typing import Annotated
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.install_table import InstallTable
-from ...package.launch.launch_file import LaunchedNode, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import LaunchedNode
 from ...package.launch.text import Substitution
 from ...package.package_facts import PackageFacts
 from ...package.params.parameter_file import ParameterFile

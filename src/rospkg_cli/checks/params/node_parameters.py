@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass
-from ...package.launch.launch_file import LaunchedNode, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import LaunchedNode
 from ...package.params.parameter_file import NodeBlock, ParameterFile
 from ...ros.known_nodes import known_nodes
 from .mistyped_blocks import WILD, last

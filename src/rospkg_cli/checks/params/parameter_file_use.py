@@ -20,6 +20,7 @@ from ...ros.share_layout import LAUNCH
 from ...source import Span
 from ..fault import Level
 from ..yaml_elsewhere import is_named_elsewhere, is_of_another
+from .rewritten_yaml import is_replaced, is_written_out
 
 STARTING = regex(r"\.(?:py|xml|launch|launch\.ya?ml|sh|bash|[ch]pp|cc|service)$")
 """Files that give parameter files to nodes."""
@@ -29,11 +30,6 @@ SHOWN = regex(r"(?:^|[_.-])(?:examples?|samples?|templates?)[_.-]")
 """How a file is called that is there to be copied."""
 CONTROLLERS, MOVEIT = "ros2_controllers.yaml", "moveit_configs_utils"
 """What generate_demo_launch gives to ros2_control, and the module that has it. (moveit_configs_utils/launches.py)"""
-REWRITES = "RewrittenYaml"
-"""Of nav2_common: it fills in values of a parameter file."""
-
-RESOLVES = regex(r"RewrittenYaml\(|nav2_bringup(?s:.*)\bparams_file\b")
-"""What reads a whole parameter file by PyYAML, and writes it anew."""
 
 
 @dataclass(frozen=True)
@@ -145,26 +141,22 @@ class ParameterFileUse:
 
     def is_for_moveit(self, name: str) -> bool:
         """Return whether the launch files that MoveIt makes give the file to ros2_control, by its usual name."""
-        paths = (path for path in self.files.paths if LAUNCH.fullmatch(path.rpartition("/")[2]))
-        return name == CONTROLLERS and any(MOVEIT in self.read(path) for path in paths)
-
-    @cached_property
-    def rewriting(self) -> tuple[str, ...]:
-        """The launch files of the package that write parameter files anew before nodes read them."""
-        paths = (path for path in self.files.paths if LAUNCH.fullmatch(path.rpartition("/")[2]))
-        return tuple(text for path in paths if REWRITES in (text := self.read(path)))
+        return name == CONTROLLERS and any(MOVEIT in text for text in self.launch_texts)
 
     @cached_property
     def is_resolved(self) -> bool:
         """Whether a launch file has aliases of this file written out: RewrittenYaml, which nav2_bringup uses, does."""
-        name = self.file.path.rpartition("/")[2]
-        paths = (path for path in self.files.paths if LAUNCH.fullmatch(path.rpartition("/")[2]))
-        return any(name in text and RESOLVES.search(text) is not None for text in map(self.read, paths))
+        return is_written_out(self.file.path.rpartition("/")[2], self.launch_texts)
 
     def is_rewritten(self, span: Span) -> bool:
         """Return whether a launch file may give the parameter at a place another value (RewrittenYaml)."""
-        name = re.compile(rf"[\"'.]{re.escape(self.file.source.slice(span))}[\"']")
-        return any(map(name.search, self.rewriting))
+        return is_replaced(self.file.source.slice(span), self.launch_texts)
+
+    @cached_property
+    def launch_texts(self) -> tuple[str, ...]:
+        """What the launch files of the package do, without comments and unused actions."""
+        paths = (path for path in self.files.paths if LAUNCH.fullmatch(path.rpartition("/")[2]))
+        return tuple(map(self.read, paths))
 
     @property
     def is_left_out(self) -> bool:

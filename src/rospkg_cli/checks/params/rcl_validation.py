@@ -9,13 +9,8 @@ from collections.abc import Iterator
 
 from ...languages.yaml.nodes import AliasNode, MappingNode, ScalarNode, YamlNode
 from ...lazy_regex import regex
-from ...package.params.parameter_file import (
-    KEY,
-    NodeEntry,
-    ParameterFile,
-    has_placeholder,
-    node_name,
-)
+from ...package.params.node_entries import KEY, NodeEntry, node_name
+from ...package.params.parameter_file import ParameterFile, has_placeholder
 from ..fault import Fault
 from .rcl_values import REFUSES, alias_fault, value_faults
 

@@ -7,7 +7,8 @@ from typing import Annotated
 
 from ...languages.yaml.nodes import MappingNode, ScalarNode, SequenceNode, YamlNode
 from ...light_dataclasses import dataclass, replace
-from ...package.params.parameter_file import Parameter, ParameterFile, below, is_key
+from ...package.params.node_entries import below, is_key
+from ...package.params.parameter_file import Parameter, ParameterFile
 from ...package.params.scalar_types import TRUE, type_of
 from ...source import Span
 from ...unreadable import READABLE

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from ...languages.yaml.nodes import MappingNode, ScalarNode
 from ...lazy_regex import regex
-from ...package.params.parameter_file import KEY, ParameterFile, below, is_key, is_misspelt_key
+from ...package.params.node_entries import KEY, below, is_key, is_misspelt_key
+from ...package.params.parameter_file import ParameterFile
 from ...source import Source, Span
 from ..enumeration import in_ticks
 from ..fault import Fault, TextRepair, joined

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 
 from ...lazy_regex import regex
-from ...package.launch.launch_file import LaunchedNode, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import LaunchedNode
 from ...package.launch.live_text import without
 from ...package.launch.text import LaunchText, uncommented
 from ...ros.known_nodes import known_nodes

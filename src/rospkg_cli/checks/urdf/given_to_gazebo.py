@@ -10,7 +10,8 @@ from typing import Annotated
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.launch.launch_file import LaunchedNode, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import LaunchedNode
 from ...package.launch.text import LaunchText, Literal
 from ...ros.program_options import CREATORS
 from ...unreadable import READABLE

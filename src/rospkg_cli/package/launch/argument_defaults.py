@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from .launch_file import DeclaredArgument
+from .launched_parts import DeclaredArgument
 from .text import LaunchText
 
 

@@ -14,16 +14,8 @@ from .argument_defaults import literal_defaults
 from .entity import Entity
 from .entity_events import xml_events
 from .file_references import FileReference, ReferenceKind, references_in
-from .launch_file import (
-    Command,
-    DeclaredArgument,
-    Frontend,
-    Include,
-    LaunchedNode,
-    LaunchFile,
-    NodeKind,
-    NodeParameters,
-)
+from .launch_file import Frontend, LaunchFile
+from .launched_parts import Command, DeclaredArgument, Include, LaunchedNode, NodeKind, NodeParameters
 from .ros1 import is_named_ros1, is_ros1
 from .substitution import SubstitutionError, parse_text
 from .text import LaunchText, Literal, plain_text, unknown_text

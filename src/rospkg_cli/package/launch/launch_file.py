@@ -15,69 +15,10 @@ from .entity import Entity
 from .evaluated_launch import EvaluatedLaunch
 from .exception_guards import asked_in, guarded_in
 from .file_references import FileReference
+from .launched_parts import Command, DeclaredArgument, Include, LaunchedNode
 from .text import LaunchText, Substitution
 
 Frontend = Literal["python", "xml", "yaml"]
-NodeKind = Literal["node", "lifecycle_node", "node_container", "composable_node"]
-
-
-@dataclass(frozen=True)
-class NodeParameters:
-    """One entry of a node's parameters: a file, or values by name."""
-
-    span: Span
-    file: LaunchText | None = None
-    values: tuple[tuple[LaunchText, LaunchText], ...] = ()
-    is_complete: bool = True
-    """False where there may be other values."""
-
-
-@dataclass(frozen=True)
-class LaunchedNode:
-    """A process or a component that the file starts."""
-
-    kind: NodeKind
-    span: Span
-    package: LaunchText | None = None
-    executable: LaunchText | None = None
-    plugin: LaunchText | None = None
-    """The class of a component."""
-    name: LaunchText | None = None
-    namespace: LaunchText | None = None
-    parameters: tuple[NodeParameters, ...] = ()
-    remappings: tuple[tuple[LaunchText, LaunchText], ...] = ()
-    arguments: tuple[LaunchText, ...] = ()
-    is_certain: bool = True
-    """False under an unknown condition."""
-    is_complete: bool = True
-    """False where other arguments may be passed."""
-
-
-@dataclass(frozen=True)
-class Include:
-    span: Span
-    file: LaunchText
-    arguments: tuple[tuple[LaunchText, LaunchText], ...] = ()
-    is_certain: bool = True
-    is_complete: bool = True
-    """False where other arguments may be passed."""
-
-
-@dataclass(frozen=True)
-class DeclaredArgument:
-    span: Span
-    name: LaunchText
-    default: LaunchText | None = None
-    choices: tuple[str, ...] = ()
-    is_certain: bool = True
-
-
-@dataclass(frozen=True)
-class Command:
-    """A command that the file runs: a process of its own, or one whose output it takes."""
-
-    span: Span
-    words: tuple[LaunchText, ...]
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...languages.python.evaluate.values import Call, Mapping, Sequence, Text, Unknown, Value
-from .launch_file import Command, DeclaredArgument, Include, LaunchedNode, NodeKind, NodeParameters
+from .launched_parts import Command, DeclaredArgument, Include, LaunchedNode, NodeKind, NodeParameters
 from .python_to_text import text_of
 from .text import LaunchText, Literal, unknown_text
 

@@ -11,8 +11,9 @@ from ...ros.imports import STANDARD
 from ..install_table import InstallTable
 from .file_references import first_in
 from .launch_classes import HOMES, SOURCES
-from .launch_file import DeclaredArgument, LaunchFile
+from .launch_file import LaunchFile
 from .launch_signature import LaunchSignature
+from .launched_parts import DeclaredArgument
 from .never_launched import never_launched
 
 KNOWN = HOMES | SOURCES | {"launch_testing", "launch_testing_ros", "launch_pytest", "yaml", "xacro", "nav2_common"}

@@ -8,7 +8,8 @@ from posixpath import normpath
 
 from ...files import ReaderInput
 from ...lazy_regex import regex
-from ..launch.launch_file import LaunchedNode, LaunchFile
+from ..launch.launch_file import LaunchFile
+from ..launch.launched_parts import LaunchedNode
 from ..launch.never_launched import never_launched
 from ..launch.text import LaunchText, Literal, Substitution
 from ..manifest import Manifest

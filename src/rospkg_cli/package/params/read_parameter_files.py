@@ -11,8 +11,9 @@ from ...lazy_regex import regex
 from ...source import Source
 from ...unreadable import Unreadable, UnreadableError
 from ..file_role import role_of
+from .node_entries import KEY
 from .opened_by_code import is_for_code
-from .parameter_file import KEY, ParameterFile
+from .parameter_file import ParameterFile
 from .passed_files import handed_files
 
 MENTIONS = regex(r"""^[ \t{]*["']?_*ros_+parameters?_*["']?[ \t]*(?::|$)""", re.MULTILINE | re.IGNORECASE)

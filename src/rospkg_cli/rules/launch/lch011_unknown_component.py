@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.launch.loaded_components import LoadedComponents, UnknownComponent
+from ...checks.launch.loaded_components import LoadedComponents
 from ...checks.launch.one_cause import CausedPlace
+from ...checks.launch.unknown_component import UnknownComponent
 from ...edits.caused_places import level_of, other_places
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
-from ...package.launch.launch_file import DeclaredArgument, LaunchFile
+from ...package.launch.launch_file import LaunchFile
+from ...package.launch.launched_parts import DeclaredArgument
 from ...package.launch.text import LaunchText
 from ...rule import rule
 from ...suggest import near_names
