@@ -39,7 +39,7 @@ def is_lacked_at(node: ast.AST, span: Span, file: PythonFile) -> bool:
 
 
 def lacking(node: ast.AST, file: PythonFile) -> Iterator[tuple[Block, Sequence[ast.AST]]]:
-    """Yield the branches for where nothing is found, each with where the things come from that are tested."""
+    """Yield the branches that run where nothing is found, each with the expressions that search."""
     if isinstance(node, ast.Try):
         yield from ((each.body, node.body) for each in node.handlers)
     elif isinstance(node, ast.If) and (tested := emptiness(node.test)):

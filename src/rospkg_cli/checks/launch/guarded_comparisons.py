@@ -29,7 +29,7 @@ def is_guarded(use: SubstitutionUse, file: PythonFile) -> bool:
 
 
 def is_made_up_for(compared: ast.Compare, name: str, use: SubstitutionUse, file: PythonFile) -> bool:
-    """Return whether the same `or` of equal things, or `and` of unequal ones, performs what is compared."""
+    """Return whether the `or` around an `==`, or the `and` around a `!=`, performs what is compared."""
     joining = ast.Or if use.name == "==" else ast.And
     joined = (each for each in nodes_of_kind(file.tree, ast.BoolOp) if isinstance(each.op, joining))
     return any(compared in each.values and has_call(each.values, name) for each in joined)
@@ -77,7 +77,7 @@ def following(node: ast.If, function: FunctionNode) -> Iterator[ast.stmt]:
 
 
 def has_call(nodes: Iterable[ast.AST], name: str, functions: frozenset[str] = frozenset()) -> bool:
-    """Return whether a function of some is called with a name, or the name is performed where none is given."""
+    """Return whether one of some functions is called with a name; with no functions, whether the name is performed."""
     for node in (each for root in nodes for each in nodes_of(root)):
         if not isinstance(node, ast.Call):
             continue

@@ -52,7 +52,7 @@ def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None
 
 
 def level_of_places(file: LaunchFile, each: MissingReference) -> tuple[Level | None, str]:
-    """Return the level of the place that is met most, and why; what Python opens itself, it opens in any case."""
+    """Return the level of the place that is reached most certainly, and why; Python opens a file in any case."""
     calls = file.evaluated.calls if file.evaluated is not None else ()
     is_early = each.use == "open" and any(call.callee in READERS for call in calls)
     ask = level_at if is_early else level_read

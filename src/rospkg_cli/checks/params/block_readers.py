@@ -44,13 +44,13 @@ class BlockReaders:
         return block is not None and (self.is_unread(file, block) or self.is_given_otherwise(path, place))
 
     def is_given_otherwise(self, path: str, place: Span) -> bool:
-        """Return whether all launch files that hand a file on give the value at a place, or at its name, otherwise."""
+        """Return whether every launch file that passes a file on gives the parameter at a place another value."""
         from .launch_overrides import is_overridden  # few packages have something to ask it of
 
         return is_overridden(path, place, self.launched.files, self.launched.launches)
 
     def is_refused(self, file: ParameterFile) -> bool:
-        """Return whether rcl refuses a file, and no component gets it, for which PyYAML reads it."""
+        """Return whether rcl refuses a file that no component gets; for components launch_ros reads it with PyYAML."""
         has_components = any(each.node.kind == "composable_node" for each in self.given(file))
         return not has_components and is_refused(self.uses.of(file))
 
@@ -92,7 +92,7 @@ class BlockReaders:
         return is_named and is_unmanaged(each, self.launched)
 
     def is_only_given(self, file: ParameterFile, given: list[NodeArguments]) -> bool:
-        """Return whether nothing opens a file but the launch files that give it to some nodes, and these alone."""
+        """Return whether launch files give a file to some nodes alone, and nothing else opens it."""
         name, package, workspace = file.path.rpartition("/")[2], self.launched.package, self.launched.workspace
         giving = {each.launch.path: each.launch for each in given}
         others = (launch.source.text for launch in self.launched.launches if launch.path not in giving)
@@ -103,7 +103,7 @@ class BlockReaders:
         return not any(may_hand_on(each, name, workspace) for each in giving.values())
 
     def is_for_others(self, block: NodeBlock, given: list[NodeArguments]) -> bool:
-        """Return whether a block is for a node that none of those that are started is, as far as names show."""
+        """Return whether no started node has the name of a block, as far as names are known."""
         reported = (
             *(each for _, each, _ in misnamed_blocks(self.launched)),
             *(b for _, b, _ in displaced_blocks(self.launched)),

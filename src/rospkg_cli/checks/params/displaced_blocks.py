@@ -29,7 +29,7 @@ def displaced_blocks(launched: LaunchParameters) -> Iterator[tuple[ParameterFile
 
 
 def is_only_here(launched: LaunchParameters, file: ParameterFile) -> bool:
-    """Return whether only launch files name a file that give it to nodes, and each node's name is known."""
+    """Return whether only launch files that give a file to nodes name it, and the names of these nodes are known."""
     given = [each for each in launched.node_arguments if file in each.files]
     name = file.path.rpartition("/")[2]
     others = [launch for launch in launched.launches if all(each.launch is not launch for each in given)]

@@ -35,7 +35,7 @@ class ForgottenInCpp:
     reads: ParameterReads
 
     def all(self) -> Iterator[UnknownRead]:
-        """Yield what files that make their nodes get into variables or by name."""
+        """Yield the parameters that files which create their nodes get into variables or by name."""
         files = self.reads.cpp
         is_open = any(allows_any(each.source) or HELPERS.search(each.source.text) for each in files)
         if is_open or any(map(has_computed_cpp_names, files)) or self.reads.own.is_handed_out:

@@ -28,7 +28,7 @@ class ForgottenInPython:
     reads: ParameterReads
 
     def all(self) -> Iterator[UnknownRead]:
-        """Yield what classes that are nodes get of themselves, and what stands nowhere else in the code."""
+        """Yield the parameters that node classes get of themselves, and whose names occur nowhere else in the code."""
         texts = [each.source.text for each in self.modules]
         if any(OWN in text for text in texts) or any(map(is_open, self.modules)):
             return
@@ -97,7 +97,7 @@ def classes(file: PythonFile) -> Iterator[ast.ClassDef]:
 
 
 def own_reads(file: PythonFile, owner: ast.ClassDef) -> Iterator[int]:
-    """Yield where the names begin that a class gets of `self`."""
+    """Yield where the names of the parameters begin that a class gets by `self.get_parameter`."""
     for call in nodes_of_kind(owner, ast.Call):
         match call:
             case ast.Call(func=ast.Attribute(value=ast.Name(id="self")), args=[name, *_]):

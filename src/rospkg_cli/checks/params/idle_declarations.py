@@ -33,7 +33,7 @@ def is_idle(name: str, code: Iterable[str]) -> bool:
 
 
 def end_of_call(text: str, start: int) -> int:
-    """Return the place behind the bracket that ends what begins at a place; that of the end where none does."""
+    """Return the place behind the bracket that closes a call; the end of the text where none does."""
     depth = 1
     for found in re.finditer(r"[()]", text[start:]):
         depth += 1 if found[0] == "(" else -1

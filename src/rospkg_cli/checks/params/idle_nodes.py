@@ -46,7 +46,7 @@ def may_start(start: Start | None) -> bool:
 
 
 def hardest(found: Iterable[tuple[Hashable, NodeSettingT]]) -> Iterable[NodeSettingT]:
-    """Return one for each place: of nodes that share a value, that which is started most certainly."""
+    """Return one for each place: where nodes share a value, that of the node which is started most certainly."""
     kept: dict[Hashable, NodeSettingT] = {}
     for place, each in found:
         before = kept.setdefault(place, each)

@@ -16,7 +16,7 @@ from .rewritten_yaml import REWRITES
 
 
 def replaced_by_includes(path: str, node: str, parameter: str, launches: Iterable[LaunchFile]) -> Iterator[bool]:
-    """Yield of each include that is handed a parameter file whether it replaces a parameter of a node there.
+    """Yield, for each include that is given a parameter file, whether it replaces a parameter of a node there.
 
     A launch file of a well-known package that never does starts no such node.
     """
@@ -47,7 +47,7 @@ def gives(launch: LaunchFile, include: Include, argument: str) -> bool:
 
 
 def said(launch: LaunchFile, text: LaunchText) -> str:
-    """Return a text as XML writes it; what is an argument alone as its default, or `…` where one has to give it."""
+    """Return a text as XML writes it; for one that is an argument alone, its default, or `…` where it has none."""
     match list(text.substitutions("var")):
         case [only] if only.shown == text.shown and only.arguments:
             defaults = [each.default for each in launch.arguments if each.name.literal == only.arguments[0].literal]

@@ -55,7 +55,7 @@ class JointLimits:
     workspace: Workspace
 
     def mistyped(self) -> Iterator[MistypedLimit]:
-        """Yield each name that is a letter off those that are read, and that the joint does not have; once a file."""
+        """Yield each name one letter from a limit that is read and that the joint does not have; once for each file."""
         for path in self.files.paths:
             if FILE.fullmatch(path) and role_of(path) not in ("test", "aside"):
                 found: dict[str, list[Unread]] = {}

@@ -14,7 +14,7 @@ from .replaced_defaults import DECLARES, LONGEST
 
 
 def is_given(before: str, value: str, package: str, launches: Iterable[LaunchFile]) -> bool:
-    """Return whether what stands behind a text is a default, and launch files give nodes of the package another."""
+    """Return whether a value behind a text is a parameter's default, for which launch files give another value."""
     found = DECLARES.search(before[-LONGEST:])
     if found is None:
         return False
@@ -23,7 +23,7 @@ def is_given(before: str, value: str, package: str, launches: Iterable[LaunchFil
 
 
 def is_overridden(path: str, place: Span, files: Iterable[ParameterFile], launches: Iterable[LaunchFile]) -> bool:
-    """Return whether all that launch files hand a parameter file to get the value at a place otherwise, later."""
+    """Return whether every node that gets a parameter file gets another value for the one at a place after it."""
     files = tuple(files)
     blocks = (block for file in files if file.path == path for block in file.blocks)
     names = [(block, each.name) for block in blocks for each in block.parameters if each.value.span.holds(place)]
@@ -48,7 +48,7 @@ def is_in_later(behind: Iterable[NodeParameters], block: NodeBlock, name: str, f
 
 
 def is_intended_given(path: str, name: str, launches: Iterable[LaunchFile]) -> bool:
-    """Return whether all that launch files hand a parameter file to get a parameter of a name from them, later."""
+    """Return whether every node that gets a parameter file is given a parameter of a name after it."""
     later = [behind for node in nodes_of(launches) if (behind := behind_file(node, path)) is not None]
     return bool(later) and all(any(True for _ in given(each, name)) for each in later)
 
@@ -58,7 +58,7 @@ def nodes_of(launches: Iterable[LaunchFile]) -> Iterator[LaunchedNode]:
 
 
 def behind_file(node: LaunchedNode, path: str) -> tuple[NodeParameters, ...] | None:
-    """Return the parameters of a node behind a file of a name; None where it is not handed one."""
+    """Return the parameters that a node is given after a file of a name; None where it does not get the file."""
     name = posixpath.basename(path)
     places = [at for at, each in enumerate(node.parameters) if each.file is not None and name in each.file.shown]
     return node.parameters[places[-1] + 1 :] if places else None

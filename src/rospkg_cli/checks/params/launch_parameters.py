@@ -48,11 +48,11 @@ class LaunchParameters:
 
     @cached_property
     def started(self) -> tuple[NodeArguments, ...]:
-        """Those of launch files that ROS 2 reads; what is said of another file comes first (LCH006)."""
+        """The nodes of launch files that ROS 2 accepts; others are reported first (LCH006)."""
         return tuple(each for each in self.node_arguments if not is_refused(each.launch))
 
     def is_left_out(self, launch: LaunchFile) -> bool:
-        """Return whether a launch file is known not to be installed: only who knows its path in the source starts it.
+        """Return whether a launch file is known not to be installed: then it is only started by its path in the source.
 
         Tests are run from there.
         """

@@ -37,7 +37,7 @@ class ListReading:
         self.is_list, self.is_key = False, True
 
     def takes(self, node: YamlNode) -> bool:
-        """Return whether rcl goes on behind a scalar, or the beginning of anything else.
+        """Return whether rcl reads on after a scalar, or after the beginning of a list or mapping.
 
         Behind the first key of a mapping within a list, the next ones are values for it.
         """

@@ -20,7 +20,7 @@ ENOUGH_NAMES = 2
 
 
 def misnamed_blocks(launched: LaunchParameters) -> Iterator[tuple[ParameterFile, NodeBlock, list[NodeArguments]]]:
-    """Yield the blocks that no node reads, where a node that gets the file and has none has a near name.
+    """Yield the blocks that no node reads, where a node that gets the file has a similar name and no block.
 
     Where the file goes to no other node, the names need not be alike: it has one block, be it for several nodes, or
     the code of the node declares what the block sets.

@@ -72,7 +72,7 @@ class ParameterGroup:
 
 
 def but_for_its_block(name: str, before: str, names: Collection[str]) -> list[str]:
-    """Return the names that a name is but for words of the block that it is in: `segmentation.min_points_segment`."""
+    """Return the names that a name is without words of its block: of `segmentation.min_points_segment`."""
     around = [word for word in before.replace(".", "_").split("_") if len(word) >= BLOCK_WORD]
     words = name.split("_")
     own = [each for each in words if not any(alike(each, word) for word in around)]

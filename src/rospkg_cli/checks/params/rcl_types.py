@@ -25,7 +25,7 @@ def given_type(value: YamlNode) -> str:
 
 
 def is_number_of_rcl(text: str) -> bool:
-    """Return whether PyYAML writes a text without quotes that rcl reads as a number: `1e-3`."""
+    """Return whether a text is a string for PyYAML, which writes it without quotes, and a number for rcl: `1e-3`."""
     return yaml_type(text) == "string" and bool(DOUBLE.fullmatch(text))
 
 

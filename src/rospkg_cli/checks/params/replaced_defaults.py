@@ -16,7 +16,7 @@ LONGEST = 300
 
 
 def is_replaced(before: str, value: str, files: Iterable[ParameterFile]) -> bool:
-    """Return whether what stands behind a text is a default, and all files with that parameter have other values."""
+    """Return whether a value behind a text is a parameter's default, which all files with the parameter replace."""
     found = DECLARES.search(before[-LONGEST:])
     if found is None:
         return False

@@ -10,7 +10,7 @@ SHOWN = 3
 
 
 def undeclared(read: UnknownRead) -> str:
-    """Return what happens to a parameter that nothing declares, and which name may be intended."""
+    """Return the message about a parameter that code gets and nothing declares."""
     are = "variables are" if read.more else "variable is"
     is_kept = read.is_python or read.has_other
     lost = "the value that is set for it is never seen" if is_kept else f"the {are} never set"
@@ -26,13 +26,13 @@ def undeclared(read: UnknownRead) -> str:
 
 
 def repeated(read: RepeatedRead) -> str:
-    """Return what comes of a parameter that another one is got in the place of."""
+    """Return the message about a parameter in whose place another one is got a second time."""
     what = f"`{read.unread}` is declared and never got, and `{read.name}` is got again in its place"
     return f"{what}: the value that is set for `{read.unread}` is dropped; get `{read.unread}` here"
 
 
 def unread(limit: MistypedLimit) -> str:
-    """Return what comes of a misspelt limit of a joint."""
+    """Return the message about a misspelt limit of a joint."""
     intended = " or ".join(f"`{name}`" for name in limit.intended)
     when = "" if limit.is_met else ", where something opens the file and the value sets a limit"
     return f"no limit of a joint is called `{limit.name}`: the value is dropped{when}; did you mean {intended}?"

@@ -119,7 +119,7 @@ class UnknownParameters:
             yield each.path, Fault(each.span, repeated(each), "info" if self.is_unmet(each) else None)
 
     def unlike_variants(self) -> list[tuple[ParameterFile, Parameter, str, str]]:
-        """Return the names that another file of the same name has otherwise, each place once; but for similar ones."""
+        """Return the names in whose place another file of the same name has a declared one; without reported ones."""
         reported = {(group.file.path, each.key.span) for group in self.given.groups() for each, _ in group.unknown()}
         found = {(each[0].path, each[1].key.span): each for each in unlike_variants(self.given)}
         return [each for place, each in found.items() if place not in reported]
