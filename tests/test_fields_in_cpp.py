@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.cpp.message_variables import member_paths, message_variables
+from rospkg_cli.checks.cpp.member_paths import member_paths
+from rospkg_cli.checks.cpp.message_variables import message_variables
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.testing import lint_files
 

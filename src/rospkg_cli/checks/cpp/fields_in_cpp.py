@@ -83,7 +83,8 @@ class FieldsInCpp:
         return {}
 
     def in_text(self, source: CppFile, text: str) -> Iterator[WrongField]:
-        from .message_variables import member_paths, message_variables  # few packages need it
+        from .member_paths import member_paths  # few packages need it
+        from .message_variables import message_variables
 
         found: dict[Span, WrongField] = {}
         for variable in message_variables(text):

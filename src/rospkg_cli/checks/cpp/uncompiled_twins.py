@@ -52,7 +52,7 @@ def uncompiled_twins(sources: UncompiledSources) -> Iterator[UncompiledTwin]:
         path = source.path
         if path.endswith(SOURCES) and sources.is_candidate(path) and source not in compiled:
             header = own_header(source, files, by_name)
-            if header is not None and header in compiled and not sources.is_mentioned(path):
+            if header is not None and header in compiled and not sources.mentioned.has(path):
                 twins = first_member(source, header, compiled) or first_function(source, header, compiled)
                 yield from (twin if linked.has(twin.user) else replace(twin, user="") for twin in twins)
 
