@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from cmaking import read
 
-from rospkg_cli.checks.cmake.missing_export_dependencies import UNKNOWN, ExportedDependencies
+from rospkg_cli.checks.cmake.exported_names import UNKNOWN, ExportedNames
 from rospkg_cli.checks.cmake.node_programs import MAX_DEPTH, NodePrograms
 from rospkg_cli.checks.depends import transitive_dependencies
 from rospkg_cli.checks.depends.compiled_sources import compiled_sources
@@ -139,8 +139,8 @@ def test_what_an_interface_target_passes_on() -> None:
         ([], [target], {"rclcpp", UNKNOWN}),
     ):
         cmake = SimpleNamespace(interface_targets=targets, named=lambda _: [])
-        model: Any = SimpleNamespace(calls=given, headers=SimpleNamespace(package=SimpleNamespace(cmake=cmake)))
-        assert ExportedDependencies.exported.func(model) == expected
+        model: Any = SimpleNamespace(calls=given, cmake=cmake)
+        assert ExportedNames.packages.func(model) == expected
 
 
 @pytest.mark.parametrize(

@@ -30,15 +30,15 @@ def components_not_handed_on(exported: ExportedDependencies) -> Iterator[Unasked
 
     A file of CONFIG_EXTRAS may ask for it.
     """
-    package = exported.headers.package
+    package, exports = exported.headers.package, exported.exports
     cmake = package.cmake
     extras = any("CONFIG_EXTRAS" in text for call in cmake.calls for text in call.texts)
-    unclear = not cmake.is_complete or cmake.includes_unknown_files or UNKNOWN in exported.exported or extras
-    if unclear or not package.is_ament or BOOST not in exported.exported:
+    unclear = not cmake.is_complete or cmake.includes_unknown_files or UNKNOWN in exports.packages or extras
+    if unclear or not package.is_ament or BOOST not in exports.packages:
         return
-    is_alone = all(PLAIN.fullmatch(each) or each == BOOST for each in exported.exported)
+    is_alone = all(PLAIN.fullmatch(each) or each == BOOST for each in exports.packages)
     for link in TargetLinks(cmake).all:
-        passed = link.is_public and link.target in exported.targets and not link.call.maybe and not link.word.maybe
+        passed = link.is_public and link.target in exports.targets and not link.call.maybe and not link.word.maybe
         target = cmake.target(link.target)
         name = component_of(exported, link) if passed and target is not None and target.is_library else ""
         if name:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.cmake.values import Word
 from ...package.cmake.cmake_project import CMake
-from .refused_arguments import RefusedArgument
+from .refused_argument import RefusedArgument
 
 FOR_USERS = ("PUBLIC", "INTERFACE")
 SCOPES = (*FOR_USERS, "PRIVATE")

@@ -19,7 +19,7 @@ from ...ros.names import NameKind
 from ...ros.private_links import KEPT_FROM_JAZZY
 from ...source import Span
 from ...suggest import near_names
-from ..cmake.missing_export_dependencies import BY_MACRO
+from ..cmake.exported_names import BY_MACRO
 from ..cmake.mistyped_links import LEAST
 from ..cmake.unknown_commands import UnknownCommands
 from ..repository.older_distribution import OlderDistribution
