@@ -9,6 +9,7 @@ from ..package.cmake.cmake_project import CMake
 from ..package.package_facts import PackageFacts
 from ..package.setup.setup_py import SetupPy
 from ..package.workspace import Workspace
+from .cmake.launch_file_installs import LaunchFileInstalls
 from .cmake.share_folders import RuntimeFolders
 from .setup.data_destinations import DataDestinations
 from .setup.left_out_files import left_out
@@ -63,7 +64,7 @@ class InstallFaults:
     def reported_files(self) -> frozenset[str]:
         """The files next to those that a glob finds or that are listed, and all in the folders next to them."""
         if self.folders is not None and self.cmake is not None:
-            return frozenset(path for path, _ in self.folders.left_out())
+            return frozenset(path for path, _ in LaunchFileInstalls(self.folders).left_out())
         if self.setup is None or self.uninstalled is None:
             return frozenset()
         next_to = {each.path for each in self.uninstalled.neighbours}

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ...package.cmake.components import Component
 from ...suggest import did_you_mean
-from .component_registration import MACRO, ComponentRegistration
+from .component_registration import ComponentRegistration
+from .registered_classes import MACRO
 
 
 def unknown_class(components: ComponentRegistration, component: Component, full: str = "") -> str:

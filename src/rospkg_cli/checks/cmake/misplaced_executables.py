@@ -12,16 +12,13 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_install_table import CMakeTableBuilder
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.copied_files import CopiedFile, copied_files
+from ...package.cmake.copied_files import copied_files
 from ...package.cmake.install_rule import InstallRule
-from ...package.file_role import role_of
-from ...ros.share_layout import LAUNCH
-from ..repository.path_starts import is_started_by_path_alone, texts_of
 from .left_out_nodes import is_node
 from .node_programs import NodePrograms
 from .side_programs import has_side_name
+from .started_paths import StartedPaths
 
-PAGES = (".md", ".rst", ".sh", ".service", ".bash")
 IMPORTS_ROS = regex(r"^[ \t]*(?:import|from)\s+rclpy\b", re.MULTILINE)
 
 
@@ -67,8 +64,8 @@ class MisplacedExecutables:
                 target = cmake.target(word.text) if rule.kind == "TARGETS" else None
                 if target is not None and target.is_executable:
                     place, name = artifacts.destination(rule, target), artifacts.file_name(target)
-                    is_intended = place == "bin" and (rule.call.testing or f"/bin/{name}" in self.pages)
-                    is_intended = is_intended or self.is_named_with(posixpath.basename(place or ""), name)
+                    is_intended = place == "bin" and (rule.call.testing or f"/bin/{name}" in self.paths.pages)
+                    is_intended = is_intended or self.paths.is_named_with(posixpath.basename(place or ""), name)
                     if self.is_wrong(place) and not is_intended:
                         ros = self.programs.uses_ros(target.name) and self.programs.may_be_node(target)
                         is_other = place == "bin" or has_side_name(name)
@@ -100,7 +97,7 @@ class MisplacedExecutables:
         others = {copy.item for copy in copies if not is_node(copy.source, files)}
         for copy in (each for each in copies if each.item not in others):
             place, _, name = copy.destination.rpartition("/")
-            if files.is_executable(copy.source) and not self.runs_by_path(name):
+            if files.is_executable(copy.source) and not self.paths.runs_by_path(name):
                 yield MisplacedExecutable(copy.item, name, place, rule, self.starts(name), is_node=True)
 
     @cached_property
@@ -113,45 +110,17 @@ class MisplacedExecutables:
         for copy in copied_files(rule, self.package.cmake.package_files):
             name = copy.destination.rpartition("/")[2]
             ros = IMPORTS_ROS.search(self.package.cmake.package_files.readable_text(copy.source)) is not None
-            if self.starts(name) or ((ros or place == "bin") and not self.is_run_by_path(copy, name)):
+            if self.starts(name) or ((ros or place == "bin") and not self.paths.is_run_by_path(copy, name)):
                 yield MisplacedExecutable(copy.item, name, place, rule, self.starts(name), ros)
-
-    def is_run_by_path(self, copy: CopiedFile, name: str) -> bool:
-        """Return whether a launch file runs a script by its path, or pages and scripts do so and no `ros2` does."""
-        files, own = self.package.cmake.package_files, self.package.facts.name
-        if self.runs_by_path(name) or is_started_by_path_alone(files, own, copy.source):
-            return True
-        return any(f"/{copy.destination}" in text for text in texts_of(files))
 
     def is_wrong(self, place: str | None) -> bool:
         """Return whether a place is known, relative, and neither lib/<package> nor below it."""
         right = f"lib/{self.package.facts.name}"
         return place is not None and not place.startswith("/") and not f"{place}/".startswith(f"{right}/")
 
-    def is_named_with(self, folder: str, name: str) -> bool:
-        """Return whether a launch file, or a test in Python, names a program together with its folder."""
-        wanted = re.compile(rf"\b{re.escape(folder)}/{re.escape(name)}\b")
-        return folder not in ("", "lib", self.package.facts.name) and any(map(wanted.search, self.launch_texts))
-
-    def runs_by_path(self, name: str) -> bool:
-        """Return whether a launch file has the name of a script in quotes, or at the end of a path."""
-        wanted = re.compile(rf"""["'/]{re.escape(name)}["'\s<]""")
-        return any(wanted.search(text) for text in self.launch_texts)
-
     @cached_property
-    def launch_texts(self) -> tuple[str, ...]:
-        paths = self.package.cmake.package_files.paths
-        return tuple(
-            self.package.cmake.package_files.readable_text(path)
-            for path in paths
-            if LAUNCH.fullmatch(path.rpartition("/")[2]) or (path.endswith(".py") and role_of(path) == "test")
-        )
-
-    @cached_property
-    def pages(self) -> str:
-        """The texts that tell users, or machines, what to start by its path."""
-        files = self.package.cmake.package_files
-        return "\n".join(files.readable_text(path) for path in files.paths if path.endswith(PAGES))
+    def paths(self) -> StartedPaths:
+        return StartedPaths(self.package)
 
     @cached_property
     def programs(self) -> NodePrograms:

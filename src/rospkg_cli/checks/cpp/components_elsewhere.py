@@ -12,7 +12,8 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.components import Component
 from ...package.cmake.target_links import TargetLinks
-from ..cmake.component_registration import ComponentRegistration, RegisteredClass
+from ..cmake.component_registration import ComponentRegistration
+from ..cmake.registered_classes import RegisteredClass, has_own_macro
 from ..depends.header_inclusions import Inclusions
 
 
@@ -33,7 +34,12 @@ class ComponentElsewhere:
 def components_elsewhere(registration: ComponentRegistration) -> Iterator[ComponentElsewhere]:
     """Yield them where all sources of the library, and of those that it is linked with, are known."""
     cmake = registration.package.cmake
-    if registration.macros or registration.generated or cmake.reads_unknown_files or not cmake.is_complete:
+    if (
+        has_own_macro(registration.sources)
+        or registration.generated
+        or cmake.reads_unknown_files
+        or not cmake.is_complete
+    ):
         return
     names = [each.plugin.text for each in registration.sure()]
     for component in registration.sure():

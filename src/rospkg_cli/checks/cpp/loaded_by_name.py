@@ -6,7 +6,8 @@ import re
 
 from ...light_dataclasses import dataclass
 from ...package.cmake.components import Component
-from ..cmake.component_registration import ComponentRegistration, RegisteredClass
+from ..cmake.component_registration import ComponentRegistration
+from ..cmake.registered_classes import RegisteredClass
 from ..fault import Level
 from ..made_classes import MadeClasses
 from ..plugins.named_plugins import NamedPlugins

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from ...checks.cmake.commented_installs import CommentedInstalls
 from ...checks.cmake.idle_packages import idle_programs
+from ...checks.cmake.launch_file_installs import LaunchFileInstalls
 from ...checks.cmake.share_folders import RuntimeFolders
 from ...checks.opened_in_share import OpenedInShare
 from ...edits.cmake_install import install_folder
@@ -80,12 +81,13 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     if not package.is_ament or place is None:
         return
     name = package.facts.name
-    if row := folders.misplaced_launch_file():
+    launch_files = LaunchFileInstalls(folders)
+    if row := launch_files.misplaced():
         into = (
             f"`{row.source}` is installed as `{row.destination}`: `ros2 launch {name} …` looks in `share/{name}` alone"
         )
         yield Hit(row.path, row.span, f"{into}; write `DESTINATION share/${{PROJECT_NAME}}`")
-    for path, row in folders.left_out():
+    for path, row in launch_files.left_out():
         yield left_out(name, path, row, is_started=OpenedInShare(folders.uses).is_started(path.rpartition("/")[2]))
     if programs := idle_programs(package, folders.table):
         yield Hit(place.path, place.command.span, not_run(name, programs), Severity.INFO)
