@@ -38,6 +38,61 @@ def test_a_program_that_nothing_starts_beside_others(code: str, entry: str) -> N
     assert found(code, {**files, **named}).severity.value == "error"
 
 
+LIVE = "Node(package='my_pkg', executable='talker')"
+LAUNCH = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    {}
+    return LaunchDescription([{}])
+"""
+COMMENTED = "# tuner = Node(\n    #     package='my_pkg',\n    #     executable='tuner',\n    # )"
+
+
+@pytest.mark.parametrize(
+    ("comment", "live", "page", "level"),
+    [
+        (COMMENTED, LIVE, "- `tuner`: sets the gains.\n", "warning"),
+        (COMMENTED.replace("'my_pkg'", "package_name"), LIVE, "- `tuner`: sets the gains.\n", "warning"),
+        ("# left = Node(executable='tuner', package='my_pkg')", LIVE, "- `tuner`: sets the gains.\n", "warning"),
+        ("", LIVE, "- `tuner`: sets the gains.\n", "error"),
+        (COMMENTED, LIVE, "- `tuner`: `ros2 run my_pkg tuner`\n", "error"),
+        (COMMENTED, f"{LIVE}, {LIVE.replace('talker', 'tuner')}", "", "error"),
+        (COMMENTED, f"{LIVE}, {LIVE.replace(')', ', name=')}'tuner')", "", "error"),
+        (COMMENTED.replace("my_pkg", "other_pkg"), LIVE, "- `tuner`: sets the gains.\n", "error"),
+        (COMMENTED, "", "- `tuner`: sets the gains.\n", "error"),
+    ],
+)
+def test_a_program_whose_start_is_commented_out(comment: str, live: str, page: str, level: str) -> None:
+    setup = setup_py(scripts("talker = my_pkg.talker:main", "tuner = my_pkg.gone:main"))
+    files = {"setup.py": setup, "my_pkg/talker.py": NODE, "README.md": page}
+    files["launch/a.launch.py"] = LAUNCH.format(comment, live)
+    assert found("SET101", files).severity.value == level
+
+
+LISTED = "The other nodes\n\n- `tuner`\n- `logger`\n\n{}\n"
+
+
+@pytest.mark.parametrize(
+    ("page", "level"),
+    [
+        (LISTED.format("have not been fully ported yet."), "warning"),
+        (LISTED.format("are not yet implemented, and come later."), "warning"),
+        (LISTED.format("are started by hand."), "error"),
+        (LISTED.format("The rest is not implemented."), "error"),
+        (LISTED.format("are not yet implemented.") + "\nRun `tuner` at the start.\n", "error"),
+        ("- `tuner`: sets the gains\n- `logger`\n\nare not yet implemented.\n", "error"),
+    ],
+)
+def test_a_list_of_names_is_part_of_the_sentence_around_it(page: str, level: str) -> None:
+    setup = setup_py(scripts("talker = my_pkg.talker:main", "tuner = my_pkg.gone:main"))
+    files = {"setup.py": setup, "my_pkg/talker.py": NODE, "README.md": page}
+    files["launch/a.launch.xml"] = STARTS.format("talker")
+    assert found("SET101", files).severity.value == level
+
+
 def test_an_entry_that_stops_the_build_is_an_error_whoever_starts_it() -> None:
     setup = setup_py(scripts("talker = my_pkg.talker:main", "tuner: my_pkg.tuner:main"))
     files = {"setup.py": setup, "my_pkg/talker.py": NODE, "my_pkg/tuner.py": NODE}

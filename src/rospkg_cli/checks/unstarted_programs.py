@@ -24,10 +24,12 @@ STARTING = (".xml", ".launch", ".yaml", ".yml", ".json", ".service", ".desktop",
 STALE = regex(
     r"(?i)\b(?:deprecated|obsolete|legacy|unfinished|wip|work in progress|unused|no longer (?:used|maintained|needed)"
     r"|(?:is |are |currently |still )(?:not|isn't) (?:yet )?(?:finished|complete|working|used|in use|maintained)"
-    r"|does(?: not|n't) work|not (?:yet )?(?:finished|implemented|working))\b"
+    r"|does(?: not|n't) work|not (?:yet )?(?:been )?(?:fully )?(?:finished|(?:re)?implemented|ported|working))\b"
 )
 """How a line of a page says that what it names is out of use or not finished."""
 SENTENCES = regex(r"\n|(?<=[.;!?])\s")
+LISTED_NAMES = regex(r"(?m)(?:^[ \t]*[-*+][ \t]+`?[\w./-]{1,80}`?[ \t]*\n+)+(?=[a-z])")
+"""A list of bare names in the middle of a sentence: `The nodes`, the list, `are not yet finished.`"""
 OF_TOOLS = regex(r"(?i)bench(?:mark(?:s|ing)?)?|tools?|experiments?|notebooks?|training|debug(?:ging)?")
 BUILDS = ("package.xml", "setup.py", "setup.cfg")
 
@@ -104,14 +106,18 @@ class UnstartedPrograms:
         """Return whether something starts a program, or names it where nothing else has that name.
 
         A word behind a slash is a topic or a folder, and the name of another package, or of its program, need not
-        stand for this program.
+        stand for this program. Nor does a page that only names it where launch files have its start in a comment.
         """
         if not self.is_started(name):
             return self.is_run_elsewhere(name)
         if self.is_run(name) or self.is_run_elsewhere(name):
             return True
         word = re.compile(rf"(?<![\w/-]){re.escape(name)}(?![\w-])|(?<![\w-]){re.escape(name)}\.py\b")
-        return not self.is_of_others(name) and any(map(word.search, self.texts))
+        if self.is_of_others(name) or not any(map(word.search, self.texts)):
+            return False
+        from .commented_starts import is_start_commented_out  # asked of programs with a fault alone
+
+        return not is_start_commented_out(self.files, self.facts.name, name, self.live_texts)
 
     def is_of_others(self, name: str) -> bool:
         """Return whether another package of the workspace, or a program of one, has the name of a program."""
@@ -126,7 +132,7 @@ class UnstartedPrograms:
     def lines(self, word: re.Pattern[str]) -> Iterator[str]:
         """Yield the lines of texts, or the sentences in them, that have a word."""
         having = (text for text in self.texts if word.search(text))
-        return (each for text in having for each in SENTENCES.split(text) if word.search(each))
+        return (each for text in having for each in sentences(text) if word.search(each))
 
     def is_called_stale(self, name: str) -> bool:
         """Return whether a page says of a program that it is no longer used, or not finished yet."""
@@ -150,7 +156,12 @@ class UnstartedPrograms:
 
     @cached_property
     def texts(self) -> tuple[str, ...]:
-        return (*pages_and_scripts(self.files), *(live_text(self.files, path) for path in self.starting()))
+        return (*pages_and_scripts(self.files), *self.live_texts)
+
+    @cached_property
+    def live_texts(self) -> tuple[str, ...]:
+        """What the files that start programs say, without comments and unused actions."""
+        return tuple(live_text(self.files, path) for path in self.starting())
 
     def starting(self) -> Iterator[str]:
         for path in self.files.paths:
@@ -162,3 +173,8 @@ class UnstartedPrograms:
         words = self.behind_package(name)
         code = (path for path in self.files.paths if path.endswith(".py") and path not in BUILDS)
         return any(words.search(self.files.readable_text(path)) for path in code)
+
+
+def sentences(text: str) -> list[str]:
+    """Return the lines of a page, and the sentences in them; a list of bare names goes with the line that follows."""
+    return SENTENCES.split(LISTED_NAMES.sub(lambda found: found[0].replace("\n", " "), text))

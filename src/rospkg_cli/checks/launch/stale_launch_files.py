@@ -15,7 +15,7 @@ from ..repository.pages_and_scripts import pages_and_scripts
 from ..repository.spare_files import HEAD, SAYS
 from ..share.opened_elsewhere import opening_elsewhere
 from ..unintended_starts import UNDONE, UNFINISHED
-from ..unstarted_programs import SENTENCES, STALE
+from ..unstarted_programs import STALE, sentences
 
 SAID_BY_PAGE = "a page says that this launch file is no longer used, or not finished yet"
 FAILS = regex(r"(?i)\b(?:this|the) (?:launch |launch ?file |file ){1,2}(?:no longer works|does(?: not|n't) work)\b")
@@ -28,7 +28,7 @@ def why_stale(files: PackageFiles, package: PackageFacts, workspace: Workspace, 
     """Return what says that a launch file is not to be started; "" where nothing does, or something starts it."""
     name = posixpath.basename(path)
     word = re.compile(rf"(?<![\w-]){re.escape(name)}(?!\.?\w)")
-    lines = [each for text in pages_and_scripts(files) if name in text for each in SENTENCES.split(text)]
+    lines = [each for text in pages_and_scripts(files) if name in text for each in sentences(text)]
     named = [line for line in lines if word.search(line)]
     is_stale = any(map(STALE.search, named))
     if not is_stale and not says_so(files.readable_text(path)):

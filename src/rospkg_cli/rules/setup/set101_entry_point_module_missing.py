@@ -55,9 +55,10 @@ def entry_point_module_missing(started: StartedEntryPoints) -> Iterator[Hit]:
     other packages, where a .gitignore names the file, and below a submodule that is not checked out. It is a warning
     where nothing in the workspace starts or names the program, while another one of the package is started, by a launch
     file, a page, a script, a workflow or code with `ros2 run`. The word alone does not name it where another package or
-    a program of one is called so, nor behind a slash, where it is a topic or a folder. It is an info where a page or a
-    script fetches or writes the module by its name, where a comment says that it is not there yet, and in a folder of a
-    course whose page has people copy its files into a package of `ros2 pkg create`.
+    a program of one is called so, nor behind a slash, where it is a topic or a folder, nor on a page alone where launch
+    files have the start of this program in a comment, or the page says that it is not finished or not ported yet. It is
+    an info where a page or a script fetches or writes the module by its name, where a comment says that it is not there
+    yet, and in a folder of a course whose page has people copy its files into a package of `ros2 pkg create`.
     """
     package, missing = started.package, MissingModules(started.package)
     for entry in package.setup.entry_points:
