@@ -21,7 +21,7 @@ class LibraryBuilds:
 
     def has(self, name: str) -> bool:
         """Return whether a page builds a package by its name, or a page or a script next to packages imports it."""
-        in_pages, scripts = self.wanted.is_told, tuple(scripts_above(self.wanted.files))
+        in_pages, scripts = self.wanted.is_commanded, tuple(scripts_above(self.wanted.files))
         return in_pages(BUILDS, name) or in_pages(IMPORTS, name) or self.wanted.is_in(IMPORTS, name, scripts)
 
 

@@ -90,7 +90,7 @@ def has_malformed(reading: ReaderInput) -> bool:
     """Return whether an entry point is written in a way that leaves open what its executable is called."""
     setup = reading.parts(SetupPy).only
     return setup is not None and any(
-        bool(each.fault if each.is_script else each.meant_group) for each in setup.entry_points
+        bool(each.fault if each.is_script else each.intended_group) for each in setup.entry_points
     )
 
 

@@ -121,7 +121,7 @@ class InterfacesInCpp:
             if self.has_own_headers(package, kind):
                 continue
             if self.known.lacks(package, kind, name):
-                full_name = (self.known.meant(package, kind, name) or "").replace(".", "::")
+                full_name = (self.known.intended(package, kind, name) or "").replace(".", "::")
                 span = Span(found.start(), found.start(3) + len(name))
                 yield self.hit(source, span, f"{package}::{kind}::{name}", package, kind, full_name)
 

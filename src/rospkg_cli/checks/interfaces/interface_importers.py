@@ -26,7 +26,7 @@ class InterfaceImporters:
     programs: UnstartedPrograms | None = None
 
     def level(self) -> Level:
-        """Return how many meet an import: an error at a start, an info where nobody is shown to."""
+        """Return the highest level of an import: an error where a start runs it, an info where no run is known to."""
         files, name = self.package.files, self.package.facts.name
         own = [f"{name}/{kind}{end}" for kind in KINDS for end in (".py", "/__init__.py")]
         if any(map(files.exists, own)) or self.is_generated():

@@ -31,17 +31,17 @@ class WrongInterfaceImport:
     """The module that is asked for: `msg`, or a word that is none of the kinds."""
     name: str
     """What is taken out of the module; "" where that is not there."""
-    meant: str
+    intended: str
     """`package.kind.Name`, or `package.kind` where the module is not there; "" where nothing is near."""
     is_local: bool
     """Whether it is in a function, which may not be called, or in a branch."""
     is_left: bool
-    """Whether it is in a module that nothing starts or imports, beside programs."""
+    """Whether it is in a module that nothing starts or imports, in a package that has programs."""
     is_uninstalled: bool = False
     is_unlisted: bool = False
     """Whether the file of the interface is there, and CMake generates nothing of it."""
     why: str = ""
-    """What is said of an import that seldom or never runs: nothing leads to its function."""
+    """Why an import seldom or never runs, as the end of a sentence."""
 
 
 @dataclass(frozen=True)
@@ -70,8 +70,8 @@ class InterfaceImports:
             found += self.of_package(file, each, package, kind)
         if kind in KINDS and not deeper:
             found += self.of_kind(file, each, package, kind)
-        elif kind and (meant := self.meant_module(package, kind)):
-            found.append(self.hit(file, each, each.span, package, kind, "", f"{package}.{meant}"))
+        elif kind and (intended := self.intended_module(package, kind)):
+            found.append(self.hit(file, each, each.span, package, kind, "", f"{package}.{intended}"))
         if found and not self.has_module(each.module):  # last, as it looks through all packages
             yield from found
 
@@ -96,41 +96,41 @@ class InterfaceImports:
             module in facts.modules or not (facts.knows("modules") or makes(facts, kind)) for facts in installing
         )
 
-    def meant_module(self, package: str, word: str) -> str | None:
+    def intended_module(self, package: str, word: str) -> str | None:
         facts = self.workspace.named(package)
         if facts is not None and f"{package}.{word}" in facts.modules:
             return None
-        return self.known.meant_kind(package, word)
+        return self.known.intended_kind(package, word)
 
     def of_kind(self, file: PythonFile, each: Import, package: str, kind: str) -> Iterator[WrongInterfaceImport]:
         known = self.known.of(package)
         if known is not None and not known.get(kind) and self.known.is_here(package):
             names = [name for name in each.names if name != "*"]
-            meant = self.known.meant(package, kind, names[0]) if names else None
-            yield self.hit(file, each, each.span, package, kind, "", meant or "")
+            intended = self.known.intended(package, kind, names[0]) if names else None
+            yield self.hit(file, each, each.span, package, kind, "", intended or "")
             return
         for name in each.names:
             if name[:1] not in ("_", "*") and self.known.lacks(package, kind, name):
-                meant = self.known.meant(package, kind, name)
-                hit = self.hit(file, each, alias_span(file, each, name), package, kind, name, meant or "")
+                intended = self.known.intended(package, kind, name)
+                hit = self.hit(file, each, alias_span(file, each, name), package, kind, name, intended or "")
                 yield replace(hit, why=OLDER) if self.may_be_older(hit) else hit
             elif self.known.is_unlisted(package, kind, name):
                 hit = self.hit(file, each, alias_span(file, each, name), package, kind, name, "")
                 yield replace(hit, is_unlisted=True)
 
     def may_be_older(self, hit: WrongInterfaceImport) -> bool:
-        """Return whether a distribution that is meant may have had what a package outside has as another kind now."""
-        is_other = hit.meant.split(".")[1:2] not in ([], [hit.kind])
+        """Return whether an interface has another kind now, and only unsupported distributions are named here."""
+        is_other = hit.intended.split(".")[1:2] not in ([], [hit.kind])
         is_outside = is_other and not self.known.is_here(hit.package)
         return is_outside and self.distribution is not None and self.distribution.is_only_unsupported
 
     def hit(
-        self, file: PythonFile, each: Import, span: Span, package: str, kind: str, name: str, meant: str
+        self, file: PythonFile, each: Import, span: Span, package: str, kind: str, name: str, intended: str
     ) -> WrongInterfaceImport:
         is_left = self.reached is not None and self.reached.is_left(file.path)
         why = self.places.why_seldom(file.path, each.span) if self.places is not None and not is_left else ""
         is_local = each.is_local or (self.places is not None and self.places.is_conditional(file.path, each.span))
-        return WrongInterfaceImport(file.path, span, package, kind, name, meant, is_local, is_left, why=why)
+        return WrongInterfaceImport(file.path, span, package, kind, name, intended, is_local, is_left, why=why)
 
 
 def makes(facts: PackageFacts, kind: str) -> bool:

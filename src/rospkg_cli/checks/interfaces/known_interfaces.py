@@ -15,8 +15,8 @@ from ...suggest import near_names, nearest
 
 BUILD_TYPES = ("ament_cmake", "ament_python")
 NAMES = {"msg": "message", "srv": "service", "action": "action"}
-MEANT = {"messages": "msg", "message": "msg", "services": "srv", "service": "srv"}
-"""What people write for a kind that is not near to it."""
+KIND_WORDS = {"messages": "msg", "message": "msg", "services": "srv", "service": "srv"}
+"""Words for a kind that are not similar to its name."""
 ENDINGS = ("_msgs", "_srvs", "_interfaces")
 PLURALS = {"msgs": "msg", "srvs": "srv"}
 """Modules that no package of interfaces has, whatever it is: rosidl's have the names of the kinds."""
@@ -37,7 +37,7 @@ class KnownInterfaces:
         return facts if is_read and self.is_clear(package) else None
 
     def is_clear(self, package: str) -> bool:
-        """Return whether it is known which package of a name is meant: no two of them are equally near."""
+        """Return whether a name refers to one package: no two packages of this name are equally near in the folders."""
         if package == self.package.name:
             return True
         same = next((each for each in self.workspace.repeated if each[0].name == package), ())
@@ -70,19 +70,19 @@ class KnownInterfaces:
         return self.is_here(package) or self.workspace.is_listed(package)
 
     def lacks(self, package: str, kind: str, name: str) -> bool:
-        """Return whether a package has no interface of a name: of the table only what is clearly misspelt."""
+        """Return whether a package has no interface of a name: outside the workspace only if it is clearly misspelt."""
         known = self.of(package)
         base = base_name(name)
         if known is None or base in known.get(kind, ()):
             return False
-        return self.is_here(package) or self.meant(package, kind, name) is not None
+        return self.is_here(package) or self.intended(package, kind, name) is not None
 
     def is_unlisted(self, package: str, kind: str, name: str) -> bool:
         """Return whether a package has the file of an interface, and generates nothing of it."""
         facts = self.facts(package) if self.is_here(package) else None
         return facts is not None and f"{kind}/{base_name(name)}" in facts.unlisted_interfaces
 
-    def meant(self, package: str, kind: str, name: str) -> str | None:
+    def intended(self, package: str, kind: str, name: str) -> str | None:
         """Return the interface that is intended, as `package.kind.Name`, where exactly one is near."""
         known = self.of(package) or {}
         base = base_name(name)
@@ -106,14 +106,14 @@ class KnownInterfaces:
         alike = [each for each in names if each.lower() == name.lower()] or near_names(name, names, 1)
         return alike[0] if len(alike) == 1 else None
 
-    def meant_kind(self, package: str, word: str) -> str | None:
+    def intended_kind(self, package: str, word: str) -> str | None:
         """Return the kind that a module of a package of interfaces is intended to be: `std_msgs.msgs`."""
         known = self.of(package)
         if known is None and not self.is_here(package) and package.endswith(ENDINGS):
             return PLURALS.get(word)
         if not known or word in KINDS:
             return None
-        near = MEANT.get(word) or next(iter(near_names(word, KINDS, 1)), None)
+        near = KIND_WORDS.get(word) or next(iter(near_names(word, KINDS, 1)), None)
         return near if near in known else None
 
     def fields(self, message: str) -> Mapping[str, str] | None:

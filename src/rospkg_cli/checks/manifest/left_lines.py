@@ -1,4 +1,4 @@
-"""Lines of package.xml that a template left, and which of them are told together."""
+"""Lines of package.xml that a template left, and which of them make one finding."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ class LeftLine:
     span: Span
     message: str
     name: str
-    """What it is called in the message of another line."""
+    """Its name in the message of another line."""
     is_grave: bool = False
 
 
 def joined(source: Source, lines: Sequence[LeftLine]) -> Iterator[tuple[LeftLine, ...]]:
-    """Yield the lines that make one finding, the one that it lies at first: the first of the gravest.
+    """Yield the lines that make one finding; the first of the most severe ones comes first, and has the finding.
 
-    A further line that an ignore comment is meant for is a finding of its own, so that the comment has its use.
+    Another line with an ignore comment is a finding of its own, so that the comment has an effect.
     """
     if not lines:
         return

@@ -13,7 +13,7 @@ RENAMED = {"run_depend": "exec_depend"}
 """What format 2 calls otherwise."""
 
 
-def meant_tag(manifest: Manifest, element: Element) -> str | None:
+def intended_tag(manifest: Manifest, element: Element) -> str | None:
     """Return the only tag of package.xml that an unknown one may stand for; None for one that is out of place."""
     if element not in manifest.root.children or element.tag in (*INSIDE_EXPORT, *NEW_IN[2]):
         return None

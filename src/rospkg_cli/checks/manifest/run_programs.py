@@ -1,4 +1,4 @@
-"""Programs that `ros2 run` is meant for: not those of tests, nor those that a library keeps to itself."""
+"""Programs for `ros2 run`: not those of tests, nor those that only a library uses."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ...package.cmake.uninstalled_targets import UninstalledTargets
 from ..repository.pages_and_scripts import pages_and_scripts
 
 TESTS = ASIDE - EXAMPLES
-"""Folders whose programs nobody runs by their names, though some packages install them."""
+"""Folders whose programs are not for `ros2 run`, though some packages install them."""
 
 
 def has_run_programs(cmake: CMake, files: PackageFiles, package: str) -> bool:

@@ -103,8 +103,8 @@ class PluginBases:
                 elif not self.workspace.loaders_of(plugin.base.value):
                     suggestion = self.base_in_source(plugin, known) or misspelt(plugin.base.value, known)
                     of_macro = misspelt(plugin.base.value, self.bases_in_source(plugin)) if suggestion is None else None
-                    if meant := suggestion or of_macro:
-                        yield WrongBaseClass(description, plugin, meant, of_macro is not None)
+                    if base_class := suggestion or of_macro:
+                        yield WrongBaseClass(description, plugin, base_class, of_macro is not None)
 
     def other_arguments(self, plugin: PluginClass) -> str | None:
         """Return the base of the macro of a class, where it is of the same template, with other arguments."""

@@ -89,13 +89,13 @@ class PluginExports:
         named = (self.workspace.named(each.name) for each in self.package.facts.dependencies)
         return [facts.name for facts in named if facts is not None and facts.is_compiled]
 
-    def uncompiled(self, entry: DescribedPlugin, meant: ExportedClass) -> str:
+    def uncompiled(self, entry: DescribedPlugin, exported: ExportedClass) -> str:
         """Return the message of an entry whose class a source exports that no target compiles; "" of others."""
-        if self.is_compiled(meant.path):
+        if self.is_compiled(exported.path):
             return ""
         return (
-            f"no target compiles `{meant.path}`, which exports `{meant.type}`: loading the plugin "
-            f"`{entry.plugin.lookup_name}` fails; compile it into the library, and write `{meant.type}` here"
+            f"no target compiles `{exported.path}`, which exports `{exported.type}`: loading the plugin "
+            f"`{entry.plugin.lookup_name}` fails; compile it into the library, and write `{exported.type}` here"
         )
 
     def is_compiled(self, source: str) -> bool:

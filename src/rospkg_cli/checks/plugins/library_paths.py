@@ -44,7 +44,7 @@ class PluginLibraries:
         return self.package.cmake
 
     def level(self, wrong: WrongLibraryPath) -> tuple[Level, str]:
-        """Return how grave it is that a library can't be loaded, and why it is no error: by who loads its classes."""
+        """Return the level of a library that can't be loaded, by what loads its classes, and why it is no error."""
         if wrong.fault == "prefixed":
             return "warning", ""
         library = wrong.entry.plugin.library
@@ -112,7 +112,7 @@ class PluginLibraries:
         if any(f":{target}>" in word.text for rule in self.cmake.installs for word in rule.items):
             return False
         if any(near_names(each.word.text, [target]) for each in TargetReferences(self.cmake).broken()):
-            return False  # a rule installs it under a misspelt name, which CMK110 tells
+            return False  # a rule installs it under a misspelt name, which CMK110 reports
         name = self.cmake.output_names.get(target, target)
         files = {PurePosixPath(row.destination).name.partition(".")[0].removeprefix("lib") for row in self.table.rows}
         return name.removeprefix("lib") not in files

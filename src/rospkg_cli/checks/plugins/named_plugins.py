@@ -33,9 +33,9 @@ class NamedPlugins:
     made: MadeClasses | None = None
 
     def level(self, names: Collection[str], base: str) -> tuple[Level, str]:
-        """Return how grave it is at most that a plugin can't be loaded, and why it is no error.
+        """Return the highest level for a plugin that can't be loaded, and why it is no error.
 
-        The names are those by which it may be meant: that of its description, and its class.
+        The names are those that may refer to it: the one in its description, and its class.
         """
         if self.is_named(names) or base.startswith(LOADED_WHOLE):
             return "error", ""

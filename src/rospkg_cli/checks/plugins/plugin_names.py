@@ -1,4 +1,4 @@
-"""What the name of a plugin says: of which package it may be, and which other name is meant by it."""
+"""What the name of a plugin says: which package it may be of, and whether another name is intended."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ class RqtPlugins:
                 yield description, PYTHON[python[0].base.value.partition("::")[0] + "::"]
 
     def idle(self, description: PluginDescription) -> str:
-        """Return why nobody misses the plugins of a description in the menu; "" where somebody may."""
+        """Return why plugins need not be in the menu of rqt: unused or not installed; "" where they should be."""
         if is_set_aside(description.file):
             return "; the file is laid aside"
         modules = {each.type.value.rpartition(".")[0] for each in description.classes}

@@ -20,7 +20,7 @@ MACRO = "BT_REGISTER_NODES"
 DEFINITION = "BT_PLUGIN_EXPORT"
 """Without it the macro of bt_factory.h (BehaviorTree.CPP 3 and 4) makes a static function."""
 REGISTERED = regex(r"\bregister(?:NodeType|Builder|SimpleAction|SimpleCondition)\b")
-"""How code tells a factory of a node."""
+"""How code registers a node with a factory."""
 FUNCTION = "BT_RegisterNodesFromPlugin"
 QUOTED = regex(r'"[^"\\\n]+"')
 NAMING = (".yaml", ".yml", ".py", ".xml", ".launch", ".md", ".rst", ".sh")
@@ -71,7 +71,7 @@ class TreeNodeLibraries:
 
     @property
     def registers_itself(self) -> bool:
-        """Whether code without the macro tells a factory of nodes: the package may not load its libraries at all."""
+        """Whether code without the macro registers nodes: the package may not load its libraries at all."""
         others = (file.source.text for file in self.sources if not any(file.calls_to(MACRO)))
         return any(REGISTERED.search(text) for text in others)
 
@@ -82,6 +82,6 @@ class TreeNodeLibraries:
 
 
 def is_naming(path: str) -> bool:
-    """Return whether a file may tell a program or people which libraries to load."""
+    """Return whether a file may name libraries for a program or for users to load."""
     is_run = role_of(path) not in ("test", "aside") and path != "package.xml"
     return is_run and path.endswith(NAMING)

@@ -32,7 +32,7 @@ class DataDestinations:
         return None
 
     def why_unmet(self, entry: DataEntry) -> str:
-        """Return why nobody is shown to miss the files of an entry; "" where somebody is.
+        """Return why nothing is known to need the files of an entry at their right place; "" where something is.
 
         Launch files and package.xml are looked for by ROS itself, other files by what opens them.
         """
@@ -73,7 +73,7 @@ class DataDestinations:
                 why = "is a folder right below the install prefix, where nothing is looked for"
                 found.append((entry, "/".join(("share", self.shared.package.name, *own)), why))
             elif rest[:1] == [self.shared.package.name] and near_names(first, ["share"]):
-                why = "is below no folder that anything searches: `share` is meant"
+                why = "is below no folder that anything searches (did you mean `share`?)"
                 found.append((entry, "/".join(("share", *rest)), why))
         return tuple(found)
 

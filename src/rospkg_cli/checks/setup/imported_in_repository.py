@@ -15,8 +15,8 @@ REACH = 1000
 def is_imported_in_repository(files: PackageFiles, folder: str, name: str) -> bool:
     """Return whether code outside of a folder of a package imports what is in it; True where that code is not seen.
 
-    `name` is the dotted one of the folder. Tests do not count, nor what is set aside, nor what has a module of that
-    name beside it, which comes first.
+    `name` is the dotted name of the folder. Tests and unused code (`old/`) do not count, nor do files with a module of
+    that name next to them, which they import instead.
     """
     if files.whole is None:
         return True
@@ -24,10 +24,10 @@ def is_imported_in_repository(files: PackageFiles, folder: str, name: str) -> bo
     own = f"{files.folder}/{folder}/" if files.folder else f"{folder}/"
     above, _, last = name.rpartition(".")
     paths = (path for path in opening(every.every) if not path.startswith(own) and every.holds(path, last.encode()))
-    beside = (
+    importing = (
         path for path in paths if above or not every.has_file(posixpath.join(posixpath.dirname(path), f"{last}.py"))
     )
-    return any(names(live(every, path), above, last) for path in beside)
+    return any(names(live(every, path), above, last) for path in importing)
 
 
 def names(text: str, above: str, last: str) -> bool:

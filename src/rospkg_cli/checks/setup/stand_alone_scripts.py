@@ -1,4 +1,4 @@
-"""Folders of scripts that are run by their paths: Python modules that nobody is to import."""
+"""Folders of scripts that are run by their paths: Python modules that are not for import."""
 
 from __future__ import annotations
 

@@ -25,16 +25,16 @@ class UndeclaredRequirements:
     def found(self) -> Iterator[tuple[SetupText, str, str]]:
         """Yield the requirements that no dependency installs: the text, the name, the rosdep key.
 
-        What a module imports as well is DEP101's.
+        Requirements that a module imports are left to DEP101.
         """
         if not self.declared.is_checked:
             return
-        told = {missing.name for missing in self.imports.missing()}
+        reported = {missing.name for missing in self.imports.missing()}
         for said in self.package.setup.texts("install_requires"):
             match = NAME.match(said.text)
             name = match.group() if match else ""
             key = key_for_pip(name) if name and name.lower() not in TOOLS else None
-            if key is None or ";" in said.text or key in told or self.declared.has([key]):
+            if key is None or ";" in said.text or key in reported or self.declared.has([key]):
                 continue
             if not self.declared.bringer([key], runs=True):
                 yield said, name, key

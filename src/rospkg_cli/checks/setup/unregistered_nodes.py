@@ -61,7 +61,7 @@ class UnregisteredNodes:
         setup = self.package.setup
         if self.scripts is None or not setup.knows("entry_points") or self.package.extends_command_line:
             return
-        if any(each.fault or each.meant_group for each in setup.entry_points):
+        if any(each.fault or each.intended_group for each in setup.entry_points):
             return
         known = {entry.module for entry in setup.entry_points}
         modules = MissingModules(self.package)

@@ -1,4 +1,4 @@
-"""Meshes that a robot names by a path alone, without a scheme: nothing looks for them beside the robot (URD002)."""
+"""Meshes that a robot names by a path alone, without a scheme: nothing looks for them in its folder (URD002)."""
 
 from __future__ import annotations
 

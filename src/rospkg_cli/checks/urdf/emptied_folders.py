@@ -1,4 +1,4 @@
-"""Folders of which a robot names several files, and none is there: they moved, or another package is meant."""
+"""Folders of which a robot names several files, and none is there: they moved, or the package name is wrong."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Iterable
 
 SEVERAL = 3
-"""So many files of one folder are not forgotten one by one."""
+"""The number of missing files in one folder that shows a single cause."""
 
 File = tuple[str, str]
 """A package, and a path in its share directory."""

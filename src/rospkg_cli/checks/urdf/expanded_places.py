@@ -1,4 +1,4 @@
-"""Where a fault of an expanded robot is told: in the file that is written, or at the call of a macro."""
+"""Where a fault of an expanded robot is reported: at the element in its file, or at the call of a macro."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Found = tuple[str, Fault]
 
 
 def own_place(node: Node, span: Span, name: str, *, again: bool = False) -> tuple[Source, Span] | None:
-    """Return where a fault of an element is told: in a file of this package, or at the call of a macro that made it.
+    """Return where a fault of an element is reported: in a file of this package, or at the macro call that made it.
 
     An element that is made `again` is reported at the call, and a name that a call gives is reported there.
     """

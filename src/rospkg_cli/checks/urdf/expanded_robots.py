@@ -24,7 +24,7 @@ from .xacro_problems import problem_fault
 ROBOTS = (".xacro", ".urdf")
 Callers = dict[int, list[str]]
 """The robots that call each macro, by the `id` of its element."""
-Told = tuple[str, str, Fault, Macro | None]
+RobotFault = tuple[str, str, Fault, Macro | None]
 """A robot, a file of the package, a fault that xacro meets there, and the macro that the robot does not call."""
 
 
@@ -41,9 +41,9 @@ class ExpandedRobots:
 
     @cached_property
     def by_path(self) -> Mapping[str, list[tuple[str, Fault]]]:
-        """The faults of each file; those in a macro that a robot does not call belong to the robots that do."""
+        """The faults by file; a fault in a macro counts for the robots that call the macro."""
         callers: Callers = {}
-        every = sorted(self.every_fault(callers), key=lambda told: told[3] is not None)
+        every = sorted(self.every_fault(callers), key=lambda each: each[3] is not None)
         found: dict[str, list[tuple[str, Fault]]] = {}
         for robot, path, fault, macro in every:
             calling = callers.get(id(macro.element)) if macro is not None else [robot]
@@ -51,7 +51,7 @@ class ExpandedRobots:
             found.setdefault(path, []).extend((each, softened) for each in calling or [robot])
         return found
 
-    def every_fault(self, callers: Callers) -> Iterator[Told]:
+    def every_fault(self, callers: Callers) -> Iterator[RobotFault]:
         """Yield all faults, and add the macros that each robot calls."""
         library = self.library
         documents = [document for path in self.paths if (document := library.read(path)) is not None]
@@ -70,7 +70,7 @@ class ExpandedRobots:
 
     @cached_property
     def library(self) -> XacroLibrary:
-        """The documents, kept as long as their elements are told apart."""
+        """The parsed documents; `callers` identifies their elements by `id`, so they must stay alive."""
         return XacroLibrary(self.files, self.package.name, self.workspace)
 
     @cached_property
@@ -79,8 +79,10 @@ class ExpandedRobots:
             path for path in self.files.paths if path.endswith(ROBOTS) and role_of(path) not in ("test", "aside")
         )
 
-    def faults(self, expander: Expander, document: Document, callers: Callers, *, is_robot: bool) -> Iterator[Told]:
-        """Expand a robot, then the macros that nothing called, and yield what is wrong in files of this package."""
+    def faults(
+        self, expander: Expander, document: Document, callers: Callers, *, is_robot: bool
+    ) -> Iterator[RobotFault]:
+        """Expand a robot, then the macros that nothing called, and yield the faults in files of this package."""
         expansion, robot = expander.run(document), document.source.path
         for each in expander.called:
             callers.setdefault(each, []).append(robot)

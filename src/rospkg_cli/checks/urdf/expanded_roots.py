@@ -17,7 +17,9 @@ def split_faults(tree: ExpandedTree) -> Iterator[Found]:
         return
     children = links_below(tree.joints)
     roots = [link for link in tree.links if link.is_certain and name_of(link) not in children]
-    if len(roots) < 2 or not children or len(set(children)) < len(children):  # a child of two joints is told itself
+    if (
+        len(roots) < 2 or not children or len(set(children)) < len(children)
+    ):  # a link that is the child of two joints has its own finding
         return
     sizes = {name_of(root): size(name_of(root), tree.joints) for root in roots}
     main = max(sizes, key=lambda name: sizes[name])

@@ -1,4 +1,4 @@
-"""Rule input: whether a robot is only given to Gazebo by its path, which finds meshes beside the file (URD002)."""
+"""Rule input: whether a robot is only given to Gazebo by its path, which finds meshes next to the file (URD002)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ..launch.started_viewers import program_of
 from .opened_robots import OpenedRobots
 
 READS = regex(r"(?i)robot_description|robot_state_publisher|move_?it|xacro|spawn_entity|\bopen\(|read_text\(")
-"""What a launch file says that gives a robot to others, or reads its text: then nobody knows where it came from."""
+"""Text of a launch file that passes a robot to other nodes, or reads it: these do not know the folder of the file."""
 UNKNOWN = "\0"
 
 

@@ -15,8 +15,8 @@ SHARE = regex(r"\$\(find\s+([^\s()]+)\s*\)/+")
 def includes_path(by: str, text: str, path: str, package: str, known: Collection[str]) -> bool:
     """Return whether the text of a file of a package may include another of its files.
 
-    A folder says which of several files of a name is meant, unless no file `known` lies there: an installation may
-    have put it elsewhere.
+    Of several files with one name, the folder in the include decides, unless none of the `known` files is there: the
+    installation may have moved it.
     """
     return any(leads_to(found.group(1), by, path, package, known) for found in INCLUDED.finditer(text))
 
@@ -30,9 +30,9 @@ def leads_to(named: str, by: str, path: str, package: str, known: Collection[str
     if share is not None and share.group(1) != package:
         return False
     rest = COMPUTED.sub("*", named[share.end() :] if share is not None else named)
-    meant = posixpath.normpath(rest if share is not None else posixpath.join(posixpath.dirname(by), rest))
+    target = posixpath.normpath(rest if share is not None else posixpath.join(posixpath.dirname(by), rest))
     if rest.startswith("*"):
         return fnmatchcase(f"/{path}", rest if "/" not in rest else f"*{rest.lstrip('*')}")
-    if "*" in meant:
-        return fnmatchcase(path, meant)
-    return path == meant or meant not in known
+    if "*" in target:
+        return fnmatchcase(path, target)
+    return path == target or target not in known

@@ -49,39 +49,39 @@ class JudgedRobot:
     robots: Annotated[tuple[RobotFile, ...], READABLE] = ()
 
     def faults(self) -> list[Fault]:
-        """Return what is wrong with the file as it is written, then with what xacro makes of it, each place once."""
+        """Return the faults of the file as it is written, then of its expansion by xacro; each place once."""
         written = robot_faults(self.robot, self.calls)
-        told = {fault.span for fault in written}
-        made = self.made(told)
-        told.update(fault.span for fault in made)
+        seen = {fault.span for fault in written}
+        made = self.made(seen)
+        seen.update(fault.span for fault in made)
         later = prefix_faults(self.robot.document.root) if self.robot.is_xacro else ()
-        own = [*written, *(fault for fault in later if fault.span not in told)]
+        own = [*written, *(fault for fault in later if fault.span not in seen)]
         weighed = [self.at_its_level(each, self.robot.path) for each in own if each.level or not self.is_replaced(each)]
         return of_one_slip(of_one_parameter(once_each(sorted([*made, *weighed], key=lambda fault: fault.span))))
 
     def found(self) -> list[tuple[Fault, list[tuple[str, Span]]]]:
-        """Return what is wrong, with the same slip in later robots of the folder; what an earlier one tells is not."""
+        """Return the faults, each with the same slip in later robots of the folder; without slips of earlier robots."""
         faults = self.faults()
-        beside = self.slips_beside() if any(map(is_slip, faults)) else []
-        same = {id(fault): [(path, other) for path, other in beside if is_same(other, fault)] for fault in faults}
+        others = self.slips_in_folder() if any(map(is_slip, faults)) else []
+        same = {id(fault): [(path, other) for path, other in others if is_same(other, fault)] for fault in faults}
         return [
             (fault, [(path, other.span) for path, other in same[id(fault)]])
             for fault in faults
             if not any(path < self.robot.path for path, _ in same[id(fault)])
         ]
 
-    def slips_beside(self) -> list[tuple[str, Fault]]:
+    def slips_in_folder(self) -> list[tuple[str, Fault]]:
         """Return the slips of the other robots in the folder, each with the path of its file."""
         folder = posixpath.dirname(self.robot.path)
         near = (each for each in self.robots if posixpath.dirname(each.path) == folder and each.path != self.robot.path)
         judged = (replace(self, robot=each) for each in near if each.is_xacro and "{" in each.source.text)
         return [(each.robot.path, fault) for each in judged for fault in each.faults() if is_slip(fault)]
 
-    def made(self, told: Collection[Span]) -> list[Fault]:
-        """Return what xacro meets in the file, each place once: as grave as in the robot where it is the gravest."""
+    def made(self, seen: Collection[Span]) -> list[Fault]:
+        """Return the faults that xacro meets in the file, each place once, at the highest level among the robots."""
         found: dict[Span, Fault] = {}
         for robot, fault in self.expanded.faults_of(self.robot.path):
-            if fault.span not in told and (fault.level or not self.is_replaced(fault)):
+            if fault.span not in seen and (fault.level or not self.is_replaced(fault)):
                 weighed = self.at_its_level(fault, robot)
                 before = found.setdefault(fault.span, weighed)
                 if LEVELS.index(weighed.level) < LEVELS.index(before.level):
@@ -89,9 +89,9 @@ class JudgedRobot:
         return list(found.values())
 
     def at_its_level(self, fault: Fault, robot: str) -> Fault:
-        """Return a fault as an error where a launch file surely opens a robot that meets it, else as an info.
+        """Return a fault as an error where a launch file certainly opens a robot that meets it, else as an info.
 
-        There is nothing between: what xacro and urdfdom pass over, or meet for some, is seldom what anybody sees.
+        There is no warning: what xacro and urdfdom skip, or meet in some runs only, is hardly ever noticed.
         """
         is_launched = self.launched.has(robot)
         if fault.level == "info":
@@ -116,20 +116,20 @@ class JudgedRobot:
         return self.without_prefix(fault) if UNLESS in fault.message else replace(fault, level="info")
 
     def is_surely_expanded(self, robot: str) -> bool:
-        """Return whether xacro reads a robot: by its name, what it holds, or who opens it; others fill it in, too."""
+        """Return whether xacro certainly reads a robot, by its name, its elements, or a text that opens it."""
         if robot.endswith(".xacro") or "xacro:" in self.robot.source.text:
             return True
         name = robot.rpartition("/")[2]
         return any(XACRO.search(text) for path, text in self.opened.texts.every if path != robot and name in text)
 
     def unless_filled_in(self) -> str:
-        """Return what is said of a robot with blanks in the place of names or values; "" of one without."""
-        from .left_blanks import STILL, has_blanks  # few robots have a fault
+        """Return the end of the message for a robot with names or values that are blanks to fill in; "" for others."""
+        from .left_blanks import STILL, has_blanks  # imported for findings alone
 
         return STILL if has_blanks(self.robot.document.root) else ""
 
     def unless_called(self, fault: Fault) -> str:
-        """Return why nobody meets a fault: Gazebo leaves it out, or no opened robot calls its macro; else ""."""
+        """Return why no run meets a fault: Gazebo leaves it out, or no opened robot calls its macro; else ""."""
         around = list(ancestors(self.robot.document.root, fault.span))
         blocks = (each.attributes["reference"] for each in around if each.tag == "gazebo" and each.get("reference"))
         if is_slip(fault) and any(each.value_span.holds(fault.span) for each in blocks):
@@ -142,7 +142,7 @@ class JudgedRobot:
         return ""
 
     def without_prefix(self, fault: Fault) -> Fault:
-        """Return a lost prefix as an info, that says what is lost where no call of the macro gives one."""
+        """Return a lost prefix as an info, and say so if no call of the macro gives a prefix."""
         around = list(ancestors(self.robot.document.root, fault.span))
         macro = next((each for each in reversed(around) if each.tag == "xacro:macro"), None)
         parameter = PREFIX.search(fault.message)
@@ -155,18 +155,18 @@ class JudgedRobot:
 
     @property
     def is_simulated(self) -> bool:
-        """Whether Gazebo moves joints of a `<ros2_control>`: it passes over one that it lacks, in any distribution."""
+        """Whether Gazebo moves joints of a `<ros2_control>`: every distribution of it ignores missing joints."""
         plugins = (each.text for each in self.robot.document.root.walk() if each.tag == "plugin")
         return any(IN_GAZEBO.match(text.strip()) for text in plugins)
 
     def may_be_given(self, fault: Fault) -> bool:
-        """Return whether nothing is known to read the file without an argument: all launch files that do give it."""
+        """Return whether each text that opens the file may give an argument."""
         names = [each.get("name") or "" for each in ancestors(self.robot.document.root, fault.span)]
         elsewhere = any(self.calls.is_set_elsewhere(name, self.robot.document.source.text) for name in names if name)
         return elsewhere or self.is_replaced(fault) or not self.launched.has(self.robot.path)
 
     def is_replaced(self, fault: Fault) -> bool:
-        """Return whether a fault is in a default that each launch file replaces: xacro never reads it."""
+        """Return whether a fault is in a default that each launch file replaces, so that xacro never reads it."""
         defaults = (each for each in ancestors(self.robot.document.root, fault.span) if each.tag == "xacro:arg")
         return any(self.opened.arguments.has(self.robot.path, each.get("name") or "") for each in defaults)
 

@@ -49,7 +49,7 @@ class KinematicTree:
                 ends[tag] = link
         if len(ends) == 2:
             child, name = ends["child"].value, joint.get("name") or ""
-            if child == ends["parent"].value:  # which is told of the joint itself
+            if child == ends["parent"].value:  # the joint has its own finding
                 self.broken = True
                 return
             if child in self.parent and not (name and name in self.seen):  # else both joints have one name

@@ -147,7 +147,7 @@ class LaunchedRobots:
 
 
 def names(words: frozenset[str], text: str, name: str) -> bool:
-    """Return whether a launch file names a robot: in full, or its stem in quotes beside a suffix it puts behind it."""
+    """Return whether a launch file names a robot: in full, or by its stem in quotes and a suffix to append."""
     stem = re.escape(name.partition(".")[0])
     if name in words:
         return True

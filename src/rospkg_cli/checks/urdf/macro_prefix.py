@@ -71,9 +71,7 @@ def longer_name(given: Attribute, names: set[str]) -> Iterator[Fault]:
     """Yield a mimicked joint that no joint of its macro is, where names of joints begin with it."""
     longer = sorted(name for name in names if name.startswith(f"{given.value}_"))
     if longer:
-        message = (
-            f"no joint of this macro is called `{given.value}`: it must be made elsewhere, or `{longer[0]}` is meant"
-        )
+        message = f"no joint of this macro is called `{given.value}`: define it elsewhere, or write `{longer[0]}`"
         yield Fault(given.value_span, message, "info")
 
 

@@ -1,4 +1,4 @@
-"""How grave it is that a file of a robot is not there: by its place, by who opens the robot, by who brings it."""
+"""The level of a missing file of a robot: by its place, by what opens the robot, and by what fetches the file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ LEVELS = (None, "warning", "info")
 
 
 def missing_fault(scope: RobotInWorkspace, missing: MissingResource) -> Fault:
-    """Return what is wrong at the level of the place that xacro is most certain to reach."""
+    """Return a fault at the highest level among the places that name the missing file."""
     harm = "xacro stops here" if missing.is_include else "it is missing wherever the robot is shown"
     fault = Fault(missing.span, f"{wrong(missing, scope.package.name)}: {harm}")
     each = [scope.weighed(replace(fault, span=span)) for span in missing.spans]
@@ -24,7 +24,7 @@ def missing_fault(scope: RobotInWorkspace, missing: MissingResource) -> Fault:
     if best.level != "info" and scope.met.is_off(scope.robot.path):
         return softer(best, "info", OPENED_WHEN_ON)
     if best.level != "info" and missing.state == "absent" and scope.is_fetched(missing):
-        return softer(best, "info", "until it is fetched, as a page or a script here tells to")
+        return softer(best, "info", "until it is fetched, as a page or a script here says")
     if best.level != "info" and (left := left_to_people(scope, missing)):
         return softer(best, "info", left)
     if best.level is None and not scope.is_installed:
@@ -35,7 +35,7 @@ def missing_fault(scope: RobotInWorkspace, missing: MissingResource) -> Fault:
 
 
 def left_to_people(scope: RobotInWorkspace, missing: MissingResource) -> str:
-    """Return why people are to bring a file of the package that xacro does not read; "" where it is not so."""
+    """Return why a missing file is left for users to add; "" for one that is not, or that xacro reads."""
     is_own = missing.package == scope.package.name and not missing.is_model
     if missing.is_include or missing.state != "absent" or missing.suggestion or not is_own:
         return ""

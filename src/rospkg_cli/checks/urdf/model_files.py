@@ -25,7 +25,13 @@ def missing_of_models(robot: RobotFile, files: PackageFiles, workspace: Workspac
         if not homes or is_installed(f"/{model}/{path}", workspace) or any(has(files, each, path) for each in homes):
             continue
         yield MissingResource(
-            span, model, path, "absent", is_include=False, suggestion=meant(robot, homes, path, files), is_model=True
+            span,
+            model,
+            path,
+            "absent",
+            is_include=False,
+            suggestion=intended_file(robot, homes, path, files),
+            is_model=True,
         )
 
 
@@ -56,8 +62,8 @@ def is_installed(ending: str, workspace: Workspace) -> bool:
     return any(f"/{path}".endswith(ending) for facts in workspace.packages for path in facts.share_files)
 
 
-def meant(robot: RobotFile, homes: list[str], path: str, files: PackageFiles) -> str | None:
-    """Return the file of the model that the robot is itself, or a near one of the model that it names."""
+def intended_file(robot: RobotFile, homes: list[str], path: str, files: PackageFiles) -> str | None:
+    """Return the file in the model that the robot is part of, or a similar one in the model that it names."""
     own = posixpath.dirname(robot.path)
     if own and has(files, own, path):
         return f"model://{posixpath.basename(own)}/{path}"

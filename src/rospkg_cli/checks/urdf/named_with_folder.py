@@ -1,4 +1,4 @@
-"""Which of several files of one name texts mean, as `gz/arm.urdf` beside `classic/arm.urdf`: the one in its folder."""
+"""Which of several files of one name a text names, by the folder before the name: `gz/arm.urdf`, `classic/arm.urdf`."""
 
 from __future__ import annotations
 
@@ -66,9 +66,9 @@ class NamedWithFolder:
 
 
 def means_inner_copy(path: str, text: str, paths: Iterable[str]) -> bool:
-    """Return whether a text means a file of the same name further in, as `urdf/new/arm.urdf` beside `urdf/arm.urdf`.
+    """Return whether a text names a file of the same name in a folder below: `urdf/new/arm.urdf` for `urdf/arm.urdf`.
 
-    It has the folders between them as well, and the name not right behind the outer one.
+    The text also has the folders between them, and the name does not directly follow the outer folder.
     """
     folder, _, name = path.rpartition("/")
     inner = (each for each in paths if each != path and each.startswith(f"{folder}/") and each.endswith(f"/{name}"))

@@ -1,4 +1,4 @@
-"""Conditions of xacro that hold for nobody: by what they say, by a property, or by a default that nothing replaces."""
+"""Conditions of xacro that never hold: literally, by a property, or by a default that nothing replaces."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ...package.workspace import Workspace
 ROBOTS = (".xacro", ".urdf")
 GIVING = (".py", ".xml", ".launch", ".yaml", ".yml", ".json", ".sh", ".bash", ".md", ".rst", ".txt", ".cpp", ".hpp")
 HOLDS = {"xacro:if": frozenset(("false", "False", "0")), "xacro:unless": frozenset(("true", "True", "1"))}
-"""The values with which nobody comes to what is in a condition."""
+"""The values with which xacro skips what is in a condition."""
 READ = regex(r"\$\(arg\s+(?P<argument>\w+)\s*\)|\$\{\s*(?P<property>\w+)\s*\}")
 ELEMENT = regex(r"<xacro:(arg|property|macro)\b([^>]*)>")
 ATTRIBUTE = regex(r"\b(name|default|value|params)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
@@ -27,7 +27,7 @@ GIVEN = (
 )
 """How Python, a command and XML give an argument a literal value, or declare one of its name with it."""
 STEPS = 3
-"""How many names stand for each other: a property that is an argument, say."""
+"""The most names that refer to each other: a property whose value is an argument, for example."""
 
 
 @dataclass(frozen=True)
@@ -37,16 +37,16 @@ class OffConditions:
     workspace: Workspace
 
     def has(self, condition: Element) -> bool:
-        """Return whether nobody comes to what is in a condition."""
+        """Return whether xacro never enters a condition."""
         return self.value_of(condition.get("value") or "") in HOLDS.get(condition.tag, ())
 
     def argument_of(self, condition: Element) -> str:
-        """Return the argument that a condition asks for alone; "" for others."""
+        """Return the argument that is the whole value of a condition; "" for others."""
         found = READ.fullmatch((condition.get("value") or "").strip())
         return (found["argument"] or "") if found is not None else ""
 
     def is_given_so(self, condition: Element) -> bool:
-        """Return whether all literal values that launch files here give its argument, or its own there, turn it off."""
+        """Return whether all literal values that this package gives its argument turn the condition off."""
         argument = self.argument_of(condition)
         others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
         if not argument or any(argument in words for facts in others for words in facts.robot_words):
@@ -56,7 +56,7 @@ class OffConditions:
         return bool(given) and given <= HOLDS.get(condition.tag, frozenset())
 
     def value_of(self, text: str) -> str:
-        """Return what a value is for all, as far as one name stands for another; the text itself of others."""
+        """Return the value that a text has in every run, following names that have a single value; "" for any value."""
         for _ in range(STEPS):
             found = READ.fullmatch(text.strip())
             if found is None:
@@ -69,7 +69,7 @@ class OffConditions:
         return ""
 
     def is_given(self, argument: str) -> bool:
-        """Return whether anything beside robots names an argument, and so may give it a value."""
+        """Return whether anything other than robots names an argument, and so may give it a value."""
         word = re.compile(rf"(?<![\w.-]){re.escape(argument)}(?![\w.-])")
         others = (facts for facts in self.workspace.packages if facts.name != self.package.name)
         is_elsewhere = any(argument in words for facts in others for words in facts.robot_words)

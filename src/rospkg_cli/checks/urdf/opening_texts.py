@@ -31,6 +31,6 @@ def opening_texts(files: PackageFiles, package: PackageFacts, workspace: Workspa
 
 
 def bare_text(files: PackageFiles, path: str) -> str:
-    """Return a text without comments and headers, and without what a Python file tells of itself."""
+    """Return a text without comments and `#include` lines; of a Python file also without its docstring."""
     text = live_text(files, path) if path.endswith(LAUNCH + ROBOTS) else files.readable_text(path)
     return (DOCSTRING if path.endswith(".py") else INCLUDE).sub("", text, 1 if path.endswith(".py") else 0)

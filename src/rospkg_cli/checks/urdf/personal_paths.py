@@ -1,4 +1,4 @@
-"""Files that a robot or a world names by a path in one person's home: nobody else has them."""
+"""Files that a robot or a world names by a path in one person's home, which other machines do not have."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ INSTALLED = regex(r"/install/(?:[^/]+/)?share/(?P<package>[^/]+)/(?P<path>.+)")
 
 ON_ONE, IN_CONTAINERS = "on one machine", "in containers and homes of this name alone"
 Place = tuple[Span, str]
-Told = tuple[str, str, Level | None]
+PathMessage = tuple[str, str, Level | None]
 """The message, what to do, and the level."""
 
 
@@ -47,13 +47,13 @@ def personal_paths(document: Document) -> Iterator[tuple[Span, str]]:
 
 
 def included_spans(document: Document) -> frozenset[Span]:
-    """Return the places of the names that xacro includes: it opens files, and knows no `package://`."""
+    """Return the places of the names that xacro includes: it opens files, and does not resolve `package://`."""
     includes = (each for each in document.root.walk() if each.tag == "xacro:include")
     return frozenset(each.attributes["filename"].value_span for each in includes if "filename" in each.attributes)
 
 
 def portable(path: str, *, is_include: bool) -> str:
-    """Return how everybody can name a file: by its package, where the path goes through an install folder."""
+    """Return how to name a file on any machine: by its package, if the path goes through an install folder."""
     found = INSTALLED.search(path)
     package, rest = (found["package"], found["path"]) if found else ("<package>", "<path>")
     return f"$(find {package})/{rest}" if is_include else f"package://{package}/{rest}"
@@ -69,8 +69,10 @@ def for_gazebo(path: str) -> str:
     return f"write `model://{model['model'] if model else '<model>/<path>'}`, {RESOURCES}"
 
 
-def told_apart(found: list[Place], document: Document, files: PackageFiles) -> Iterator[tuple[list[Place], Told]]:
-    """Yield such paths with what is said of them, those apart that the containers of the repository have."""
+def by_machine(
+    found: list[Place], document: Document, files: PackageFiles
+) -> Iterator[tuple[list[Place], PathMessage]]:
+    """Yield such paths with the message on them; those that containers of the repository have come separately."""
     kept = [each for each in found if is_of_containers(files, each[1])]
     for places, where in (([each for each in found if each not in kept], ON_ONE), (kept, IN_CONTAINERS)):
         if places:
@@ -78,16 +80,16 @@ def told_apart(found: list[Place], document: Document, files: PackageFiles) -> I
 
 
 def of_some_machines(found: list[Place], document: Document, where: str) -> tuple[str, str]:
-    """Return what is said of such paths, and what to do: as xacro includes files, and as meshes are named."""
+    """Return the message on such paths and the advice: `$(find …)` for includes of xacro, `package://` for others."""
     more = f" and {len(found) - 1} more" if found[1:] else ""
     verb, them = ("are", "they are") if more else ("is", "it is")
-    told = f"`{found[0][1]}`{more} {verb} {where}: elsewhere {them} missing"
+    message = f"`{found[0][1]}`{more} {verb} {where}: elsewhere {them} missing"
     if document.source.path.endswith(WORLDS):
-        return told, for_gazebo(found[0][1])
+        return message, for_gazebo(found[0][1])
     included, ways = included_spans(document), dict[bool, str]()
     for span, path in found:
         ways.setdefault(span in included, portable(path, is_include=span in included))
     advice = f"write `{next(iter(ways.values()))}`"
     if len(ways) > 1:
         advice = f"write `{ways[True]}` in the include, and `{ways[False]}` elsewhere"
-    return told, advice
+    return message, advice

@@ -24,9 +24,9 @@ from .launched_robots import LaunchedRobots
 from .xacro_calls import COMPUTED, INCLUDED
 
 SHOWING = regex(r"rviz|display|view|move_?group|moveit")
-"""What launch files of packages that are not here are called where they start one of these."""
+"""In the names of launch files of other packages that show a robot."""
 MOST = 4
-"""Parts of the name of an include; more take too long to be told apart."""
+"""The most parts of the name of an include; more take too long to compare."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Whether any robot of a package comes to a place, with the values that its arguments have by default or are given."""
+"""Whether any robot of a package reaches a place, for the values that its arguments have by default or are given."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class WaysIntoRobots:
     opened: OpenedRobots
 
     def why_unmet(self, path: str, root: Element, place: Span) -> str:
-        """Return why xacro does not come to a place of a file, as the end of a sentence; "" where it may."""
+        """Return why xacro does not reach a place of a file, as the end of a sentence; "" where it may."""
         if any(each in self.reached.calls.included_elsewhere for each in (path, *self.opened.including(path))):
             return ""
         around = list(ancestors(root, place))
@@ -53,7 +53,7 @@ class WaysIntoRobots:
         return self.why_left_out(path, root, place)
 
     def why_left_out(self, path: str, root: Element, place: Span) -> str:
-        """Return that a condition around a place holds for no robot; "" where it may."""
+        """Return that a condition around a place holds for no robot, as the end of a sentence; "" where it may."""
         if any(each in self.reached.calls.included_elsewhere for each in (path, *self.opened.including(path))):
             return ""
         around = list(ancestors(root, place))
@@ -70,7 +70,7 @@ class WaysIntoRobots:
         return is_lazy and not self.reached.calls.is_read(element)
 
     def is_passed_by(self, path: str, element: Element) -> bool:
-        """Return whether xacro comes to a condition or to an argument, and never goes in or takes the default."""
+        """Return whether xacro reaches a condition but never enters it, or an argument but never uses its default."""
         found = [each.ways[path, element.span] for each in self.expansions if (path, element.span) in each.ways]
         return bool(found) and not any(found)
 
@@ -109,7 +109,7 @@ class WaysIntoRobots:
         return found
 
     def is_set(self, variable: str) -> bool:
-        """Return whether a text of the package, or a page or a script above it, says a variable of the environment."""
+        """Return whether a text of the package, or a page or a script above it, names an environment variable."""
         word = re.compile(rf"(?<![\w.-]){re.escape(variable)}(?![\w.-])")
         return any(word.search(text) for _, text in self.givers)
 
@@ -119,7 +119,7 @@ class WaysIntoRobots:
         return {name: self.values_of(name) for name in self.reached.off.arguments}
 
     def values_of(self, argument: str) -> set[Value] | None:
-        """Return what is given: a page tells a value where it writes one, and so does what another package has."""
+        """Return the literal values that an argument is given; None where a text names it without a literal value."""
         word = re.compile(rf"(?<![\w.-]){re.escape(argument)}(?![\w.-])")
         ways = re.compile(GIVEN.format(re.escape(argument)))
         own = self.reached.package.name

@@ -1,4 +1,4 @@
-"""Slips that xacro itself tells of elsewhere, or not at all: a brace too many, a lost sign, an argument in its own
+"""Slips in xacro that xacro reports at another place, or never: an extra brace, a lost `$`, an argument in its own
 default."""
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def lost_signs(macro: Element) -> Iterator[Fault]:
 def unread_names(root: Element) -> Iterator[Fault]:
     """Yield each value in which a property, an argument or pi stands in braces, and no `$` right before them.
 
-    Parameters of macros are told by `lost_signs`. What has other braces as well may be a text of another language.
+    Parameters of macros are left to `lost_signs`. A value with other braces may be text in another language.
     """
     arguments = {each.get("name") or "" for each in root.walk() if each.tag == "xacro:arg"}
     properties = {each.get("name") or "" for each in root.walk() if each.tag == "xacro:property"}

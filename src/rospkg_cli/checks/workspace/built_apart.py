@@ -46,7 +46,7 @@ def are_of_two_machines(one: str, other: str) -> bool:
 def are_steps(one: str, other: str) -> bool:
     """Return whether two folders differ first in the number of a step: `week1/a` and `week2/a`, `17-a` and `21-b/a`.
 
-    A number at the end of a package's own folder tells of a copy (`a`, `a2`), no step.
+    A number at the end of a package's own folder is that of a copy (`a`, `a2`), not of a step.
     """
     here, there = one.split("/"), other.split("/")
     shared = len(posixpath.commonprefix([here, there]))

@@ -11,7 +11,7 @@ from ..repository.linked_build import TEXTS, build_texts
 CARRIES = regex(r"\b(?:ln|cp|mv|rsync|robocopy|xcopy|COPY|ADD)\s+([^\n#;&|]*)")
 """A command that puts a folder elsewhere, with its words."""
 LISTED = regex(r"\bcolcon\s[^\n#;&|]{0,200}?--(?:base-)?paths\s+([^\n#;&|]*)")
-"""The folders in which colcon is told to look."""
+"""The folders that `--paths` or `--base-paths` of colcon lists."""
 BASES = regex(r"\bbase-paths[\"']?\s*:((?:\s*-\s*[^\s-]\S*)+|\s*\[[^\]]*\])")
 """The same in the defaults of colcon, or in what a workflow hands to it."""
 MOUNTS = regex(r"([^\s\"':=,]{0,200}[\w}./~)]):/[\w./$-]|\b(?:source|src)=([^,\s\"']+)")

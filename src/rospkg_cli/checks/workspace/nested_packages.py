@@ -57,8 +57,8 @@ class NestedPackages:
     def is_manifest(self, path: str) -> bool:
         return "<package" in self.files.readable_text(path)
 
-    def may_be_meant(self, path: str) -> bool:
-        """Return whether colcon is meant to build a package: one for ROS 2, in no hidden folder, of a new name."""
+    def should_be_built(self, path: str) -> bool:
+        """Return whether a package is one for colcon: for ROS 2, in no hidden folder, with a name of its own."""
         text = self.files.readable_text(path)
         is_for_ros1 = "catkin" in text and "ament" not in text
         name = NAME.search(text)
@@ -66,8 +66,7 @@ class NestedPackages:
         return not is_for_ros1 and not is_copy and not any(part.startswith(".") for part in path.split("/"))
 
     def ways(self) -> dict[Way, list[str]]:
-        """Return the packages by the way in which they get built; those that nobody misses stand behind one that
-        somebody does."""
+        """Return the packages by how they are built; those that nothing needs follow one that something needs."""
         found: dict[Way, list[str]] = {}
         for path in self.manifests():
             found.setdefault(self.way_of(path), []).append(path)
@@ -77,7 +76,7 @@ class NestedPackages:
 
     def way_of(self, path: str) -> Way:
         """Return how a package gets built: by the outer one, or where pages start colcon below it, bring it, or
-        build it without colcon; of others, whether somebody wants it (none) or nobody does (idle)."""
+        build it without colcon; else whether something needs it ("none") or nothing does ("idle")."""
         from .built_places import is_built_from  # few packages have another one inside
         from .carried_folders import is_carried
         from .hand_builds import is_built_by_hand
@@ -91,7 +90,7 @@ class NestedPackages:
             return "carried"
         if is_built_by_hand(self.wanted.pages, folder):
             return "by hand"
-        return "none" if self.may_be_meant(path) and self.is_wanted(path) else "idle"
+        return "none" if self.should_be_built(path) and self.is_wanted(path) else "idle"
 
     def is_wanted(self, path: str) -> bool:
         """Return whether a package of ROS 2 is depended on, used, built or run by its name."""

@@ -1,4 +1,4 @@
-"""Whether anybody wants a package that colcon does not find: it is depended on, used, built or run by its name."""
+"""Whether a package that colcon does not find is needed: something depends on it, uses, builds or runs it by name."""
 
 from __future__ import annotations
 
@@ -37,22 +37,22 @@ class WantedPackages:
     workspace: Workspace
 
     def has(self, name: str) -> bool:
-        """Return whether a package is missed where it is not built; one of the distributions may be installed."""
-        if self.is_told(BUILDS, name):
+        """Return whether something needs a package to be built here; packages of a distribution may be installed."""
+        if self.is_commanded(BUILDS, name):
             return True
         if self.workspace.index.is_package(name):
             return False
         needed = self.workspace.is_needed(name) or any(is_used(name, each) for each in self.workspace.packages)
         uses = re.compile(USES.format(re.escape(name)), re.VERBOSE | re.MULTILINE)
-        return needed or any(map(uses.search, self.code)) or self.is_told(STARTS, name)
+        return needed or any(map(uses.search, self.code)) or self.is_commanded(STARTS, name)
 
-    def is_told(self, commands: str, name: str) -> bool:
-        """Return whether a page or a script has a command on a package."""
+    def is_commanded(self, commands: str, name: str) -> bool:
+        """Return whether a page or a script has a command that names a package."""
         return self.is_in(commands, name, self.pages)
 
     def is_in(self, patterns: str, name: str, texts: tuple[str, ...]) -> bool:
-        told = re.compile(patterns.format(re.escape(name)))
-        return any(map(told.search, texts))
+        wanted = re.compile(patterns.format(re.escape(name)))
+        return any(map(wanted.search, texts))
 
     @cached_property
     def code(self) -> tuple[str, ...]:

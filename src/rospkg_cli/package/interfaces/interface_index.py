@@ -16,8 +16,8 @@ GENERATED = tuple(f".{kind}{suffix}" for kind in (*KINDS, "idl") for suffix in (
 def interface_names(reading: ReaderInput) -> tuple[frozenset[str], bool]:
     """Return `msg/Name`, `srv/Name` … of all interfaces of a package, and whether these are all.
 
-    rosidl_adapter makes `msg/Name.idl` of a .msg in whatever folder; an .idl file stays in its own. What CMake lists
-    and is not there counts: that it is missing is told once.
+    rosidl_adapter writes `msg/Name.idl` for a .msg in any folder; an .idl file stays in its own. Files that CMake lists
+    count even if they are missing, which has its own finding.
     """
     found = {f"{path.rpartition('.')[2]}/{stem(path)}" for path in interface_paths(reading.files)}
     for path in reading.files.paths:

@@ -12,7 +12,7 @@ KIND = "__pluginlib__plugin"
 
 
 def is_registered(cmake: CMake) -> bool:
-    """Return whether CMake writes an entry of the index for plugins itself, whose content tells the descriptions."""
+    """Return whether CMake writes an entry of the index for plugins itself, whose content lists the descriptions."""
     calls = cmake.named(REGISTER)
     return any(not call.words or not call.words[0].is_known or KIND in call.words[0].text for call in calls)
 

@@ -40,7 +40,7 @@ def plugins_of(description: PluginDescription) -> list[Plugin]:
 def are_complete(reading: ReaderInput) -> bool:
     """Return whether every description that CMake exports is known, is there, and can be read, and no other is here.
 
-    What a description has that nothing exports is meant to be found, and is not: that is one fault, told there.
+    A description that nothing exports has a finding of its own, and its plugins can't be found.
     """
     if reading.parts(PluginDescription).broken or reading.parts(CMake).broken:
         return False

@@ -1,4 +1,4 @@
-"""Blocks of a parameter file that describe a plugin which no list beside them names: `plugins: [voxel_layer]`.
+"""Blocks of a parameter file of a plugin that no list in the same mapping names: `plugins: [voxel_layer]`.
 
 Servers of Nav2 load what their lists name, and read a plugin's block only then.
 """
@@ -26,25 +26,25 @@ class Key:
 
 
 def is_unlisted(text: str, at: int) -> bool:
-    """Return whether the block that an offset is in has lists of plugins beside it, and none names it.
+    """Return whether the block around an offset has sibling lists of plugins, and none of them names it.
 
-    A list that goes over several lines may name it.
+    A list that is written in several lines may name it.
     """
-    block, lists = beside(text, at)
+    block, lists = block_and_lists(text, at)
     return bool(lists) and not is_in_list(block, lists)
 
 
 def is_listed(text: str, at: int) -> bool:
-    """Return whether a list beside the block that an offset is in names it, or may."""
-    return is_in_list(*beside(text, at))
+    """Return whether a sibling list of the block around an offset names it, or may."""
+    return is_in_list(*block_and_lists(text, at))
 
 
 def is_in_list(block: str, lists: Iterable[str]) -> bool:
     return any(names is None or block in names_in(names["names"]) for names in map(ONE_LINE.fullmatch, lists))
 
 
-def beside(text: str, at: int) -> tuple[str, list[str]]:
-    """Return the name of the block whose `plugin` is at an offset, and the values of the lists of plugins beside it."""
+def block_and_lists(text: str, at: int) -> tuple[str, list[str]]:
+    """Return the name of the block whose `plugin` is at an offset, and the values of its sibling lists of plugins."""
     own, block, *_ = [*ancestors(text, at), None, None]
     if own is None or own.name != "plugin" or block is None:
         return "", []

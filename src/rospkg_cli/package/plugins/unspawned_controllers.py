@@ -1,4 +1,4 @@
-"""Controllers that a controller manager knows by a type, and that nothing of the package spawns beside others."""
+"""Controllers with a type that nothing in the package spawns, though it spawns others of the same manager."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..launch.text import uncommented
 from .unlisted_blocks import ancestors, keys
 
 NAMING = (".py", ".xml", ".launch", ".yaml", ".yml", ".sh", ".bash", ".cpp", ".hpp", ".md", ".rst", ".srv", ".service")
-"""Files that name a controller which is loaded, or tell how to load it; MoveIt spawns what a YAML file lists."""
+"""Files that name a controller which is loaded, or say how to load it; MoveIt spawns what a YAML file lists."""
 TYPE = "type"
 MANAGER = regex(r"controller_manager[ ]*:")
 

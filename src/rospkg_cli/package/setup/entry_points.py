@@ -15,7 +15,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Span
 from ..package_facts import NOWHERE
-from .misspelt_names import SCRIPTS, meant_group
+from .misspelt_names import SCRIPTS, intended_group
 from .setup_text import SetupText
 
 # Both are linear: they have to fit one whole line, from its start, and neighbours share no character but blanks.
@@ -63,9 +63,9 @@ class EntryPoint:
         return self.group in SCRIPTS
 
     @property
-    def meant_group(self) -> str:
+    def intended_group(self) -> str:
         """The group of scripts that is intended and misspelt; "" for all other groups."""
-        return meant_group(self.group)
+        return intended_group(self.group)
 
 
 def parse_entry_point(

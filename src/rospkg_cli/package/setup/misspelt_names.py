@@ -1,4 +1,4 @@
-"""Names that setuptools passes over and that are near one that it knows: arguments of setup(), groups of scripts."""
+"""Misspelt names that setuptools ignores: arguments of setup(), and groups of entry points."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ class MisspeltArgument:
     """An argument of setup() with the one that is intended."""
 
     argument: Argument
-    meant: str
+    intended: str
 
 
-def meant_group(group: str) -> str:
+def intended_group(group: str) -> str:
     """Return the group of scripts that a group of entry points is near to; "" where it is one, or near to none."""
     if group in SCRIPTS:
         return ""
@@ -35,7 +35,7 @@ def misspelt_arguments(arguments: Iterable[Argument]) -> Iterator[MisspeltArgume
     for each in every:
         if each.name and each.name not in KEYWORDS | OF_PLUGINS:
             near = near_names(each.name, free)
-            if each.name in SCRIPTS or meant_group(each.name):
+            if each.name in SCRIPTS or intended_group(each.name):
                 yield MisspeltArgument(each, "entry_points")
             elif near:
                 yield MisspeltArgument(each, near[0])

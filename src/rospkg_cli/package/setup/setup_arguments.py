@@ -72,7 +72,7 @@ class SetupArguments:
         """Return why a missing argument may be given in another file."""
         if self.cfg_broken:
             return Unknown(self.span, "setup.cfg can't be read, or pyproject.toml says more")
-        meaning = (each.argument for each in self.misspelt_arguments if each.meant == name)
+        meaning = (each.argument for each in self.misspelt_arguments if each.intended == name)
         return next((Unknown(each.span, f"`{each.name}` may stand for `{name}`") for each in meaning), None)
 
     @cached_property

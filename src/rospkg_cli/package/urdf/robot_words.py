@@ -24,13 +24,13 @@ NAMING = (
     ".md",
 )
 MARKS = (b"urdf", b"xacro", b".sdf", b".world", b"find ")
-"""One of them stands in each text that names a robot."""
+"""Each text that names a robot has one of these."""
 ANY = "*"
-"""Stands for a name that is put together when the text is run."""
+"""Added where a name is composed at run time."""
 LAUNCH = ">"
-"""Stands in what a launch file says, beside its words."""
+"""Added to the words of a launch file."""
 REPLACES = "~"
-"""Stands among the words of a text that replaces paths of a robot, as `.replace('package://…', …)` does."""
+"""Added to the words of a text that replaces paths of a robot, as `.replace('package://…', …)` does."""
 REPLACED = regex(r"(?:\.replace|\bsub)\(\s*[rf]{0,2}[\"'][^\"'\n]*(?:://|meshes)")
 WORD = regex(r"(?:[\"'/:,=\[-] ?|find(?:-pkg-share)? )([A-Za-z][\w-]*)")
 GIVEN = regex(
@@ -44,7 +44,7 @@ FILE = regex(r"(?:^|[^\w.-])([\w.-]*)(\.(?:urdf|xacro|sdf|world))\b")
 
 
 def robot_words(reading: ReaderInput) -> tuple[frozenset[str], ...]:
-    """Return the words in quotes and paths, and the file names, of each text that tells of robots.
+    """Return the words in quotes and paths, and the file names, of each text about robots.
 
     `*` is among them where a name is put together, `>` where the text is a launch file that is not laid aside, and
     `sim:=false` where it gives an argument a literal value, `sim=` where it has one of that name in a call.

@@ -24,7 +24,7 @@ SHOWN = 3
     over=InterfaceImporters,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "only another package imports them, or a program that nothing starts, beside others that are "
+        Severity.WARNING: "only another package imports them, or a program that nothing starts, though others are "
         "started, or the import is in a function or a branch",
         Severity.INFO: "no Python file imports them, but for tests, what is laid aside and what nothing starts, the "
         "import is optional or for type checkers, nothing or only a switch that is off leads to it, the package has a "

@@ -44,7 +44,7 @@ TALKER = "from std_msgs.msg import String\n\n\ndef main():\n    msg = String()\n
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a condition stands on the way to it, who calls it catches that, only a test runs it, it is "
-        "in a program that nothing starts, beside others that are started, or a message is made with it and the pages "
+        "in a program that nothing starts, though others are started, or a message is made with it and the pages "
         "do not say that the package is for Humble or older alone",
         Severity.INFO: "it is in a branch of its function, or after another exception, an annotation alone says what "
         "it is of, no way from a program to it is shown, or several conditions stand on it, nothing starts or imports "
@@ -73,7 +73,7 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     """
     ## What it does
     Finds fields that Python code sets or reads and that the message does not have.
-    Messages that are made with values without names (`Point(1.0, 2.0)`), as only ROS 1 took them, are told too.
+    It also reports messages that are made with positional values (`Point(1.0, 2.0)`), which only ROS 1 accepted.
     The message of a variable is known by its assignments (`msg = Twist()`, `Drive.Feedback()`), its annotation, or the
     `create_subscription`, `create_service` and `goal_callback` that a function is registered by.
 
@@ -93,7 +93,7 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     defined again below. A use in a function whose callers catch what it raises, and in a test is a warning; one in an
     `except` branch, in what a `raise` or an assertion says, or of what an annotation alone calls a message, in a
     function that a thread or another file calls, is an info. A module that no entry point and no other file of the
-    package names or imports, beside others that start, is an info, and so is a function that no program leads to, what
+    package names or imports, though others are started, is an info, and so is a function that no program leads to, what
     stands behind `rclpy.spin`, under the `__main__` of an entry point's module, under a switch that nothing throws, in
     a branch, under several conditions on the way from a program, and where no such way is shown. What a message is made
     with (`Twist(liner=…)`) raises up to Iron: where the pages, scripts and workflows of the repository name none after

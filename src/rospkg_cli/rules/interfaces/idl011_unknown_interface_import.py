@@ -22,10 +22,11 @@ GOOD = "from std_msgs.msg import String\n\nprint(String)\n"
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function or a branch, which may not be run, a condition stands on the way to it, "
-        "only tests come to it, or it is in a program that nothing starts, beside others that are started",
+        "only tests run it, or it is in a program that nothing starts, though others are started",
         Severity.INFO: "nothing installs the file, starts or imports the module, or leads to the function, or a page "
         "alone names it, or it stands behind `rclpy.spin`, a loop or a switch that is off, in a callback that nothing "
-        "spins, or under `__main__` of an entry point's module, or an older distribution that is meant may have it",
+        "spins, or under `__main__` of an entry point's module, or the package is for older distributions alone, which "
+        "may have it",
     },
     examples=(
         Example(
@@ -62,10 +63,10 @@ def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
     service or action of it, also with the ending of ROS 1, and no list of repositories fetches another version; where
     it makes its interfaces while it is built, or has a Python module of that name; for optional imports, and in files
     that nothing installs, but for an info on a name that a package of the workspace lacks. A module that no entry point
-    and no other file of the package names or imports, beside others that start, is an info, and so is what is in a
+    and no other file of the package names or imports, though others are started, is an info, and so is what is in a
     function that no program leads to, behind `rclpy.spin`, or under the `__main__` of an entry point's module, and a
-    message that a comment or a page has people write. Where distributions that are no longer supported are meant alone,
-    what a package elsewhere has as another kind now is one too.
+    message that a comment or a page has people write. So is, where a repository is for unsupported distributions alone,
+    what a package elsewhere has as another kind now.
 
     ## Fix safety
     The intended name is a guess.
@@ -75,24 +76,24 @@ def unknown_interface_import(imports: InterfaceImports) -> Iterator[Hit]:
         level = Severity.INFO if wrong.is_uninstalled or wrong.why or wrong.is_left else level
         fix = None
         if wrong.kind and wrong.kind not in NAMES:
-            fix = Fix(f"write `{wrong.meant}`", (Edit(wrong.path, wrong.span, wrong.meant),), Safety.UNSAFE)
+            fix = Fix(f"write `{wrong.intended}`", (Edit(wrong.path, wrong.span, wrong.intended),), Safety.UNSAFE)
         yield Hit(wrong.path, wrong.span, f"{message(wrong)}{LEFT if wrong.is_left else wrong.why}", level, fix=fix)
 
 
 def message(wrong: WrongInterfaceImport) -> str:
     package, kind = wrong.package, wrong.kind
     if not kind:
-        module, _, name = wrong.meant.rpartition(".")
+        module, _, name = wrong.intended.rpartition(".")
         what = f"`{package}` itself has no `{name}`, its {NAMES[module.rpartition('.')[2]]}s are in `{module}`"
         return f"{what}: the import fails; write `from {module} import {name}`"
     if kind not in NAMES:
-        return f"there is no module `{package}.{kind}`: the import raises ModuleNotFoundError; write `{wrong.meant}`"
+        return f"there is no module `{package}.{kind}`: the import raises ModuleNotFoundError; write `{wrong.intended}`"
     if wrong.is_unlisted:
         what = (
             f"`{package}` generates nothing of `{kind}/{base_name(wrong.name)}.{kind}`: the import raises ImportError"
         )
         return f"{what}; list the file in its `rosidl_generate_interfaces`"
-    module, _, name = wrong.meant.rpartition(".")
+    module, _, name = wrong.intended.rpartition(".")
     if wrong.name:
         what = f"`{package}` has no {NAMES[kind]} `{wrong.name}`: the import raises ImportError"
         advice = f"did you mean `from {module} import {name}`?"

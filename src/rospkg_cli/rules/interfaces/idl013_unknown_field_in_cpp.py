@@ -50,7 +50,7 @@ int main()
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "in a file that only others compile, tests do, or that is compiled on demand",
-        Severity.INFO: "in a file that nothing compiles, beside others",
+        Severity.INFO: "in a file that nothing compiles, though other files are compiled",
     },
     examples=(
         Example(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.manifest.misplaced_tag import RENAMED, is_group, is_of_format_2, meant_tag, misplaced_tag
+from ...checks.manifest.misplaced_tag import RENAMED, intended_tag, is_group, is_of_format_2, misplaced_tag
 from ...checks.manifest.schema_tests import SchemaTests
 from ...checks.manifest.schema_values import before, faulty_value
 from ...edits.manifest import rename_element
@@ -103,7 +103,7 @@ def schema_violation(tests: SchemaTests) -> Iterator[Hit]:
 
 
 def rename(manifest: Manifest, element: Element) -> Fix | None:
-    tag = meant_tag(manifest, element)
+    tag = intended_tag(manifest, element)
     if tag is None:
         return None
     safety = Safety.SAFE if element.tag in RENAMED else Safety.UNSAFE

@@ -65,7 +65,7 @@ def element_order(tests: SchemaTests) -> Iterator[Hit]:
         return
     edits = tuple(reorder(manifest, schema_order(manifest)))
     fix = Fix("Put the elements of package.xml in order", edits) if edits else None
-    children = [child for child in manifest.root.children if place_of(child.tag) < len(ORDER)]  # XML001 tells of others
+    children = [child for child in manifest.root.children if place_of(child.tag) < len(ORDER)]  # XML001 reports others
     moving = misplaced(children)
     moved = set(moving)
     staying = [child for child in children if child not in moved]

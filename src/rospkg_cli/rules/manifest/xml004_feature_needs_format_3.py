@@ -57,7 +57,7 @@ def feature_needs_format_3(tests: SchemaTests) -> Iterator[Hit]:
     """
     manifest = tests.manifest
     if manifest.schema_format == 3 or any(is_of_format_2(manifest, each) for each in manifest.verdict.violations):
-        return  # of a manifest in format 1 with tags of format 2, XML001 tells
+        return  # XML001 reports tags of format 2 in a manifest of format 1
     fix = Fix('Write format="3"', to_format_3(manifest))
     mild = [each for each in manifest.features_of_3 if each[1] is not None and each[1].name == "compatibility"]
     for features in ([each for each in manifest.features_of_3 if each not in mild], mild):

@@ -58,7 +58,7 @@ def placeholder_metadata(package: ManifestAndFiles) -> Iterator[Hit]:
     ## What it does
     Finds placeholders that a template left in package.xml.
     They are a `TODO` description or license, an e-mail address at `todo.todo`, a description that is empty or only
-    repeats the name. Several in one file are one finding, at the first of the gravest.
+    repeats the name. Several in one file are one finding, at the first of the most severe ones.
 
     ## Why is this bad?
     The package index and lawyers read these lines. Who finds no license may not use the package. An empty description
@@ -66,10 +66,10 @@ def placeholder_metadata(package: ManifestAndFiles) -> Iterator[Hit]:
 
     ## When it is quiet
     Descriptions, names and addresses of a template harm no build and no release: without a license that is left they
-    are an info, and so is a license beside another one that is named. Text around a `TODO`, addresses that are not a
-    template's, and packages of ROS 1, which catkin builds, are left alone. In a folder for what nobody uses any more
-    (`_legacy`, `deprecated`, `old`, `backup`) placeholders are infos. A line with an ignore comment of its own is told
-    apart from the others, unless the finding lies there.
+    are an info, and so is a license next to another one that is named. Text around a `TODO`, addresses that are not a
+    template's, and packages of ROS 1, which catkin builds, are left alone. In a folder for unused code
+    (`_legacy`, `deprecated`, `old`, `backup`) placeholders are infos. A line with an ignore comment of its own is
+    reported separately, unless the finding is at that line.
     """
     manifest = package.manifest
     for element in manifest.all("description"):

@@ -58,12 +58,12 @@ def invalid_url_type(tests: SchemaTests) -> Iterator[Hit]:
         if attribute is None or attribute.value.strip() in URL_TYPES:
             continue
         word = attribute.value.strip().lower()
-        meant = word if word in URL_TYPES else URL_MEANT.get(word) or nearest(word, URL_TYPES)
-        if meant:
-            fix = Fix(f"Write `{meant}`", (set_attribute(manifest, element, "type", meant),))
+        intended = word if word in URL_TYPES else URL_MEANT.get(word) or nearest(word, URL_TYPES)
+        if intended:
+            fix = Fix(f"Write `{intended}`", (set_attribute(manifest, element, "type", intended),))
         else:
             fix = Fix("Remove the type", (remove_attribute(manifest, element, "type"),))
-        hint = f"write `{meant}`" if meant else "remove the attribute"
+        hint = f"write `{intended}`" if intended else "remove the attribute"
         message = f"`{attribute.value}` is no type of a url ({', '.join(URL_TYPES)}): {tests.harm}; {hint}"
         level = None if tests.is_tested else Severity.INFO
         yield Hit(manifest.path, attribute.value_span if attribute.value else attribute.span, message, level, fix=fix)

@@ -21,7 +21,7 @@ FAMILY = regex(r"(.*_)?cmake(_.*)?")
 PART = regex(
     r"ament_cmake_(core|export_\w+|gen_version_h|gmock|gtest|include_directories|libraries|pytest|python|test)"
 )
-"""What ament_cmake consists of, or is beside it, and does not bring it."""
+"""Packages that are parts of ament_cmake, or siblings of it, and do not depend on it."""
 
 NOT_FOR_BUILDING = frozenset({"test_depend", "doc_depend", "exec_depend"})
 
@@ -61,7 +61,7 @@ def missing_buildtool(tools: BuildTools) -> Iterator[Hit]:
     CMakeLists.txt that neither finds such a package nor calls `ament_package()` is left alone. Where a dependency that
     is there to build certainly brings it, as the generators of interfaces do, it is an info, and
     so it is where another package of the repository declares it and nothing shows a release. A part of ament_cmake that
-    `find_package(… REQUIRED)` names, where ament_cmake itself is not asked for, is told by DEP104.
+    `find_package(… REQUIRED)` names, where ament_cmake itself is not found, is reported by DEP104.
 
     ## References
     - [ament_cmake user documentation](https://docs.ros.org/en/rolling/How-To-Guides/Ament-CMake-Documentation.html)

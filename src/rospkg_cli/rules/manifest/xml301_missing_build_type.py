@@ -22,8 +22,8 @@ EXPORT = "  <export>\n    <build_type>ament_python</build_type>\n  </export>\n"
     over=ManifestAndCMake,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it has no programs but those of tests, or that nothing installs beside a library, and no "
-        "launch files, is not certainly of ament_cmake, or all is installed into one folder (`--merge-install`)",
+        Severity.WARNING: "it has no programs but those of tests, or uninstalled ones next to a library, and no launch "
+        "files, is not certainly of ament_cmake, or all is installed into one folder (`--merge-install`)",
         Severity.INFO: "plain CMake or another build system makes it, CMake builds and installs nothing, or there is "
         "nothing to build",
     },
@@ -68,7 +68,7 @@ def missing_build_type(package: ManifestAndCMake) -> Iterator[Hit]:
     package (`add_acme_package(my_pkg …)`) and nothing of ament is called or declared, or where a folder without
     dependencies, code and launch files is marked for other tools. It is a warning where neither ament_cmake nor plain
     CMake is certain, or where nothing in it can be started: tests, which `ament_add_gtest()` and the like make or which
-    lie in a folder of tests, and programs that a library does not install, are not meant to be, unless a page or a
+    lie in a folder of tests, and programs that a library does not install, are not for `ros2 run`, unless a page or a
     script runs one (`ros2 run my_pkg test_camera`).
 
     ## References

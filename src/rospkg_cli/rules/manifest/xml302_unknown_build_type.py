@@ -53,15 +53,15 @@ def unknown_build_type(package: ManifestAndFiles) -> Iterator[Hit]:
         if element.text in package.known_build_types:
             continue
         alike = near_names(element.text, package.known_build_types)
-        meant = alike[0] if alike else ""
-        if meant:
-            told = f"; did you mean `{meant}`?"
-            fix = Fix(f"Write `{meant}`", (set_text(manifest, element, meant),))
-            yield Hit(manifest.path, manifest.span(element), describe(element.text) + told, fix=fix)
+        intended = alike[0] if alike else ""
+        if intended:
+            hint = f"; did you mean `{intended}`?"
+            fix = Fix(f"Write `{intended}`", (set_text(manifest, element, intended),))
+            yield Hit(manifest.path, manifest.span(element), describe(element.text) + hint, fix=fix)
         else:
             level = Severity.INFO if element.text else None
-            told = "; if an extension of colcon knows it, name it in the config: `build-types`"
-            yield Hit(manifest.path, manifest.span(element), describe(element.text) + told, level)
+            hint = "; if an extension of colcon knows it, name it in the config: `build-types`"
+            yield Hit(manifest.path, manifest.span(element), describe(element.text) + hint, level)
 
 
 def describe(text: str) -> str:

@@ -92,13 +92,13 @@ def missing_exported_file(package: ManifestAndInstalls) -> Iterator[Hit]:
         if package.files.absent.is_expected(path) or not may_be_description(package, path):
             continue
         if not package.files.exists(path):
-            meant = suggested(package, path)
-            hint = f" (did you mean `{meant}`?)" if meant else ""
+            near = suggested(package, path)
+            hint = f" (did you mean `{near}`?)" if near else ""
             harm = "rqt will not offer the plugin; add the file or fix the line"
             if not rqt:
                 harm = "ROS 2 does not read this line, but what CMake exports; remove the line"
             message = f"{what} does not exist{hint}: {harm}"
-            is_missed = rqt and (meant is not None or has_plugin(package))
+            is_missed = rqt and (near is not None or has_plugin(package))
             end = "" if is_missed or not rqt else "; no code here is a plugin of rqt"
             yield Hit(manifest.path, attribute.value_span, message + end, None if is_missed else Severity.INFO)
         elif rqt and package.is_installed(path) is False:
@@ -115,7 +115,7 @@ def may_be_description(package: ManifestAndInstalls, path: str) -> bool:
 
 
 def has_plugin(package: ManifestAndInstalls) -> bool:
-    """Return whether code of the package may be a plugin of rqt: else the line is a leftover, and nobody misses it."""
+    """Return whether code of the package may be a plugin of rqt; otherwise the line is an unused leftover."""
     return any(package.files.holds(path, b"qt_gui") for path in package.files.paths if path.endswith(CODE))
 
 

@@ -54,8 +54,8 @@ PLUGINLIB_EXPORT_CLASS(my_pkg::Planner, nav2_core::GlobalPlanner)
     levels={
         Severity.INFO: "an old distribution had the plugin, none has it and another package may, it is the `type` of "
         "what may be no plugin, no list of plugins names its block, it is in the block of another plugin that may not "
-        "read it, nothing spawns the controller beside others, or nothing names the file: nothing loads it, or it is a "
-        "panel of RViz, which goes on without it"
+        "read it, nothing spawns the controller though others are spawned, nothing names the file, or it "
+        "is a panel of RViz, which goes on without it"
     },
     examples=(
         Example(
@@ -85,7 +85,7 @@ def unknown_plugin(workspace: Workspace) -> Iterator[Hit]:
     Packages whose plugins are not all known, plugins in Python, names of components and interfaces are left alone, and
     so are names of packages that exist or are declared but are not here, and a `plugin` in the block of a well-known
     plugin that reads no such key: DWB knows its critics by `class`. It is an info for a controller that no other file
-    names, where one beside it is named, in a parameter file or robot that nothing names, though nodes are launched, for
+    names, where its siblings are named, in a parameter file or robot that nothing names, though nodes are launched, for
     a panel of an RViz config, which goes on without it, and where a comment says that nothing reads it, or a comment or
     page has people write it. What is offered there is of the same kind: a panel, a display, a tool or a view.
 
@@ -110,31 +110,31 @@ def same_names(found: Iterable[UnknownPlugin]) -> Iterable[list[UnknownPlugin]]:
 
 
 def at_use(unknown: UnknownPlugin, others: Iterable[UnknownPlugin]) -> Hit:
-    use, owner, meant = unknown.use, unknown.owner, unknown.suggestion
+    use, owner, near = unknown.use, unknown.owner, unknown.suggestion
     path = unknown.user.at(use.path)
-    is_unsure = unknown.is_guess or (meant is None and use.is_plain_type)
+    is_unsure = unknown.is_guess or (near is None and use.is_plain_type)
     level = None if any(each.use.is_listed for each in (unknown, *others)) and not is_unsure else Severity.INFO
     again = [(unknown.user.at(other.use.path), other.use.span) for other in others]
     places = tuple(Related(*place, "here too") for place in again)
-    if meant is None:
+    if near is None:
         known = ", ".join(f"`{plugin.name}`" for plugin in owner.plugins[:5])
         message = f"`{owner.name}` describes no plugin `{use.name}`: loading it fails; it has {known}"
         return Hit(path, use.span, message, level, places)
     fails = f"loading it fails{', unless a package elsewhere has it' if unknown.is_guess else ''}"
-    message = f"no plugin is called `{use.name}`: {fails}; write `{meant.name}`, as `{owner.name}` has it"
-    related = (Related(owner.at(meant.path), meant.span, "described here"), *places)
-    edits = tuple(Edit(*place, meant.name) for place in ((path, use.span), *again))
-    fix = Fix(f"write `{meant.name}`", edits, Safety.UNSAFE)
-    return Hit(path, use.span, message, level, related, fix=only_plain_names(fix, meant.name))
+    message = f"no plugin is called `{use.name}`: {fails}; write `{near.name}`, as `{owner.name}` has it"
+    related = (Related(owner.at(near.path), near.span, "described here"), *places)
+    edits = tuple(Edit(*place, near.name) for place in ((path, use.span), *again))
+    fix = Fix(f"write `{near.name}`", edits, Safety.UNSAFE)
+    return Hit(path, use.span, message, level, related, fix=only_plain_names(fix, near.name))
 
 
 def at_description(unknown: UnknownPlugin) -> Hit:
-    use, meant = unknown.use, unknown.suggestion
-    assert meant is not None
+    use, near = unknown.use, unknown.suggestion
+    assert near is not None
     message = (
-        f"`{unknown.user.name}` uses the plugin `{use.name}`, and this one is called `{meant.name}`: it is not found; "
+        f"`{unknown.user.name}` uses the plugin `{use.name}`, and this one is called `{near.name}`: it is not found; "
         f"rename one of them"
     )
     level = None if use.is_listed and not unknown.is_guess else Severity.INFO
     related = (Related(unknown.user.at(use.path), use.span, "used here"),)
-    return Hit(unknown.owner.at(meant.path), meant.span, message, level, related)
+    return Hit(unknown.owner.at(near.path), near.span, message, level, related)

@@ -104,18 +104,18 @@ def wrong_plugin_library(libraries: PluginLibraries) -> Iterator[Hit]:
 
 
 def sentence(libraries: PluginLibraries, wrong: WrongLibraryPath) -> str:
-    path, meant, plugin = wrong.path.value, wrong.suggestion, wrong.entry.plugin.lookup_name
+    path, right, plugin = wrong.path.value, wrong.suggestion, wrong.entry.plugin.lookup_name
     match wrong.fault:
         case "prefixed":
-            return f"`{path}` begins with `lib`: pluginlib finds it, and warns at each start; write `{meant}`"
+            return f"`{path}` begins with `lib`: pluginlib finds it, and warns at each start; write `{right}`"
         case "static":
             return f"`{path}` is a static library: pluginlib can't load `{plugin}`; make it `SHARED`"
         case "absent":
-            return f"`{path}` is not installed: `{plugin}` can't be loaded; add `install(TARGETS {meant} …)`"
+            return f"`{path}` is not installed: `{plugin}` can't be loaded; add `install(TARGETS {right} …)`"
     if wrong.is_certain:
-        return f"no target makes a library `{path}`: `{plugin}` can't be loaded; write `{meant}`, where it is compiled"
+        return f"no target makes a library `{path}`: `{plugin}` can't be loaded; write `{right}`, where it is compiled"
     known = [each.name for each in libraries.cmake.targets if each.is_library and each.is_built]
-    hint = f" (did you mean `{meant}`?)" if meant else did_you_mean(path, known)
+    hint = f" (did you mean `{right}`?)" if right else did_you_mean(path, known)
     return f"no target makes a library `{path}`{hint}: `{plugin}` can't be loaded; correct the name"
 
 

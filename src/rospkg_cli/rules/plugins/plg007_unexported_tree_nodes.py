@@ -66,7 +66,7 @@ def unexported_tree_nodes(libraries: TreeNodeLibraries) -> Iterator[Hit]:
     Where any CMake file or source of the package names `BT_PLUGIN_EXPORT`, where the file itself calls the function,
     where another source of the package registers nodes itself, and for programs and static libraries, which may do so.
     Where no parameter file, code, launch file or page of the package names the library, and no package of the workspace
-    needs this one, nobody is shown to load it: an info.
+    needs this one, nothing is known to load it: an info.
     """
     for each in libraries.unexported():
         add = f"target_compile_definitions({each.target} PRIVATE BT_PLUGIN_EXPORT)"

@@ -52,9 +52,9 @@ def missing_setup_cfg(home: ScriptDir) -> Iterator[Hit]:
     was green.
 
     ## When it is quiet
-    Where setup() itself sets `options` for the scripts, and of an executable beside which `data_files` installs a
-    script of the same name into `lib/<package>`, that may be executed: it is found there. Where no executable runs a
-    node, as far as its module and the launch files of the workspace tell, it is an info.
+    Where setup() itself sets `options` for the scripts, and for an executable if `data_files` also installs an
+    executable script of the same name into `lib/<package>`: it is found there. Where no executable runs a
+    node, as far as its module and the launch files of the workspace show, it is an info.
 
     ## References
     https://docs.ros.org/en/rolling/How-To-Guides/Developing-a-ROS-2-Package.html

@@ -23,7 +23,7 @@ PLUGIN = "entry_points={'ros2cli.verb': ['show = «my_pkg.shwo»:ShowVerb']},"
     over=StartedEntryPoints,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "nothing here starts the program, beside others of the package that are started",
+        Severity.WARNING: "nothing here starts the program, though others of the package are started",
         Severity.INFO: "a page or a script fetches or writes the module, or a comment says that it is still to come",
     },
     examples=(
@@ -64,10 +64,10 @@ def entry_point_module_missing(started: StartedEntryPoints) -> Iterator[Hit]:
     for entry in package.setup.entry_points:
         if not entry.module or entry.fault or not missing.has(entry.module):
             continue
-        meant = missing.suggestion(entry.module)
-        hint = f"; did you mean `{meant}`?" if meant else ""
+        near = missing.suggestion(entry.module)
+        hint = f"; did you mean `{near}`?" if near else ""
         left = started.left(entry)
-        made = not meant and is_made(package, entry)
+        made = not near and is_made(package, entry)
         message = f"there is no module `{entry.module}`: {consequence(package, entry)}{hint}{MADE if made else left}"
         level = Severity.INFO if made else Severity.WARNING if left else None
         yield Hit(entry.path, entry.module_span, message, level)
@@ -75,7 +75,7 @@ def entry_point_module_missing(started: StartedEntryPoints) -> Iterator[Hit]:
 
 def is_made(package: PythonPackage, entry: EntryPoint) -> bool:
     """Return whether a command of a page or a script fetches or writes the file of a module, by its name."""
-    from ...checks.repository.pages_and_scripts import FetchedFiles  # what findings alone need
+    from ...checks.repository.pages_and_scripts import FetchedFiles  # imported for findings alone
 
     return FetchedFiles(package.files).has_by_command(f"{entry.module.replace('.', '/')}.py")
 

@@ -26,7 +26,7 @@ SCRIPT = "print('hello')\n"
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "the module starts what it does when it is imported, Webots loads its class, or nothing here "
-        "starts the program, beside others of the package that are started",
+        "starts the program, though others of the package are started",
         Severity.INFO: "a comment says that the function, or the whole module, is still to be written",
     },
     examples=(
@@ -51,7 +51,7 @@ def entry_point_attribute_missing(started: StartedEntryPoints) -> Iterator[Hit]:
 
     ## When it is quiet
     Where the module is of another package, can't be read, has a `__getattr__`, or is generated. Where it has a star
-    import of something unknown only a slip is told, of a name that it defines itself. It is a warning where
+    import of something unknown, only a misspelling of a name that it defines itself is reported. It is a warning where
     nothing in the workspace starts or names the program, while another one of the package is started, and an info in an
     exercise: a comment says that the function, or all that the module would hold, is still to be written.
     """

@@ -44,7 +44,7 @@ def one(entry: str) -> dict[str, str]:
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it names a module that starts what it does when it is imported, or it fails at start, and "
-        "nothing here starts it, beside others of the package that are started"
+        "nothing here starts it, though others of the package are started"
     },
     examples=(
         Example(bad={**MODULES, "setup.py": setup_py(JOINED)}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),

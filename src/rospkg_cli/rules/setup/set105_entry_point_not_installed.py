@@ -25,9 +25,9 @@ GOOD = LISTED.replace("«", "").replace("»", "").replace("[package_name]", "[pa
     over=EntryPointTree,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "the workspace is built with `--symlink-install`, or nothing here starts the program, beside "
-        "others of the package that are started",
-        Severity.INFO: "each command that tells to build it has `--symlink-install`",
+        Severity.WARNING: "the workspace is built with `--symlink-install`, or nothing here starts the program, though "
+        "others of the package are started",
+        Severity.INFO: "each command here that builds it has `--symlink-install`",
     },
     examples=(Example(bad={**FILES, "setup.py": LISTED}, good={"setup.py": GOOD}, fix=Safety.UNSAFE),),
 )

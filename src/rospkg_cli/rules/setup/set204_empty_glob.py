@@ -78,8 +78,8 @@ def empty_glob(shared: ShareFiles) -> Iterator[Hit]:
             what = f"the folder holds {shown}"
         else:
             what = f"there is no folder `{folder}`" + (f" (did you mean `{near}`?)" if near else "")
-        meant = folder if held else near
-        level = shared.uses.level(meant) if meant else "info"
+        folder_named = folder if held else near
+        level = shared.uses.level(folder_named) if folder_named else "info"
         is_bare = level != "error" and all(map(PLACEHOLDER.fullmatch, held)) and not near
         level = "info" if is_bare else level
         message = f"`{glob.pattern}` matches no file: the build is green and installs nothing; {what}"

@@ -23,7 +23,7 @@ def config(entry: str) -> str:
 
 GOOD = config("('share/' + package_name + '/config', ['config/nav.yaml'])")
 YAML = {"config/nav.yaml": "/**:\n  ros__parameters:\n    rate: 2.0\n"}
-FETCHED = ", until it is fetched, as a page or a script here tells to"
+FETCHED = ", until it is fetched, as a page or a script here says"
 PATHS = "from pathlib import Path\n"
 FOUND = "Path('config').glob('*.yaml')"
 SHAPES = {
@@ -43,7 +43,7 @@ SHAPES = {
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "a glob matches a link to nothing: elsewhere there may be what it points to; or a page or a "
-        "script tells to fetch what is in its folder",
+        "script says to fetch what is in its folder",
         Severity.INFO: "a page or a script has people fetch, make or copy the file itself, by its name",
     },
     examples=(
@@ -98,7 +98,7 @@ def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
     ## When it is quiet
     Where setup.py may write files, where a .gitignore names the file, since a build then writes it, below a submodule
     that is not checked out, and for sources that can't be evaluated. A file whose folder or archive a page or a script
-    of the repository tells to fetch or unpack is missing on a clean machine alone: a warning. It is an info where one
+    of the repository fetches or unpacks is missing on a clean machine alone: a warning. It is an info where one
     has people fetch, make or copy the file itself (`map_saver_cli -f maps/lab`), or writes it, by variables or in a
     loop, too.
     """
@@ -113,7 +113,7 @@ def missing_data_file(shared: ShareFiles) -> Iterator[Hit]:
     for glob, link in dead_links(shared.package):
         message = (
             f"`{glob.pattern}` matches `{link}`, a link to nothing here: the build stops with \"can't copy '{link}'\"; "
-            "mend or remove the link"
+            "correct or remove the link"
         )
         yield Hit(shared.package.setup.path, glob.span, message, Severity.WARNING)
 

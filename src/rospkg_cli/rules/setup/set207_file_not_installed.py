@@ -55,7 +55,7 @@ def file_not_installed(uninstalled: UninstalledFiles) -> Iterator[Hit]:
     other kinds than the folder is for, and those that are laid aside (`old/`). All files that one glob misses are one
     finding. It is a warning where a launch file, code, a robot or YAML of the workspace opens one of them in the share
     directory of the package (`get_package_share_directory('my_pkg')` joined with its name,
-    `$(find-pkg-share my_pkg)/…`, `package://my_pkg/…`) or beside a robot or a map, where another launch file includes
+    `$(find-pkg-share my_pkg)/…`, `package://my_pkg/…`) or next to a robot or a map, where another launch file includes
     it, and where a page or a script starts it by `ros2 launch my_pkg …`. Elsewhere it is an info: in comments, in paths
     to the source or to the share directory of another package, and for empty files.
 

@@ -76,7 +76,7 @@ def undefined_setup_name(setup: SetupPy) -> Iterator[Hit]:
 
     ## When it is quiet
     Where setup.py imports `*`, runs strings as code or looks names up in `globals()`, and where a NameError is caught.
-    What stands behind the first such place is an info, as nobody comes to it before that one is mended.
+    What follows the first such place is an info, as setup.py never gets there before that one is fixed.
     """
     hits = [*faults(setup)]
     sure = [each.span.start for each in hits if each.level is None and is_run(setup.file, each.span)]
@@ -89,7 +89,7 @@ def faults(setup: SetupPy) -> Iterator[Hit]:
     """Yield what stops setup.py, each for itself."""
     reported: set[str] = set()
     for called in called_modules(setup.file):
-        advice = f"write `{called.function}(…)`" if called.function else "name the function of it that is meant"
+        advice = f"write `{called.function}(…)`" if called.function else "name the function of it that you want to call"
         start = f"`{called.name}` is a module here, and is called like a function"
         message = f"{start}: setup.py stops with \"TypeError: 'module' object is not callable\"; {advice}"
         level = Severity.WARNING if is_in_function(setup.file, called.span) else None

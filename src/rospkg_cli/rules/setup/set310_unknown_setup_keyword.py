@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...example import SETUP_PY, Example, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...package.setup.entry_points import EntryPoint
-from ...package.setup.misspelt_names import SCRIPTS, MisspeltArgument, meant_group
+from ...package.setup.misspelt_names import SCRIPTS, MisspeltArgument, intended_group
 from ...package.setup.setup_py import SetupPy
 from ...ros.setup_keywords import BUILDS
 from ...rule import rule
@@ -63,30 +63,30 @@ def unknown_setup_keyword(setup: SetupPy) -> Iterator[Hit]:
     for entry in setup.entry_points:
         groups.setdefault(entry.group, entry)
     for group, entry in groups.items():
-        if entry.meant_group and entry.meant_group not in groups:
+        if entry.intended_group and entry.intended_group not in groups:
             yield misspelt_group(setup, group, entry)
 
 
 def misspelt_argument(setup: SetupPy, each: MisspeltArgument) -> Iterator[Hit]:
-    name, meant, start = each.argument.name, each.meant, each.argument.span.start
+    name, intended, start = each.argument.name, each.intended, each.argument.span.start
     span = Span(start, start + len(name)) if setup.source.slice(each.argument.span).startswith(name) else setup.span
-    group = name if name in SCRIPTS else meant_group(name)
+    group = name if name in SCRIPTS else intended_group(name)
     if group:
         message = f"setup() takes no `{name}`: no executable is made; write `entry_points={{'{group}': […]}}`"
         yield Hit(setup.path, span, message)
         return
-    what = BUILDS.get(meant, "")
-    message = f"setup() takes no `{name}`: {what or 'it is passed over'}; write `{meant}`"
-    edits = (Edit(setup.path, span, meant),) if span != setup.span else ()
-    fix = Fix(f"write `{meant}`", edits, Safety.UNSAFE) if edits else None
+    what = BUILDS.get(intended, "")
+    message = f"setup() takes no `{name}`: {what or 'it is passed over'}; write `{intended}`"
+    edits = (Edit(setup.path, span, intended),) if span != setup.span else ()
+    fix = Fix(f"write `{intended}`", edits, Safety.UNSAFE) if edits else None
     yield Hit(setup.path, span, message, None if what else Severity.INFO, fix=fix)
 
 
 def misspelt_group(setup: SetupPy, group: str, entry: EntryPoint) -> Hit:
-    meant = entry.meant_group
+    intended = entry.intended_group
     span = setup.group_spans.get(group)
-    message = f"`{group}` is no group that makes executables: none is installed; write `{meant}`"
+    message = f"`{group}` is no group that makes executables: none is installed; write `{intended}`"
     if span is None:
         return Hit(entry.path, entry.span, message)
-    fix = Fix(f"write `{meant}`", (Edit(setup.path, span, meant),), Safety.UNSAFE)
+    fix = Fix(f"write `{intended}`", (Edit(setup.path, span, intended),), Safety.UNSAFE)
     return Hit(setup.path, span, message, fix=fix)

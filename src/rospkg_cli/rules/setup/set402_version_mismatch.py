@@ -44,10 +44,10 @@ def version_mismatch(versioned: VersionedPackage) -> Iterator[Hit]:
 
     ## Why is this bad?
     bloom releases the version in package.xml, pip and `importlib.metadata` report the one in setup.py: users ask about
-    a version that was never released. `catkin_prepare_release` sets both to the next one, without a word. Of a package
-    that nobody releases, and that does not ask for its version itself, hardly anybody sees it: an info. It is released
-    where bloom or a job for it says so, or where all packages of the repository have a CHANGELOG.rst; one beside others
-    without came with a copy, which is released elsewhere.
+    a version that was never released. `catkin_prepare_release` sets both to the next one, without a word. For a package
+    that is never released, and that does not read its own version, it is an info. A package counts as released where
+    bloom or a job for it says so, or where all packages of the repository have a CHANGELOG.rst; if only some have one,
+    these were copied, and are released elsewhere.
 
     ## When it is quiet
     Where the version is read from a file or can't be evaluated, and where package.xml has a version that colcon

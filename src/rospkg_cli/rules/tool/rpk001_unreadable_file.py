@@ -60,8 +60,8 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
 
     ## When it is quiet
     Files that neither the build, nor an installed file, nor a test by its name reads may be broken. A file of
-    interfaces is reported by its own rules, a file that is too large by RPK007. Of worlds and SDF only tags that don't
-    match are told, as Gazebo reads past the rest; of behavior trees those that are not closed, too.
+    interfaces is reported by its own rules, a file that is too large by RPK007. In worlds and SDF only tags that don't
+    match are reported, as Gazebo reads past the rest; in behavior trees also those that are not closed.
 
     A robot, a world or a behavior tree is an info where nothing is shown to open it: a launch file, code or a typed
     command that names it with its place (Gazebo has an `empty.sdf` of its own), or YAML by a key that is read; the
@@ -69,7 +69,7 @@ def unreadable_file(scope: UnreadableFile) -> Iterator[Hit]:
     undeclared prefix, or something behind the root element, in a plain `.urdf`. A Python module is an info where no
     entry point, launch file or CMake file names it, nor a module that one of these names, a warning where another
     package imports it. A launch file for ROS 1 is an info, in a package for catkin as well a warning. A launch file
-    beside others is an info where no other file of the package, no page or script, and no package that needs this one
+    next to others is an info where no other file of the package, no page or script, and no package that needs this one
     names it, and so is YAML that no command of a page and no code names. Several `<library>` of a plugin description
     without a root are an info, and so are bytes that are not UTF-8 in comments of a CMake file, and a line of Python
     with a blank that an exercise has people fill in (`create_timer(???)`, `<MESSAGE_TYPE>`). A `<` in the value of

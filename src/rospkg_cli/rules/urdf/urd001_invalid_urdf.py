@@ -117,7 +117,7 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     ## References
     ros/urdfdom: urdf_parser/src; ros/xacro: substitution_args.py
     """
-    for fault, beside in judged.found():
+    for fault, others in judged.found():
         for hit in hits(judged.robot.path, [fault]):
-            again = tuple(Related(path, span, "here too") for path, span in beside)
+            again = tuple(Related(path, span, "here too") for path, span in others)
             yield replace(hit, related=(*hit.related, *again))

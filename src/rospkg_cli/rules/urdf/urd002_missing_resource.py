@@ -8,7 +8,7 @@ from ...checks.fault import Fault, softer
 from ...checks.urdf.bare_meshes import bare_meshes, without_scheme
 from ...checks.urdf.missing_level import missing_fault
 from ...checks.urdf.missing_resource import MissingResource, advice, also
-from ...checks.urdf.personal_paths import Place, Told, personal_paths, told_apart
+from ...checks.urdf.personal_paths import PathMessage, Place, by_machine, personal_paths
 from ...checks.urdf.robot_in_workspace import RobotInWorkspace
 from ...example import CMAKE, Example
 from ...finding import Hit, Related, Severity
@@ -80,9 +80,9 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     ## What it does
     Finds meshes, includes and other files that a robot or a world names and that do not exist.
     It follows `package://name/…`, `$(find name)/…` and relative includes of urdf, xacro, sdf and world files into this
-    package and others of the workspace, and checks whether they install the file, there or at another path, which is
-    told; `model://name/…` it follows into models that lie here. Files in a home folder (`file:///home/ada/…`) are told,
-    and meshes that are named by a path alone, where the package has the file: only URLs are looked for. Files of one
+    package and others of the workspace, and checks whether they install the file, there or at another path, which it
+    reports; it follows `model://name/…` into models that are here. It also reports files in a home folder
+    (`file:///home/ada/…`), and meshes named by a path alone that the package has: only URLs are looked for. Files of a
     missing folder are one finding, and so are three or more of a folder of which none is there, and one that several
     robots of a folder name at the same place.
 
@@ -109,14 +109,14 @@ def missing_resource(scope: RobotInWorkspace) -> Iterator[Hit]:
     for each in scope.missing():
         same = list(scope.in_folder.lacking(scope.robot, each))
         if any(path < scope.robot.path for path, _ in same):
-            continue  # which is told there
+            continue  # the finding is at that robot
         again = tuple(Related(scope.robot.path, other.span, also(each, other)) for other in each.others)
         again += tuple(Related(path, span, f"`{each.path}` here too") for path, span in same)
         level, message = judged(scope, each)
         yield Hit(scope.robot.path, each.span, message, level, again)
     named = scope.in_folder.untold(scope.robot, list(personal_paths(scope.robot.document)))
-    for found, told in told_apart(named, scope.robot.document, scope.files):
-        yield of_several(scope, found, told)
+    for found, said in by_machine(named, scope.robot.document, scope.files):
+        yield of_several(scope, found, said)
     bare = bare_meshes(scope.robot.document, scope.files, scope.package) if not scope.is_idle else {}
     if found := scope.in_folder.untold(scope.robot, list(bare)):
         is_met = scope.misses_bare(bare)
@@ -130,9 +130,9 @@ def judged(scope: RobotInWorkspace, missing: MissingResource) -> tuple[Severity 
     return Severity(level) if level else None, best.message + advice(missing)
 
 
-def of_several(scope: RobotInWorkspace, found: list[Place], told: Told) -> Hit:
+def of_several(scope: RobotInWorkspace, found: list[Place], said: PathMessage) -> Hit:
     (first, _), *others = found
-    message, todo, level = told
+    message, todo, level = said
     best = scope.weighed(Fault(first, message, "warning"))
     if "info" not in (level, best.level) and not scope.is_met:
         best = softer(best, "info", "as soon as something opens this robot")

@@ -13,9 +13,9 @@ from ...source import Span
 INNER = manifest().replace("<name>my_pkg</name>", "<name>my_driver</name>")
 SENTENCES: dict[Way, str] = {
     "none": ": colcon does not look there, and never builds it; move it next to `{0}`, or remove its package.xml",
-    "idle": ": colcon does not look there, and never builds it, which nobody here is shown to miss: distributions have "
-    "it, or nothing depends on it, uses it in code, or builds or runs it by its name; move it next to `{0}`, or remove "
-    "its package.xml",
+    "idle": ": colcon does not look there, and never builds it, and nothing here is known to need it: distributions "
+    "have it, or nothing depends on it, uses it in code, or builds or runs it by its name; move it next to `{0}`, or "
+    "remove its package.xml",
     "started": ": colcon finds it only where it is started below `{0}`, as a page or a script does here; move it next "
     "to `{0}`",
     "carried": ": colcon finds it only where it is linked, copied or named on its own, as a page or a script does "
@@ -57,8 +57,8 @@ def nested_package(nested: NestedPackages) -> Iterator[Hit]:
     ## When it is quiet
     Folders with an ignore marker (COLCON_IGNORE, AMENT_IGNORE, CATKIN_IGNORE), those that git ignores, those of tests,
     templates, examples and third parties, and a package.xml that is installed as data, are left alone. Those that
-    nobody is shown to want are an info: no package depends on one, no launch file, code or CMake names it, and no page
-    or script beside it builds or runs it (`ros2 run my_driver`, `--packages-select my_driver`). So are copies of what
+    nothing is known to need are an info: no package depends on one, no launch file, code or CMake names it, and no page
+    or script next to it builds or runs it (`ros2 run my_driver`, `--packages-select my_driver`). So are copies of what
     distributions have, which may be installed, unless a page or script builds one. So are packages for ROS 1, those in
     hidden folders, and those whose name a package has that colcon finds. So are those that colcon finds where a README,
     a script or a container starts it (`cd driver && colcon build`), as one shows, too, that takes what this leaves

@@ -21,7 +21,7 @@ QUOTES = {"&quot;": '"', "&apos;": "'"}
 
 @dataclass
 class TextEvaluator:
-    """Evaluates texts in scopes; what reads a name that is not there is told to `undefined`."""
+    """Evaluates texts in scopes; reads of names that are not there are passed to `undefined`."""
 
     undefined: Callable[[XacroPlace, str, XacroScope], None]
     undeclared: Callable[[XacroPlace, str], None]
