@@ -8,7 +8,7 @@ from reading import one, package
 from rospkg_cli.checks.setup.module_exports import MAX_DEPTH
 from rospkg_cli.example import BACKDROPS, SETUP_PY, scripts, setup_py
 from rospkg_cli.package.install_table import InstallTable
-from rospkg_cli.package.setup.entry_points import parse_entry_point
+from rospkg_cli.package.setup.entry_point import parse_entry_point
 from rospkg_cli.package.setup.setup_py import SetupPy
 from rospkg_cli.package.setup.setup_text import SetupText
 from rospkg_cli.source import Span

@@ -11,7 +11,7 @@ from ..edits.setup_py import own_arguments, quoted
 from ..languages.python.evaluate.values import Mapping, Sequence
 from ..light_dataclasses import dataclass
 from ..package.package import Package
-from ..package.setup.entry_points import EntryPoint
+from ..package.setup.entry_point import EntryPoint
 from ..package.setup.setup_py import SetupPy
 from ..source import Span
 from .entry_point_texts import text_place

@@ -7,7 +7,7 @@ import io
 from ..finding import Edit
 from ..languages.python.evaluate.values import Sequence
 from ..lazy_regex import regex
-from ..package.setup.entry_points import EntryPoint, parse_entry_point
+from ..package.setup.entry_point import EntryPoint, parse_entry_point
 from ..package.setup.setup_py import SetupPy
 from ..package.setup.setup_text import SetupText
 from ..source import Span

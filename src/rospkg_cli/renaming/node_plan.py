@@ -13,7 +13,7 @@ from ..languages.cmake.parser import parse
 from ..package.collect_facts import collect_facts
 from ..package.manifest import Manifest
 from ..package.package import Package
-from ..package.setup.entry_points import EntryPoint
+from ..package.setup.entry_point import EntryPoint
 from ..package.setup.setup_py import SetupPy
 from ..ros.distros import Targets
 from ..source import Source, Span

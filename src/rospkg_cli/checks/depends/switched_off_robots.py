@@ -10,7 +10,7 @@ from ...languages.xml.parser import Element
 from ...lazy_regex import regex
 from ...package.launch.plain_values import NotKnownError, plain_value
 from ...source import Span
-from ..urdf.xacro_calls import CONDITIONS, ancestors
+from ..urdf.enclosing_elements import CONDITIONS, ancestors
 
 ARGUMENT = regex(r"\$\(arg\s+(\w+)\s*\)")
 EXPRESSION = regex(r"\s*\$\{([^{}]*)\}\s*")

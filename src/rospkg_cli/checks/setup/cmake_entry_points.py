@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...light_dataclasses import dataclass
 from ...package.cmake.ament_python_install import refused_entries
 from ...package.cmake.cmake_project import CMake
-from ...package.setup.entry_points import EntryPoint
+from ...package.setup.entry_point import EntryPoint
 from ..depends.own_imports import OwnImports
 from ..unstarted_programs import UnstartedPrograms
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ...light_dataclasses import dataclass
 from ...package.file_role import is_set_aside
-from ...package.setup.entry_points import EntryPoint
+from ...package.setup.entry_point import EntryPoint
 from ...package.setup.setup_py import SetupPy
 from ...package.setup.setup_text import SetupText
 from ..repository.linked_build import is_always_linked, linking_file

@@ -10,7 +10,7 @@ from ...light_dataclasses import dataclass
 from ...package.manifest import Manifest
 from ...package.package_facts import PackageFacts
 from ...package.python_modules import PythonModules
-from ...package.setup.entry_points import EntryPoint
+from ...package.setup.entry_point import EntryPoint
 from ...package.setup.setup_py import SetupPy
 from ...package.workspace import Workspace
 from ...ros.distros import Targets

@@ -9,7 +9,7 @@ from ...languages.python.evaluate.values import Mapping
 from ...languages.python.nodes import nodes_of_kind
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.setup.entry_points import EntryPoint
+from ...package.setup.entry_point import EntryPoint
 from ...package.setup.setup_cfg import SetupCfg
 from ...package.setup.setup_py import SetupPy
 from ...package.setup.setup_text import SetupText

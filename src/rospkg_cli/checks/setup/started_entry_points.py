@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.setup.entry_points import EntryPoint
+from ...package.setup.entry_point import EntryPoint
 from ..repository.linked_build import build_texts
 from ..repository.older_distribution import OlderDistribution
 from ..unstarted_programs import UnstartedPrograms

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...light_dataclasses import dataclass
-from ...package.setup.entry_points import EntryPoint
+from ...package.setup.entry_point import EntryPoint
 from ..python.ros1_import import ros1_import
 from .module_exports import absolute
 from .python_package import PythonPackage

@@ -10,8 +10,8 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ..fault import Fault
+from .enclosing_elements import ancestors
 from .opened_robots import XACRO, OpenedRobots
-from .xacro_calls import ancestors
 from .xacro_problems import STOPS
 
 READERS = regex(

@@ -58,7 +58,7 @@ class ExpandedRobots:
         robots = [each for each in documents if each.root.tag == "robot"]
         reached: set[str] = set()
         for document in robots:
-            if self.calls.is_top(document):
+            if self.calls.includes.is_top(document):
                 expander = Expander(library)
                 yield from self.faults(expander, document, callers, is_robot=True)
                 reached |= expander.found.reached

@@ -7,7 +7,7 @@ from collections.abc import Collection
 from fnmatch import fnmatchcase
 
 from ...lazy_regex import regex
-from .xacro_calls import COMPUTED, INCLUDED
+from .xacro_includes import COMPUTED, INCLUDED
 
 SHARE = regex(r"\$\(find\s+([^\s()]+)\s*\)/+")
 

@@ -16,6 +16,7 @@ from ...unreadable import READABLE
 from ..fault import Fault, once_each, softer
 from ..repository.older_distribution import OlderDistribution
 from .control_readers import ControlReaders
+from .enclosing_elements import ancestors
 from .expanded_robots import ExpandedRobots
 from .given_prefixes import gives_text
 from .launched_robots import LaunchedRobots
@@ -25,7 +26,7 @@ from .met_robots import OPENED_WHEN_ON, MetRobots
 from .one_slip import is_slip, of_one_slip
 from .opened_robots import OpenedRobots
 from .validation import VAIN, robot_faults
-from .xacro_calls import XacroCalls, ancestors
+from .xacro_calls import XacroCalls
 from .xacro_problems import STOPS, of_one_parameter
 from .xacro_slips import MUST_BE_GIVEN
 
@@ -148,8 +149,8 @@ class JudgedRobot:
         parameter = PREFIX.search(fault.message)
         if macro is None or parameter is None:
             return replace(fault, level="info")
-        near = self.calls.including(self.robot.path.rpartition("/")[2])
-        given = gives_text(macro, parameter[1], near, self.calls.texts)
+        near = self.calls.includes.including(self.robot.path.rpartition("/")[2])
+        given = gives_text(macro, parameter[1], near, self.calls.includes.texts)
         said = fault.message if given is not False else fault.message.replace(UNLESS_EMPTY, EMPTY)
         return replace(fault, level="info", message=said)
 

@@ -12,11 +12,12 @@ from ...files import PackageFiles
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_file import LaunchFile
 from ...package.package_facts import PackageFacts
-from ...package.urdf.robot_words import LAUNCH, is_launch, may_be_made, words_of
+from ...package.urdf.robot_words import is_launch, may_be_made, words_of
 from ...package.workspace import Workspace
 from ...unreadable import READABLE
 from ..left_files import LeftFiles
 from ..repository.pages_and_scripts import pages_and_scripts
+from .including_packages import IncludingPackages, names_file
 from .named_with_folder import means_inner_copy
 from .opened_robots import OpenedRobots
 from .opening_texts import ROBOTS
@@ -41,8 +42,12 @@ class LaunchedRobots:
         return self.has(path) and path not in self.by_default
 
     @cached_property
+    def including(self) -> IncludingPackages:
+        return IncludingPackages(self.package, self.workspace)
+
+    @cached_property
     def by_default(self) -> frozenset[str]:
-        """The robots that a plain launch comes to."""
+        """The robots that launch files open with default arguments."""
         from ..launch.plain_launch import plain_texts  # what findings alone need
         from ..share.opened_elsewhere import opening_elsewhere
 
@@ -65,13 +70,11 @@ class LaunchedRobots:
     ) -> frozenset[str]:
         """Return the robots that some launch files of this package, or those of some packages, open.
 
-        Where `includes` is given, it says as well whether a text includes a file of a name.
+        Where `includes` is given, it must also say that a text includes a file of a name.
         """
         robots = {path: text for path, text in self.opened.texts.every if path.endswith(ROBOTS)}
         waiting = [
-            path
-            for path in robots
-            if self.is_named(path, launches, packages) or self.is_included_elsewhere(path, packages)
+            path for path in robots if self.is_named(path, launches, packages) or self.including.opens(path, packages)
         ]
         found = set(waiting)
         while waiting:
@@ -118,33 +121,6 @@ class LaunchedRobots:
             return False
         return not again or all(re.search(rf"\b{re.escape(each)}\b", text) for each in folder.split("/"))
 
-    def is_included_elsewhere(self, path: str, packages: Sequence[PackageFacts]) -> bool:
-        """Return whether a robot of another package includes a file, and a launch file opens that one."""
-        return any(self.is_reached(*each, packages) for each in self.including(self.package.name, path))
-
-    def including(self, package: str, path: str) -> list[tuple[str, str]]:
-        """Return the files of other packages that include one: package and path."""
-        return [
-            (facts.name, by)
-            for facts in self.workspace.packages
-            for owner, included, by in (facts.robot_includes if facts.name != self.package.name else ())
-            if owner == package and included == path
-        ]
-
-    def is_reached(self, package: str, path: str, packages: Sequence[PackageFacts]) -> bool:
-        """Return whether a launch file opens a file of another package, or one that includes it, in a few steps."""
-        waiting, seen = [(package, path)], {(package, path)}
-        while waiting:
-            owner, inner = waiting.pop()
-            name = inner.rpartition("/")[2]
-            for facts in packages:
-                if any(names_file(words, owner, name, is_own=facts.name == owner) for words in facts.robot_words):
-                    return True
-            more = [each for each in self.including(owner, inner) if each not in seen]
-            seen.update(more)
-            waiting += more
-        return False
-
 
 def names(words: frozenset[str], text: str, name: str) -> bool:
     """Return whether a launch file names a robot: in full, or by its stem in quotes and a suffix to append."""
@@ -153,10 +129,3 @@ def names(words: frozenset[str], text: str, name: str) -> bool:
         return True
     is_made = may_be_made(name, words) or "MoveItConfigsBuilder" in text
     return is_made and re.search(rf"[\"'/]{stem}[\"']", text) is not None
-
-
-def names_file(words: frozenset[str], package: str, name: str, *, is_own: bool = False) -> bool:
-    """Return whether the words are a launch file's that names a file of a package."""
-    stem = name.partition(".")[0]
-    is_there = name in words or (may_be_made(name, words) and stem in words)
-    return LAUNCH in words and is_there and (is_own or package in words)

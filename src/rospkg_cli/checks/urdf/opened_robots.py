@@ -14,7 +14,7 @@ from .included_paths import includes_path
 from .named_with_folder import NamedWithFolder
 from .naming_packages import NamingPackages
 from .robot_texts import RobotTexts
-from .xacro_calls import may_include
+from .xacro_includes import may_include
 
 if TYPE_CHECKING:
     from .named_elsewhere import NamedElsewhere

@@ -14,8 +14,9 @@ from ...package.urdf.expansion.expander import Expander
 from ...package.urdf.expansion.expansion import Expansion
 from ...package.urdf.expansion.library import XacroLibrary
 from ...package.workspace import Workspace
+from .enclosing_elements import CONDITIONS, ancestors
 from .off_conditions import OffConditions
-from .xacro_calls import CONDITIONS, XacroCalls, ancestors
+from .xacro_calls import XacroCalls
 
 ROBOTS = (".xacro", ".urdf")
 
@@ -54,7 +55,7 @@ class ReachedFiles:
             return True
         read = re.compile(rf"\barg\s+{re.escape(argument)}\b|\barg\(\s*[\"']{re.escape(argument)}[\"']")
         others = (document.source.text for document in self.library.documents.values() if document is not None)
-        return any(map(read.search, (*self.calls.texts, *others)))
+        return any(map(read.search, (*self.calls.includes.texts, *others)))
 
     @cached_property
     def library(self) -> XacroLibrary:
@@ -72,5 +73,5 @@ class ReachedFiles:
     def expanded(self, *, with_defaults: bool) -> Iterator[Expansion]:
         for path in self.files.paths:
             document = self.library.read(path) if path.endswith(ROBOTS) and role_of(path) in ("run", "launch") else None
-            if document is not None and document.root.tag == "robot" and self.calls.is_top(document):
+            if document is not None and document.root.tag == "robot" and self.calls.includes.is_top(document):
                 yield Expander(self.library, with_defaults=with_defaults).run(document)

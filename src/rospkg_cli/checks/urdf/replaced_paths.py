@@ -9,7 +9,8 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.urdf.robot_words import REPLACES, words_of
 from ...source import Span
-from .launched_robots import LaunchedRobots, names, names_file
+from .including_packages import names_file
+from .launched_robots import LaunchedRobots, names
 
 REPLACED = regex(
     r"\.replace\(\s*[rf]?(?:\"([^\"\n]+)\"|'([^'\n]+)')|\bsub\(\s*[rf]{0,2}(?:\"([^\"\n]+)\"|'([^'\n]+)')|"

@@ -14,6 +14,7 @@ from ..fault import Fault, softer
 from ..repository.pages_and_scripts import FetchedFiles
 from .bare_meshes import is_relative
 from .control_readers import ControlReaders
+from .enclosing_elements import CONDITIONS, ancestors
 from .given_to_gazebo import GivenToGazebo
 from .launched_robots import LaunchedRobots
 from .met_robots import MetRobots
@@ -25,7 +26,7 @@ from .replaced_paths import ReplacedPaths
 from .same_folder import SameFolder
 from .share_resources import ShareResources
 from .shown_robots import ShownRobots
-from .xacro_calls import CONDITIONS, XacroCalls, ancestors
+from .xacro_calls import XacroCalls
 
 
 @dataclass(frozen=True)

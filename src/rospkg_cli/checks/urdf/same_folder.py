@@ -10,10 +10,10 @@ from ...light_dataclasses import dataclass
 from ...package.urdf.robot_file import RobotFile
 from ...source import Span
 from ...unreadable import READABLE
+from .enclosing_elements import ancestors
 from .launched_robots import LaunchedRobots
 from .missing_resource import MissingResource
 from .opened_robots import OpenedRobots
-from .xacro_calls import ancestors
 
 Place = tuple[Span, str]
 """Where a path stands, and the path."""

@@ -21,7 +21,7 @@ from ...unreadable import READABLE
 from ..launch.started_viewers import OF_MOVEIT, is_on, shows, started_viewers
 from .given_to_viewers import NAMED_SO, hands_on, without_spawned
 from .launched_robots import LaunchedRobots
-from .xacro_calls import COMPUTED, INCLUDED
+from .xacro_includes import COMPUTED, INCLUDED
 
 SHOWING = regex(r"rviz|display|view|move_?group|moveit")
 """In the names of launch files of other packages that show a robot."""

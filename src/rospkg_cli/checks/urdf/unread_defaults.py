@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from ...languages.xml.parser import Document, Element
 from ...package.urdf.robot_words import given_in, words_of
 from ...source import Span
+from .enclosing_elements import ancestors
 from .given_to_viewers import SPAWNERS
 from .opening_texts import LAUNCH
 from .ways_into_robots import WaysIntoRobots
-from .xacro_calls import ancestors
 
 READ_OFF = "; xacro reads `$(arg {})` only where another argument asks for it"
 FOR_GAZEBO = "; Gazebo alone reads `$(arg {0})`, and what spawns the robot here gives it"

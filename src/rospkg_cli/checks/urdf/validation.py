@@ -37,8 +37,8 @@ def robot_faults(robot: RobotFile, calls: XacroCalls | None = None) -> list[Faul
     """
     if not robot.path.endswith(ROBOTS):
         return []
-    piece = robot.path.endswith(".xacro") and not (calls and calls.is_robot(robot))
-    piece = piece or (calls is not None and calls.is_part(robot.document))
+    piece = robot.path.endswith(".xacro") and not (calls and calls.includes.is_robot(robot))
+    piece = piece or (calls is not None and calls.includes.is_part(robot.document))
     found = sorted(unsorted_faults(robot, piece), key=lambda fault: fault.span)
     if calls is None or not robot.is_xacro:
         return found

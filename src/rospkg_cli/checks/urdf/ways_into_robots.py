@@ -16,9 +16,9 @@ from ...package.urdf.expansion.values import Value, XacroUnknown, literal
 from ...package.urdf.robot_words import ANY, LAUNCH
 from ...source import Span
 from ..repository.pages_and_scripts import TEXTS, pages_above
+from .enclosing_elements import CONDITIONS, ancestors
 from .opened_robots import OpenedRobots
 from .reached_files import ROBOTS, ReachedFiles
-from .xacro_calls import CONDITIONS, ancestors
 
 GIVING = (".py", ".xml", ".launch", ".yaml", ".yml", ".json", ".cpp", ".hpp")
 GIVEN = (
@@ -39,7 +39,7 @@ class WaysIntoRobots:
 
     def why_unmet(self, path: str, root: Element, place: Span) -> str:
         """Return why xacro does not reach a place of a file, as the end of a sentence; "" where it may."""
-        if any(each in self.reached.calls.included_elsewhere for each in (path, *self.opened.including(path))):
+        if any(each in self.reached.calls.includes.included_elsewhere for each in (path, *self.opened.including(path))):
             return ""
         around = list(ancestors(root, place))
         for each in around:
@@ -54,7 +54,7 @@ class WaysIntoRobots:
 
     def why_left_out(self, path: str, root: Element, place: Span) -> str:
         """Return that a condition around a place holds for no robot, as the end of a sentence; "" where it may."""
-        if any(each in self.reached.calls.included_elsewhere for each in (path, *self.opened.including(path))):
+        if any(each in self.reached.calls.includes.included_elsewhere for each in (path, *self.opened.including(path))):
             return ""
         around = list(ancestors(root, place))
         is_known = all(self.is_called_in_sight(each) for each in around if each.tag == "xacro:macro")
@@ -91,7 +91,7 @@ class WaysIntoRobots:
         for path in self.reached.files.paths:
             is_robot = path.endswith(ROBOTS) and role_of(path) in ("run", "launch")
             document = self.reached.library.read(path) if is_robot else None
-            if document is not None and document.root.tag == "robot" and self.reached.calls.is_top(document):
+            if document is not None and document.root.tag == "robot" and self.reached.calls.includes.is_top(document):
                 expander = Expander(self.reached.library, with_defaults=True)
                 expander.texts.defaults.update(self.given(path))
                 expander.texts.variables = self.is_set

@@ -12,7 +12,7 @@ from ...light_dataclasses import replace
 from ...source import Span
 from ...unreadable import UnreadableError
 from ..install_table import InstalledFile, UnknownPart
-from ..setup.entry_points import EntryPoint, parse_entry_point
+from ..setup.entry_point import EntryPoint, parse_entry_point
 from ..setup.parse_setup_cfg import parse_setup_cfg
 from ..setup.setup_cfg_arguments import items_of
 from .install_destinations import below_prefix

@@ -1,122 +1,20 @@
-"""Entry points: `name = module:attribute`, parsed with the position of every part.
-
-The grammar is that of importlib.metadata (`module` and `attribute` are dotted names, extras in brackets); setuptools
-refuses what does not fit it from 60 on, and writes it into the metadata as it is before.
-"""
+"""The entry points of setup(entry_points=…): a dict of groups, or a text in the format of setup.cfg."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Literal
 
 from ...languages.python.evaluate.conversion import is_known
 from ...languages.python.evaluate.values import Mapping, Sequence, Text, Unknown, Value
 from ...lazy_regex import regex
-from ...light_dataclasses import dataclass
-from ...source import Span
-from ..package_facts import NOWHERE
-from .misspelt_names import SCRIPTS, intended_group
+from .entry_point import EntryPoint, parse_entry_point
 from .setup_text import SetupText
 
-# Both are linear: they have to fit one whole line, from its start, and neighbours share no character but blanks.
-WHOLE = regex(
-    r"(?P<name>[^\s=](?:[^=]*[^\s=])?)\s*=\s*(?P<module>\w+(?:\.\w+)*)"
-    r"(?:\s*:\s*(?P<attribute>[^\W\d]\w*(?:\.\w+)*))?\s*(?P<extras>\[[^\]]*\])?"
-)
 GROUP = regex(r"\[(?P<name>[^\]]+)\]")
-
-EntryPointFault = Literal["", "no-equals", "no-attribute", "joined", "file-name", "unreadable"]
-
-
-@dataclass(frozen=True)
-class EntryPoint:
-    group: str
-    setup_text: SetupText
-    name: str
-    """"" where the text can't be parsed."""
-    module: str = ""
-    attribute: str = ""
-    name_span: Span = NOWHERE
-    module_span: Span = NOWHERE
-    attribute_span: Span = NOWHERE
-    fault: EntryPointFault = ""
-    list_value: Sequence | None = None
-    """The list of setup.py that it is an item of."""
-    position: Span = NOWHERE
-    """Its position in that list."""
-
-    @property
-    def path(self) -> str:
-        return self.setup_text.path
-
-    @property
-    def text(self) -> str:
-        return self.setup_text.text
-
-    @property
-    def span(self) -> Span:
-        return self.setup_text.shown
-
-    @property
-    def is_script(self) -> bool:
-        """Whether it makes an executable."""
-        return self.group in SCRIPTS
-
-    @property
-    def intended_group(self) -> str:
-        """The group of scripts that is intended and misspelt; "" for all other groups."""
-        return intended_group(self.group)
-
-
-def parse_entry_point(
-    group: str, setup_text: SetupText, list_value: Sequence | None = None, position: Span | None = None
-) -> EntryPoint:
-    """Parse one entry point; what does not fit the grammar gets a `fault`."""
-    setup_text = setup_text.stripped()
-    position = position or setup_text.span
-    match = WHOLE.fullmatch(setup_text.text)
-    if match is None:
-        return EntryPoint(
-            group,
-            setup_text,
-            loose_name(setup_text.text),
-            fault=fault_of(setup_text.text),
-            list_value=list_value,
-            position=position,
-        )
-    fault: EntryPointFault = ""
-    if match["attribute"] is None and group in SCRIPTS:
-        fault = "no-attribute"
-    elif match["module"].endswith(".py") and match["attribute"] is not None:
-        fault = "file-name"
-    return EntryPoint(
-        group,
-        setup_text,
-        match["name"],
-        match["module"],
-        match["attribute"] or "",
-        setup_text.part(*match.span("name")).shown,
-        setup_text.part(*match.span("module")).shown,
-        setup_text.part(*match.span("attribute")).shown if match["attribute"] else setup_text.shown,
-        fault,
-        list_value,
-        position,
-    )
-
-
-def loose_name(text: str) -> str:
-    head, sign, _ = text.partition("=")
-    return head.strip() if sign else ""
-
-
-def fault_of(text: str) -> EntryPointFault:
-    if "=" not in text:
-        return "no-equals"
-    return "joined" if text.count("=") > 1 and text.count(":") > 1 else "unreadable"
 
 
 def from_value(path: str, value: Value) -> Iterator[EntryPoint | Unknown]:
-    """Yield the entry points in setup(entry_points=…), and the parts of them that are unknown."""
+    """Yield the entry points of an argument `entry_points`, and the parts that can't be evaluated."""
     if isinstance(value, Text):
         yield from from_ini(SetupText.of(path, value))
         return
@@ -130,7 +28,7 @@ def from_value(path: str, value: Value) -> Iterator[EntryPoint | Unknown]:
 
 
 def from_group(path: str, group: str, entries: Value) -> Iterator[EntryPoint | Unknown]:
-    """Yield the entries of a group: one a line of a text, or of the texts in a list, however deep (setuptools does)."""
+    """Yield the entries of a group: one for each line of a text, or of the texts in a list, nested or not."""
     if isinstance(entries, Text):
         yield from (parse_entry_point(group, line) for line in SetupText.of(path, entries).lines())
         return

@@ -11,7 +11,7 @@ from ...languages.python.evaluate.values import Unknown
 from ...light_dataclasses import dataclass
 from ...source import Span
 from .data_files import DataEntry, DataFile
-from .entry_points import EntryPoint, parse_entry_point
+from .entry_point import EntryPoint, parse_entry_point
 from .find_packages import find
 from .setup_cfg import CfgOption, SetupCfg
 from .setup_text import SetupText

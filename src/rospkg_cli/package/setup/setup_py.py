@@ -12,7 +12,7 @@ from ...light_dataclasses import dataclass
 from ...source import Span
 from . import data_files, entry_points
 from .data_files import DataEntry, DataFile
-from .entry_points import EntryPoint
+from .entry_point import EntryPoint
 from .file_writing_calls import GENERATORS, may_write
 from .find_packages import PackageSearch
 from .setup_modules import SetupModules

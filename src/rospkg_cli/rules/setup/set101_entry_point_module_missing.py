@@ -9,7 +9,7 @@ from ...checks.setup.python_package import PythonPackage
 from ...checks.setup.started_entry_points import StartedEntryPoints
 from ...example import SETUP_PY, Example, scripts, setup_py
 from ...finding import Hit, Severity
-from ...package.setup.entry_points import EntryPoint
+from ...package.setup.entry_point import EntryPoint
 from ...rule import rule
 
 MODULE = "def main():\n    print('hello')\n"

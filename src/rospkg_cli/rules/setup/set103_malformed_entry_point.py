@@ -9,7 +9,7 @@ from ...checks.setup.started_entry_points import StartedEntryPoints
 from ...edits.entry_points import repair_entry_point
 from ...example import Example, scripts, setup_py
 from ...finding import Fix, Hit, Safety, Severity
-from ...package.setup.entry_points import EntryPoint
+from ...package.setup.entry_point import EntryPoint
 from ...rule import rule
 
 MODULE = "def main():\n    print('hello')\n"

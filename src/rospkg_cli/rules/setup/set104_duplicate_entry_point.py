@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.setup.started_entry_points import StartedEntryPoints
 from ...example import Example, scripts, setup_py
 from ...finding import Hit, Related, Severity
-from ...package.setup.entry_points import EntryPoint
+from ...package.setup.entry_point import EntryPoint
 from ...rule import rule
 
 MODULE = "def main():\n    print('hello')\n"

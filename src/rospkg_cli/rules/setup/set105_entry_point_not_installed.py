@@ -9,7 +9,7 @@ from ...checks.setup.started_entry_points import EntryPointTree
 from ...edits.setup_py import add_packages
 from ...example import Example, scripts, setup_py
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...package.setup.entry_points import EntryPoint
+from ...package.setup.entry_point import EntryPoint
 from ...rule import rule
 
 LISTED = setup_py(scripts("talker = «my_pkg.nodes.talker»:main")).replace(

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...example import SETUP_PY, Example, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Safety, Severity
-from ...package.setup.entry_points import EntryPoint
+from ...package.setup.entry_point import EntryPoint
 from ...package.setup.misspelt_names import SCRIPTS, MisspeltArgument, intended_group
 from ...package.setup.setup_py import SetupPy
 from ...ros.setup_keywords import BUILDS
