@@ -11,7 +11,8 @@ from ...ros.interfaces import SECTIONS, SEPARATORS
 from ...source import Source, Span
 from .grammar_problem import GrammarCode, GrammarProblem
 from .interface_file import InterfaceFile, MessageSection
-from .section_parser import InterfaceLine, SectionReader
+from .member_parser import InterfaceLine
+from .section_parser import SectionReader
 
 NEARLY = regex(r"[ \t]*-{2,}[ \t]*(?:#.*)?")
 """A separator as people write it; rosidl takes only a line that is exactly `---`."""
