@@ -74,6 +74,30 @@ def test_what_an_interface_package_lacks(line: str, body: str, level: str) -> No
     assert ("it comes with `std_msgs` today" in finding.message) is (level == "info")
 
 
+@pytest.mark.parametrize(
+    ("tag", "passed_on", "level"),
+    [
+        ("depend", "depend", "info"),
+        ("build_depend", "exec_depend", "info"),
+        ("depend", "buildtool_depend", "warning"),
+        ("exec_depend", "depend", "warning"),
+    ],
+)
+def test_generators_that_come_with_other_messages(tag: str, passed_on: str, level: str) -> None:
+    """They are there where a dependency for building passes them on, not where it only builds with them."""
+    lines = "".join(each for each in xml305.GOOD.splitlines(keepends=True) if "generators" not in each)
+    text = lines.replace("  <export>", f"  <{tag}>other_msgs</{tag}>\n  <export>")
+    files = {"a/package.xml": text, "a/CMakeLists.txt": xml305.CMAKE, "a/msg/Battery.msg": "float32 level\n"}
+    body = f"  <{passed_on}>rosidl_default_generators</{passed_on}>\n"
+    other = manifest(body, "ament_cmake", "other_msgs")
+    found = lint_files(
+        {**files, "b/package.xml": other, "b/CMakeLists.txt": CMAKE.replace("my_pkg", "other_msgs")}, ["XML305"]
+    )
+    (finding,) = found.findings
+    assert finding.severity.value == level
+    assert ("it comes with `other_msgs` today" in finding.message) is (level == "info")
+
+
 MODEL = '<?xml-model href="http://download.ros.org/schema/package_format3.xsd" '
 XSD = 'schematypens="http://www.w3.org/2001/XMLSchema"?>'
 

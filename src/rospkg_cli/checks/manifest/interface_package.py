@@ -8,12 +8,11 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.manifest import Dependency, Manifest
-from ...ros.interfaces import GROUP, RUNTIMES
-from ...ros.manifest import RUNS
+from ...ros.interfaces import GENERATORS, GROUP, RUNTIMES
+from ...ros.manifest import BUILDS, RUNS
 from ..depends.brought_dependencies import Bringer
 from ..depends.declared_dependencies import DeclaredDependencies
 
-GENERATORS = "rosidl_default_generators"
 GENERATE = "rosidl_generate_interfaces"
 SKIP_INSTALL, SKIP_CHECK = "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK"
 """Options of the call (rosidl_cmake/cmake/rosidl_generate_interfaces.cmake)."""
@@ -50,13 +49,19 @@ class InterfacePackage:
     @property
     def generators_to_run(self) -> Dependency | None:
         """The generators where they are declared for running, which brings the runtime as well."""
-        found = (each for each in self.manifest.dependencies if each.name == GENERATORS and each.tag in RUNS)
+        found = (each for each in self.manifest.dependencies if each.name == GENERATORS[0] and each.tag in RUNS)
         return next(found, None)
 
     @property
     def runtime_bringer(self) -> Bringer | None:
         """The declared dependency that the runtime comes with, or may come with, as messages that these use do."""
         return self.declared.bringer(RUNTIMES, runs=True)
+
+    @property
+    def generators_bringer(self) -> Bringer | None:
+        """The dependency that is declared for building and certainly brings the generators, on the build farm too."""
+        bringer = self.declared.brings.bringer_among(GENERATORS, self.declared.brings.brought_with(BUILDS))
+        return bringer if bringer is not None and bringer.is_certain else None
 
     def declares(self, name: str) -> bool:
         """Return whether package.xml names a package, be it in a way that another rule reports."""

@@ -46,7 +46,8 @@ def without(line: str) -> Example:
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "the group is there: the package builds wherever ROS is installed with its generators",
-        Severity.INFO: "the runtime comes with a declared dependency, or with generators in its place",
+        Severity.INFO: "the generators or the runtime come with a declared dependency, or the runtime with generators "
+        "in its place",
     },
     examples=(
         without("  <member_of_group>rosidl_interface_packages</member_of_group>\n"),
@@ -69,7 +70,9 @@ def missing_interface_group(package: InterfacePackage) -> Iterator[Hit]:
     ## When it is quiet
     Interfaces that are not installed (SKIP_INSTALL) or built for tests alone need neither the runtime nor the group,
     and SKIP_GROUP_MEMBERSHIP_CHECK needs no group. Where a declared dependency certainly brings the runtime, as
-    std_msgs and generators that are declared to run do, it is an info.
+    std_msgs and generators that are declared to run do, it is an info. So are generators that certainly come with a
+    dependency that is declared for building: another package of messages with
+    `<depend>rosidl_default_generators</depend>`, for instance.
 
     ## References
     - [Interfaces, package.xml](https://docs.ros.org/en/rolling/Tutorials/Beginner-Client-Libraries/Custom-ROS2-Interfaces.html)
@@ -81,17 +84,17 @@ def missing_interface_group(package: InterfacePackage) -> Iterator[Hit]:
         message = f"interfaces are generated and the group is missing: CMake stops at the first of them; add `{line}`"
         edits = (*upgrade, add_element(manifest, "member_of_group", line, GROUP))
         yield Hit(manifest.path, manifest.name_span, message, fix=Fix("Add the group of interface packages", edits))
-    bringer = package.runtime_bringer if package.installs else None
-    harm_to_users = comes_with(bringer) if bringer else "users of the package can't use its messages"
-    for tag, names, harm, level in (
-        ("buildtool_depend", GENERATORS, "on a clean machine `find_package` fails", Severity.WARNING),
-        ("exec_depend", RUNTIMES, harm_to_users, Severity.INFO if bringer else Severity.WARNING),
+    for tag, names, harm in (
+        ("buildtool_depend", GENERATORS, "on a clean machine `find_package` fails"),
+        ("exec_depend", RUNTIMES, "users of the package can't use its messages"),
     ):
         if not package.installs or any(map(package.declares, names)):
             continue
         if names is RUNTIMES and (wrong := package.generators_to_run):
             yield generators_to_run(package, wrong)
             continue
+        bringer = package.runtime_bringer if names is RUNTIMES else package.generators_bringer
+        harm, level = (comes_with(bringer), Severity.INFO) if bringer else (harm, Severity.WARNING)
         message = f"interfaces are generated and `{names[0]}` is not declared: {harm}; add `<{tag}>{names[0]}</{tag}>`"
         fix = Fix(f"Add `{names[0]}`", (add_dependency(manifest, tag, names[0]),))
         yield Hit(manifest.path, manifest.name_span, message, level, fix=fix)
