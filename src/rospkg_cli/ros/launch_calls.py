@@ -49,3 +49,7 @@ ACTIONS = words(TABLE, "actions")
 CONDITIONS = words(TABLE, "conditions")
 SUBSTITUTIONS = words(TABLE, "substitutions")
 OUTPUTS = words(TABLE, "outputs")
+DESCRIPTION_LOADERS = frozenset(
+    f"get_launch_description_from_{kind}_launch_file" for kind in ("python", "frontend", "any")
+)
+"""Functions that return the description of another launch file. (launch/launch_description_sources)"""

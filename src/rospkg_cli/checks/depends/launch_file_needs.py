@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -82,6 +82,17 @@ class LaunchFileNeeds:
             at = file.root.name_span
             yield PackageReference(f"launch_{file.frontend}", file.path, at, "is read by")
 
+    def with_included(self, uses: Iterable[PackageReference]) -> Iterator[PackageReference]:
+        """Yield uses; `only_with` is the argument that must turn it on, also where an included file has it off."""
+        from ..launch.included_defaults import off_when_included  # most packages declare what they launch
+
+        files = {file.path: file for file in self.launch_files}
+        own, included = self.declared.facts.name, self.declared.workspace.included_arguments
+        for use in uses:
+            off = () if use.only_with else off_when_included(files[use.path], own, included)
+            inside = (part.argument for part in off if part.turns_off(use.span, is_late=use.is_late))
+            yield replace(use, only_with=use.only_with or next(inside, ""))
+
 
 def with_conditions(file: LaunchFile) -> Iterator[PackageReference]:
     """Yield what a launch file needs; `only_with` is the argument that must turn it on, where one is off by default.
@@ -93,5 +104,5 @@ def with_conditions(file: LaunchFile) -> Iterator[PackageReference]:
     for use in package_references(file):
         if use.is_late and any(each.contains(use.span) for each in idle):
             continue
-        inside = (part.argument for part in off if part.span.holds(use.span) and (use.is_late or part.is_branch))
+        inside = (part.argument for part in off if part.turns_off(use.span, is_late=use.is_late))
         yield replace(use, only_with=next(inside, ""))

@@ -23,6 +23,7 @@ from .substitution import SubstitutionError, parse_text
 MAX_DEPTH = 8
 HOLDING = ("actions", "entities", "composable_node_descriptions", "on_exit", "on_start", "on_completion", "on_shutdown")
 """Arguments that hold what an action starts, now or later."""
+NONE_INCLUDED: Mapping[str, str] = {}
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,10 +35,18 @@ class OffByDefault:
     is_branch: bool = False
     """Whether Python itself does not run it; else Python makes it, and launch does not visit it."""
 
+    def turns_off(self, span: Span, *, is_late: bool) -> bool:
+        """Return whether a use at a span is not reached: by Python, or by launch, which comes late."""
+        return self.span.holds(span) and (is_late or self.is_branch)
 
-def off_by_default(file: LaunchFile) -> Iterator[OffByDefault]:
-    """Yield what is not done for the defaults of the file's own arguments: actions, entities, branches of Python."""
-    defaults = usual_values(file)
+
+def off_by_default(file: LaunchFile, included: Mapping[str, str] = NONE_INCLUDED) -> Iterator[OffByDefault]:
+    """Yield what is not done for the defaults of the file's arguments: actions, entities, branches of Python.
+
+    Args:
+        included: the defaults of arguments that included files alone declare.
+    """
+    defaults = {**included, **usual_values(file)}
     for call in file.evaluated.calls if file.evaluated else ():
         condition = call.get("condition")
         found = false_call(condition, defaults) if isinstance(condition, Call) else ""

@@ -78,20 +78,20 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
     ## When it is quiet
     What `ros2 launch` needs (launch, launch_ros, rclpy, PyYAML) is there. What a declared dependency certainly installs
     or may bring, as anything may come with a package that is not here, is one info, and so is a program before a node
-    (`xterm -e`) of a launch file that stops without such a package; what only an argument turns on (`sim:=true`), or a
-    variable (`SIM=true`), by a condition or in a branch of Python, is an info that names it, and so is a substitution
-    or action that is bound above and that only such parts read; so are what watches a node (`valgrind`, `xterm -e
-    gdb`), desktop terminals (`gnome-terminal`), packages for examples and launch files called so (`debug.launch.py`),
-    what only launch files need that nothing installs and no page or other file names, what stands in a function that
-    nothing calls or behind `if="false"`, and unknown packages where a `.repos` file lists repositories that are not
-    here, or a README links to theirs, a script or a page clones it, or builds it from a folder that colcon passes by,
-    or that begin like this package and no other, and what another package of the repository declares, or a list or a
-    script of it installs (apt alone), where nothing shows a release, and what launch files for a part need
-    (`simulator.launch.py`) that a page leaves out of a build (`colcon build --packages-up-to arm # without the
-    simulator`), what a page or script calls optional by its name or first word (`## MAVROS (optional)`), and what one
-    of the named distributions lacks. Left out are computed names, uses that catch PackageNotFoundError or ask first
-    (`if 'pkg' in get_packages_with_prefixes()`), files for ROS 1, actions that nothing adds, a name that setup.py marks
-    (SET401), and what modules import (DEP101). What needs this one (a circle) is an info; none, if it declares it.
+    (`xterm -e`) of a launch file that stops without such a package; what only an argument turns on (`sim:=true`, of an
+    included file too), or a variable (`SIM=true`), by a condition or in a branch of Python, is an info that names it,
+    as is a substitution or action that is bound above and only read there; so are what watches a node (`valgrind`,
+    `xterm -e gdb`), desktop terminals (`gnome-terminal`), packages for examples and launch files called so
+    (`debug.launch.py`), what only launch files need that nothing installs and no page or other file names, what stands
+    in a function that nothing calls or behind `if="false"`, and unknown packages where a `.repos` file lists
+    repositories that are not here, or a README links to theirs, a script or page clones it, or builds it from a folder
+    that colcon passes by, or that begin like this package and no other, and what another package of the repository
+    declares, or a list or a script of it installs (apt alone), where nothing shows a release, and what launch files for
+    a part need (`simulator.launch.py`) that a page leaves out of a build (`colcon build --packages-up-to arm # without
+    the simulator`), what a page or script calls optional by name (`## MAVROS (optional)`), and what one of the named
+    distributions lacks. Left out are computed names, uses that catch PackageNotFoundError or ask (`if 'pkg' in
+    get_packages_with_prefixes()`), files for ROS 1, actions that nothing adds, a name that setup.py marks (SET401), and
+    what modules import (DEP101). What needs this one (a circle) is an info; none, if it declares it.
 
     ## Fix safety
     Unsafe where no released package has the name, a named distribution lacks it in format 2 (which has no conditions),
@@ -120,7 +120,7 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
 
 
 def undeclared(launch: LaunchDependencies, tag: str, name: str, uses: list[PackageReference]) -> Hit:
-    uses = sorted(uses, key=lambda use: (bool(use.only_with), launch.idle.is_idle(use)))
+    uses = sorted(launch.needs.with_included(uses), key=lambda use: (bool(use.only_with), launch.idle.is_idle(use)))
     declared, first = launch.declared, uses[0]
     if intended := launch.unknown.intended(name):
         message = f"`{name}` is known nowhere, and this launch file {first.does} it: did you mean `{intended}`?"
