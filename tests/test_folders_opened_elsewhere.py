@@ -51,3 +51,40 @@ def test_the_folder_of_another_package_is_another_one() -> None:
     own = looks.replace("nav2_bringup", "arm")
     found = lint_files({**files, "arm/launch/a.launch.py": own}, ["CMK101"]).findings
     assert [each.severity.value for each in found if "config" in each.message] == ["error"]
+
+
+MAPS = {"arm/maps/hall.yaml": "image: hall.pgm\n", "arm/maps/hall.pgm": "P5 1 1 1 0"}
+COPIES = {"arm/config/hall.yaml": "image: hall.pgm\n", "arm/config/hall.pgm": "P5 1 1 1 0"}
+SHARE = "share = get_package_share_directory('arm')\n"
+
+
+@pytest.mark.parametrize(
+    ("copies", "path", "expected"),
+    [
+        (COPIES, "os.path.join(share, 'config', 'hall.yaml')", "info"),
+        (COPIES, "os.path.join(\n    share,\n    'config',\n    'hall.yaml',\n)", "info"),
+        (COPIES, "share + '/config/hall.yaml'", "info"),
+        (COPIES, "Path(share) / 'config' / 'hall.yaml'", "info"),
+        ({}, "os.path.join(share, 'config', 'hall.yaml')", "warning"),
+        (COPIES, "os.path.join(share, 'maps', 'hall.yaml')", "warning"),
+        (COPIES, "os.path.join(share, folder, 'hall.yaml')", "warning"),
+        (COPIES, "os.path.join(share, 'hall.yaml')", "warning"),
+        ({**COPIES, "arm/hall.yaml": ""}, "os.path.join(share, 'hall.yaml')", "warning"),
+        ({"arm/worlds/maps/hall.yaml": ""}, "share + '/worlds/maps/hall.yaml'", "warning"),
+        (COPIES, "[share + '/config/hall.yaml', share + '/' + part + '/hall.pgm']", "warning"),
+    ],
+)
+def test_a_file_of_that_name_in_another_folder_is_another_one(copies: dict[str, str], path: str, expected: str) -> None:
+    files = {**PACKAGE, **USER, **MAPS, **copies, "user/launch/a.launch.py": f"{SHARE}path = {path}\n"}
+    found = [each for each in lint_files(files, ["CMK101"]).findings if "`maps/`" in each.message]
+    assert [each.severity.value for each in found] == [expected]
+
+
+@pytest.mark.parametrize(
+    ("path", "is_said"), [("/home/ada/ws/src/arm/maps/hall.yaml", True), ("/home/ada/ws/my_arm/maps/hall.yaml", False)]
+)
+def test_a_path_of_another_package_into_the_source(path: str, is_said: bool) -> None:
+    files = {**PACKAGE, **USER, **MAPS, "user/launch/a.launch.py": f"PACKAGE, PATH = 'arm', '{path}'\n"}
+    (found,) = [each for each in lint_files(files, ["CMK101"]).findings if "`maps/`" in each.message]
+    assert found.severity.value == "info"
+    assert ("only another package opens it, in the source folder" in found.message) is is_said

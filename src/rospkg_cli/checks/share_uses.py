@@ -27,6 +27,8 @@ NAMED = (
 """An argument or an entry that has a name: of no folder."""
 LOADED = (".py", ".xml", ".yaml", ".yml", ".launch")
 """What launch may load."""
+SOURCE = r"\bsrc/|(?<![\w.-])(?:/home/|/root/|/Users/|~/)|--params-file[ \t](?!\$)"
+"""How a path begins that leads into a source folder or somebody's home."""
 REACH = 200
 """The most characters of a path before the name of a folder."""
 
@@ -98,13 +100,18 @@ class ShareUses:
     def opens_in_source(self, folder: str) -> bool:
         """Return whether the README or code opens the folder's files where they lie: `src/…/config/a.yaml`."""
         place = re.escape(folder)
-        source = r"\bsrc/|(?<![\w.-])(?:/home/|/root/|/Users/|~/)|--params-file[ \t](?!\$)"
-        written = re.compile(rf"(?:{source})(?![^\s`\"']*/share/)[^\s`]{{0,{REACH}}}\b{place}/")
+        written = re.compile(rf"(?:{SOURCE})(?![^\s`\"']*/share/)[^\s`]{{0,{REACH}}}\b{place}/")
         if any(written.search(text) for text in (*self.readmes, *self.code)):
             return True
         from .repository.started_by_place import is_started_by_place  # what findings alone need
 
         return folder == "launch" and is_started_by_place(self.files, self.name, folder)
+
+    def is_opened_in_source_elsewhere(self, folder: str) -> bool:
+        """Return whether another package has a path into the folder where it lies: `/home/…/src/my_pkg/maps/`."""
+        place = f"{re.escape(self.files.folder.rpartition('/')[2] or self.name)}/{re.escape(folder)}"
+        written = re.compile(rf"(?:{SOURCE})(?![^\s`\"']*/share/)[^\s`\"']{{0,{REACH}}}(?<![\w.-]){place}/")
+        return any(written.search(text) for text in opening_elsewhere(self.files, self.name, self.workspace))
 
     @property
     def code(self) -> Iterable[str]:
@@ -174,4 +181,6 @@ class ShareUses:
             return "only its README or code opens it, in the source folder, which an installed package lacks"
         if self.opens(folder):
             return "what opens it in the share directory is off by default, and does not find it"
+        if self.is_opened_in_source_elsewhere(folder):
+            return "only another package opens it, in the source folder, which an installed package lacks"
         return "nothing in this package or another seems to open it"

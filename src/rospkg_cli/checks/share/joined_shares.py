@@ -54,7 +54,11 @@ class JoinedShares:
 
     def may_join(self, word: re.Pattern[str]) -> bool:
         """Return whether a name is joined to nothing of another package."""
-        return any(self.owner(match.end()) in (self.name, UNKNOWN, None) for match in word.finditer(self.text))
+        return any(self.is_joined_here(match.end()) for match in word.finditer(self.text))
+
+    def is_joined_here(self, at: int) -> bool:
+        """Return whether a name that ends at a place is joined to nothing of another package."""
+        return self.owner(at) in (self.name, UNKNOWN, None)
 
     def owner(self, at: int) -> str | None:
         """Return the package in whose share directory a place names a file; None where it looks up none."""

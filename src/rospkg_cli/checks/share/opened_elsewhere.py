@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from ...files import PackageFiles
 from ...lazy_regex import regex
@@ -20,6 +20,10 @@ CODE = (*CPP, ".py", ".xml", ".yaml", ".yml", ".urdf", ".xacro", ".sdf", ".world
 """The files that may open something at run time."""
 BUILDER, BUILT_FROM = regex(r"\bMoveItConfigsBuilder\s*\("), "config"
 """What looks for its files in this folder by itself."""
+BELOW = regex(r"([\w.-]+)(?:/|/?[\"']\s*[,/+]\s*[\"']/?)$")
+"""The folder that a text joins a file name to: `config/a.yaml`, `'config', 'a.yaml'`, `'config' / 'a.yaml'`."""
+REACH = 100
+"""The most characters from there to the end of the name of the folder."""
 
 
 def opening_elsewhere(files: PackageFiles, package: str, workspace: Workspace) -> Iterator[str]:
@@ -40,7 +44,8 @@ def is_opened_elsewhere(
 
     It names this package and the file or the folder; or it needs this package, and names a file that it lacks itself.
     """
-    if any(opens_folder_of(text, package, folder, paths) for text in opening_elsewhere(files, package, workspace)):
+    twins = twins_of(paths, files)
+    if any(opens_folder_of(text, package, folder, twins) for text in opening_elsewhere(files, package, workspace)):
         return True
     whole = files.whole
     if whole is None:
@@ -48,26 +53,58 @@ def is_opened_elsewhere(
     for facts in workspace.needing(package):
         theirs = PackageFiles(whole.sub(facts.folder), facts.folder, whole)
         own = {posixpath.basename(path) for path in theirs.paths}
-        lacked = [path for path in paths if posixpath.basename(path) not in own]
+        lacked = {name: folders for name, folders in twins.items() if name not in own}
         if any(names_one(live(theirs, path), package, lacked) for path in opening(theirs.paths)):
             return True
     return False
 
 
-def opens_folder_of(text: str, package: str, folder: str, paths: Sequence[str]) -> bool:
+def twins_of(paths: Sequence[str], files: PackageFiles) -> dict[str, frozenset[str]]:
+    """Return the names of some files, each with the names of other folders of the package that have a file of it."""
+    own: dict[str, set[str]] = {}
+    for path in paths:
+        own.setdefault(posixpath.basename(path), set()).add(folder_name(path))
+    others: dict[str, set[str]] = {name: set() for name in own}
+    for path in files.paths:
+        if (name := posixpath.basename(path)) in own and path not in paths:
+            others[name].add(folder_name(path))
+    return {name: frozenset(others[name] - own[name] - {""}) for name in own}
+
+
+def folder_name(path: str) -> str:
+    return posixpath.basename(posixpath.dirname(path))
+
+
+def opens_folder_of(text: str, package: str, folder: str, twins: Mapping[str, Collection[str]]) -> bool:
     """Return whether a text opens a folder of a package, or a file in it: by its place, or by its name alone."""
     if not re.search(rf"(?<![\w-]){re.escape(package)}(?![\w-])", text):
         return False
-    if names_one(text, package, paths) or (folder == BUILT_FROM and BUILDER.search(text)):
+    if names_one(text, package, twins) or (folder == BUILT_FROM and BUILDER.search(text)):
         return True
     return JoinedShares(text, package).join(rf"{re.escape(folder)}[\"'/]")
 
 
-def names_one(text: str, package: str, paths: Sequence[str]) -> bool:
-    """Return whether a text has the name of a file; one joined to the share of another package is that of another."""
-    names = {posixpath.basename(path) for path in paths}
-    words = (re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-]|\.\w)") for name in names if name in text)
-    return any(map(JoinedShares(text, package).may_join, words))
+def names_one(text: str, package: str, twins: Mapping[str, Collection[str]]) -> bool:
+    """Return whether a text has the name of a file; one joined to the share of another package is that of another.
+
+    So is one that is joined to a folder which has a file of that name, too.
+
+    Args:
+        twins: the names, each with the names of such folders.
+    """
+    shares = JoinedShares(text, package)
+    for name, folders in twins.items():
+        word = rf"(?<![\w.-]){re.escape(name)}(?![\w-]|\.\w)" if name in text else ""
+        places = [each for each in re.finditer(word, text) if word and joined_to(text, each.start()) not in folders]
+        if any(shares.is_joined_here(each.end()) for each in places):
+            return True
+    return False
+
+
+def joined_to(text: str, at: int) -> str:
+    """Return the name of the folder that a text joins a file name to, which begins at a place; "" where it does not."""
+    found = BELOW.search(text, max(0, at - REACH), at)
+    return found[1] if found else ""
 
 
 def opening(paths: tuple[str, ...]) -> Iterator[str]:

@@ -70,12 +70,13 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
     source folder (`--params-file src/…/config/a.yaml`), code does so there or in somebody's home, or pages and scripts
     start launch files by their paths alone (`ros2 launch src/…/a.launch.py`), it is an info. It is one, too, where
     neither the package nor another one of the workspace that names it seems to open the folder or a file in it: they
-    may be leftovers, or notes. So is a folder that only actions of launch files open which are off by default, and
-    which no text turns on (`tune:=true`), one that a script, a container or a page copies or mounts into the share
-    directory, and launch files of which each stops at a keyword that Foxy took last (`node_executable=`), where neither
-    pages nor names say that they are for it, and nothing opens them. Launch files are opened by `ros2 launch`, but for
-    those whose names all say `example` or `template`, which people copy, and for a folder that an `install()` in a
-    comment names, where no package opens it and the README does not start it.
+    may be leftovers, or notes, or copies (`config/a.yaml` opens none in `maps/`). So is a folder that only actions of
+    launch files open which are off by default, and which no text turns on (`tune:=true`), one that a script, a
+    container or a page copies or mounts into the share directory, and launch files of which each stops at a keyword
+    that Foxy took last (`node_executable=`), where neither pages nor names say that they are for it, and nothing opens
+    them. Launch files are opened by `ros2 launch`, but for those whose names all say `example` or `template`, which
+    people copy, and for a folder that an `install()` in a comment names, where no package opens it and the README does
+    not start it.
     """
     package, place = folders.package, folders.insertion_call
     if not package.is_ament or place is None:

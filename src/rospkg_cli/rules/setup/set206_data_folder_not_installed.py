@@ -63,10 +63,11 @@ def data_folder_not_installed(uninstalled: UninstalledFiles) -> Iterator[Hit]:
     folder (`--params-file src/…/config/a.yaml`), code does so there or in somebody's home, or pages and scripts start
     launch files by their paths alone (`ros2 launch src/…/a.launch.py`), it is an info. It is one, too, where neither
     the package nor another one of the workspace that names it seems to open the folder or a file in it: they may be
-    leftovers, or notes. So is a folder that only actions of launch files open which are off by default, and which no
-    text turns on (`tune:=true`), one that a script, a container or a page copies or mounts into the share directory,
-    and launch files of which each stops at a keyword that Foxy took last (`node_executable=`), where neither pages nor
-    names say that they are for it, and nothing opens them. Launch files are opened by `ros2 launch`.
+    leftovers, or notes, or copies (`config/a.yaml` opens none in `maps/`). So is a folder that only actions of launch
+    files open which are off by default, and which no text turns on (`tune:=true`), one that a script, a container or a
+    page copies or mounts into the share directory, and launch files of which each stops at a keyword that Foxy took
+    last (`node_executable=`), where neither pages nor names say that they are for it, and nothing opens them. Launch
+    files are opened by `ros2 launch`.
     """
     package, shared = uninstalled.package, uninstalled.shared
     setup = package.setup
