@@ -9,8 +9,9 @@ from ...languages.python.evaluate.values import Call, Constant, Value
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.launch.argument_defaults import literal_defaults
+from ...package.launch.asked_defaults import Defaults
 from ...package.launch.default_conditions import spans_of
-from ...package.launch.default_texts import Defaults, condition_by_default
+from ...package.launch.default_texts import condition_by_default
 from ...package.launch.launch_classes import class_of
 from ...package.launch.launch_file import LaunchFile
 from ...package.launch.plain_values import NotKnownError, truth_of_text

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...languages.python.unreached_functions import unreached_functions
-from ...package.launch.default_texts import FALSE, TRUE
+from ...package.launch.asked_defaults import FALSE, TRUE
 from ...package.launch.entity import Entity
 from ...package.launch.launch_file import LaunchFile
 from ...source import Span

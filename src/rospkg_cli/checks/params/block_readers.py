@@ -45,7 +45,7 @@ class BlockReaders:
 
     def is_given_otherwise(self, path: str, place: Span) -> bool:
         """Return whether every launch file that passes a file on gives the parameter at a place another value."""
-        from .launch_overrides import is_overridden  # few packages have something to ask it of
+        from .launch_overrides import is_overridden  # few packages need it
 
         return is_overridden(path, place, self.launched.files, self.launched.launches)
 
@@ -56,7 +56,7 @@ class BlockReaders:
 
     def is_unopened(self, file: ParameterFile) -> bool:
         """Return whether nothing names a file, or launch files give it only to nodes that are never started."""
-        from .ignored_files import is_ignored  # few packages have something to ask it of
+        from .ignored_files import is_ignored  # few packages need it
 
         given = self.given(file)
         is_dead = bool(given) and not any(map(self.is_met, given)) and self.is_only_given(file, given)
@@ -86,7 +86,7 @@ class BlockReaders:
 
     def is_asleep(self, each: NodeArguments, block: NodeBlock) -> bool:
         """Return whether a node would read a block, and nothing configures it."""
-        from .unmanaged_nodes import is_unmanaged  # few packages have something to ask it of
+        from .unmanaged_nodes import is_unmanaged  # few packages need it
 
         is_named = last(block) == each.usual_name and not any(one.name == AUTOSTART for one in block.parameters)
         return is_named and is_unmanaged(each, self.launched)

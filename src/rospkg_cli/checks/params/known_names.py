@@ -38,7 +38,7 @@ def unknown_of(group: KnownGroup) -> Iterator[LaunchedName]:
         is_removed = any(one.fits(each.name) for one in group.removed)
         near = list(intended_names(each, group)) if is_owner or is_removed or "/" in each.name else []
         if len(near) == 1:
-            from .switched_off import why_off  # few packages have something to ask it of
+            from .switched_off import why_off  # few packages need it
 
             names = each.name, near[0], is_removed, group.file, group.is_certain
             same = same_as_default(each.plain, near[0], known_defaults(group.packages, near[0]))

@@ -21,16 +21,15 @@ from ...unreadable import READABLE
 from ..fault import Fault, softer_advice
 from ..opening_places import OpeningPlaces
 from ..paths.closest_path import closest_path
-from ..repository.left_to_people import UNTIL_NAMED, files_of, why_left
+from ..repository.left_to_people import files_of, why_left
 from ..yaml_elsewhere import is_named_yaml
 from .launch_overrides import is_overridden
+from .map_images import MAP, image_faults, why_replaced
 from .path_readers import PathReaders
 
 if TYPE_CHECKING:
     from .opened_maps import OpenedMaps
 
-MAP = regex(r"^resolution[ \t]*:[\s\S]*^origin[ \t]*:|^origin[ \t]*:[\s\S]*^resolution[ \t]*:", re.MULTILINE)
-IMAGE = regex(r"^image[ \t]*:[ \t]*[\"']?([\w][\w ./-]*\.\w+)[\"']?[ \t]*(?:#.*)?\r?$", re.MULTILINE)
 UNOPENED = "as soon as something here opens this file"
 UNTAKEN = "and what names the map here asks for other keys of it alone"
 UNREAD = "and neither code here nor a well-known node is shown to read it by this key"
@@ -56,37 +55,17 @@ class NamedFiles:
         for path in self.files.paths:
             if path.endswith((".yaml", ".yml")) and role_of(path) not in ("test", "aside") and not is_set_aside(path):
                 text = self.files.readable_text(path)
-                found = self.of_map(path, text) if MAP.search(text) else self.of_parameters(path, text)
+                found = (
+                    image_faults(self.files, self.package, path, text)
+                    if MAP.search(text)
+                    else self.of_parameters(path, text)
+                )
                 for fault in found:
                     why = "" if fault.level == "info" else self.why_unmet(path, text, fault)
                     if not why:
                         yield path, fault
                     elif not self.package.name.endswith(("_test", "_tests")):
                         yield path, softer_advice(fault, "info", why)
-
-    def of_map(self, path: str, text: str) -> Iterator[Fault]:
-        """Yield the image of a map, which map_server looks for in the folder of the map."""
-        found = IMAGE.search(text)
-        image = posixpath.normpath(posixpath.join(posixpath.dirname(path), found[1].strip())) if found else ".."
-        if (
-            found is None
-            or image.startswith("..")
-            or self.files.is_there(image)
-            or self.files.absent.is_expected(image)
-        ):
-            return
-        if self.package.may_write(image):
-            return
-        from .made_files import why_made  # few packages have something to ask it of
-
-        near = closest_path(image, [each for each in self.files.paths if posixpath.splitext(each)[1] in IMAGES])
-        message = f"the map names its image `{found[1].strip()}`, and it is not there: map_server can't load the map"
-        hint = posixpath.relpath(near, posixpath.dirname(path) or ".") if near else ""
-        hint = f"did you mean `{hint}`?" if hint else "add it, or correct it"
-        left = "" if near else self.left(self.package, image) or why_made(image, self.files.paths)
-        left = left or why_replaced(text, found.start(1))
-        fault = Fault(Span(*found.span(1)), f"{message}; {hint}")
-        yield softer_advice(fault, "info", left) if left else fault
 
     def of_parameters(self, path: str, text: str) -> Iterator[Fault]:
         """Yield the files below a share directory; launch may set what it names, so that is an info."""
@@ -148,13 +127,3 @@ class NamedFiles:
         """Return whether a YAML file is not left out of what is installed, and something may name it."""
         is_left = self.package.knows("share_files") and path in self.package.uninstalled
         return not is_left and is_named_yaml(path, self.package, self.workspace)
-
-
-def why_replaced(text: str, place: int) -> str:
-    """Return that a comment next to a name asks the user to replace it; "" where none does."""
-    from ..python.left_blank import is_to_be_replaced  # few packages miss a file
-
-    return UNTIL_NAMED if is_to_be_replaced(text, place) else ""
-
-
-IMAGES = frozenset({".pgm", ".png", ".bmp", ".jpg"})

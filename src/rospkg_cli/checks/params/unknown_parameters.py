@@ -84,7 +84,7 @@ class UnknownParameters:
 
     def why_unread(self, owners: Iterable[PackageFacts | None], name: str) -> str:
         """Return that no code of this package uses a parameter, where it alone declares it; "" where some may."""
-        from .unread_parameters import is_unread_by  # few packages have something to ask it of
+        from .unread_parameters import is_unread_by  # few packages need it
 
         reads = self.reads
         is_own = bool(name) and all(each is not None and each.folder == reads.package.folder for each in owners)
@@ -100,14 +100,14 @@ class UnknownParameters:
 
     def may_read(self, owner: PackageFacts | None, name: str, intended: str) -> str:
         """Return that code of this package may read the name, where the package declares it; else ""."""
-        from .open_code import OpenCode  # few packages have something to ask it of
+        from .open_code import OpenCode  # few packages need it
 
         is_own = owner is not None and owner.folder == self.reads.package.folder and bool(intended)
         return MAY if is_own and OpenCode(self.reads).may_read(name, intended) else ""
 
     def hint(self, owner: PackageFacts | None, name: str, intended: str, path: str) -> str:
         """Return a hint on an unknown name: the intended one, or that the tests of the declaring package use it too."""
-        from .names_in_tests import is_in_tests  # few packages have something to ask it of
+        from .names_in_tests import is_in_tests  # few packages need it
 
         if owner is not None and is_in_tests(self.files, owner, name, intended, path):
             return f"the tests of `{owner.name}` have `{name}` too, so that its `{intended}` may be the slip"

@@ -51,7 +51,7 @@ class NodeBlocks:
 
     def why_not_sure(self, file: ParameterFile, block: NodeBlock, nodes: list[NodeArguments]) -> str:
         """Return how another node may read a block than those that lack one; "" where none can."""
-        from .sure_blocks import SureBlocks  # few packages have something to ask it of
+        from .sure_blocks import SureBlocks  # few packages need it
 
         return SureBlocks(self.launched, self.uses.files).why_not(file, block, nodes)
 

@@ -9,8 +9,8 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import functions_of, last_name, nodes_below, nodes_of
 from ...ros.distros import DISTROS
 from ...source import Span
+from .asked_defaults import FALSE, TRUE, Defaults
 from .default_helpers import Helpers, helpers_in, value_of_call
-from .default_texts import FALSE, TRUE, Defaults
 from .exception_guards import blocks_of, leaves
 from .plain_values import NotKnownError, plain_value
 

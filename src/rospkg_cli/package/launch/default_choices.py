@@ -8,9 +8,9 @@ from collections.abc import Iterator, Mapping
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import functions_of, nodes_below, nodes_of_kind
 from ...source import Span
+from .asked_defaults import Defaults
 from .default_branches import Values, bound_once, span_of
 from .default_helpers import helpers_in
-from .default_texts import Defaults
 from .plain_values import NotKnownError, plain_value
 
 Choice = tuple[Span, str, bool]

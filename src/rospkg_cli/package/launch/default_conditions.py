@@ -11,9 +11,10 @@ from ...languages.python.evaluate.values import Call, Function, Sequence, Value
 from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...source import Span
+from .asked_defaults import Defaults
 from .default_branches import untaken_branches
 from .default_choices import untaken_choices
-from .default_texts import Defaults, condition_by_default, text_by_default, truth_of
+from .default_texts import condition_by_default, text_by_default, truth_of
 from .entity import Entity
 from .launch_classes import class_of
 from .launch_file import LaunchFile

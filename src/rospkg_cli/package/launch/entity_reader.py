@@ -1,22 +1,18 @@
-"""Make a launch file of entities: the same for XML and YAML."""
+"""Read the entities of an XML or YAML launch file: nodes, includes, arguments, commands."""
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Iterator
 
 from ...languages.located_text import LocatedText
 from ...languages.syntax_problem import SyntaxProblem
 from ...light_dataclasses import dataclass, field
 from ...ros.launch_entities import ACTIONS
-from ...source import Source, Span
+from ...source import Span
 from .argument_defaults import literal_defaults
 from .entity import Entity
-from .entity_events import xml_events
 from .file_references import FileReference, ReferenceKind, references_in
-from .launch_file import Frontend, LaunchFile
 from .launched_parts import Command, DeclaredArgument, Include, LaunchedNode, NodeKind, NodeParameters
-from .ros1 import is_named_ros1, is_ros1
 from .substitution import SubstitutionError, parse_text
 from .text import LaunchText, Literal, plain_text, unknown_text
 
@@ -154,23 +150,3 @@ def joined(names: list[LaunchText]) -> LaunchText:
     for name in names[1:]:
         parts += [Literal(".", name.span), *name.parts]
     return LaunchText(Span(names[0].span.start, names[-1].span.end), tuple(parts))
-
-
-def launch_file(source: Source, frontend: Frontend, root: Entity, problems: list[SyntaxProblem]) -> LaunchFile:
-    visitor = EntityVisitor(problems)
-    visitor.visit(root, True)
-    return LaunchFile(
-        source,
-        frontend,
-        tuple(visitor.nodes),
-        tuple(visitor.includes),
-        tuple(visitor.arguments),
-        tuple(visitor.commands),
-        tuple(found for text in visitor.texts for found in text.substitutions()),
-        tuple(visitor.assigned),
-        every_path=tuple(dict.fromkeys(visitor.paths(posixpath.dirname(source.path)))),
-        events=xml_events(root),
-        is_ros1=is_named_ros1(source.path) or is_ros1(root),
-        root=root,
-        syntax_problems=tuple(visitor.problems),
-    )
