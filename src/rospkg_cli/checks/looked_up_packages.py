@@ -10,7 +10,7 @@ from ..languages.python.nodes import last_name, nodes_of, nodes_of_kind
 from ..lazy_regex import regex
 from ..light_dataclasses import dataclass, replace
 from ..package.file_role import role_of
-from ..package.launch.exception_guards import asked_in
+from ..package.launch.asked_packages import asked_in
 from ..package.workspace import Workspace
 from ..ros.names import NameKind
 from ..source import Span

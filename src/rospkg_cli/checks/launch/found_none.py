@@ -8,7 +8,7 @@ from fnmatch import fnmatchcase
 
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import last_name, nodes_of, nodes_of_kind
-from ...package.launch.default_branches import bound_once
+from ...package.launch.default_expressions import bound_once
 from ...source import Span
 from ..paths.logged_texts import is_log
 from .searched_folders import Names, parts_of, searched_in

@@ -9,7 +9,8 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import functions_of, nodes_below, nodes_of_kind
 from ...source import Span
 from .asked_defaults import Defaults
-from .default_branches import Values, bound_once, span_of
+from .default_branches import span_of
+from .default_expressions import Values, bound_once
 from .default_helpers import helpers_in
 from .plain_values import NotKnownError, plain_value
 

@@ -10,10 +10,11 @@ from ...languages.python.file import Import, PythonFile
 from ...languages.syntax_problem import SyntaxProblem
 from ...light_dataclasses import dataclass
 from ...source import Source, Span
+from .asked_packages import asked_in
 from .configuration_events import LaunchEvent
 from .entity import Entity
 from .evaluated_launch import EvaluatedLaunch
-from .exception_guards import asked_in, guarded_in
+from .exception_guards import guarded_in
 from .file_references import FileReference
 from .launched_parts import Command, DeclaredArgument, Include, LaunchedNode
 from .text import LaunchText, Substitution
