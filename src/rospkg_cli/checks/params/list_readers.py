@@ -11,7 +11,7 @@ from ...source import Span
 from .block_readers import BlockReaders, may_read
 from .mistyped_blocks import WILD, last
 from .node_parameters import NodeArguments
-from .parameter_file_use import ParameterFileUse
+from .parameter_file_use import ParameterFileUse, is_in_python
 
 UNSHOWN = "where a C++ node reads the block, as nothing here shows"
 
@@ -40,7 +40,7 @@ class ListReaders:
     def is_native(self, package: str, executable: str) -> bool:
         """Return whether a node is taken to be in C++: a component is, no program of a strange package may be."""
         is_known = package == "" or self.use.workspace.kind_of(package) is NameKind.PACKAGE
-        return (is_known or "::" in executable) and not self.use.is_python(package, executable)
+        return (is_known or "::" in executable) and not is_in_python(package, executable, self.use.workspace)
 
     def is_given_elsewhere(self) -> bool:
         """Return whether a launch file of another package gives the file to a node in C++, whatever that is called."""

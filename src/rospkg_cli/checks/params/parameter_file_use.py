@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -20,12 +19,10 @@ from ...ros.share_layout import LAUNCH
 from ...source import Span
 from ..fault import Level
 from ..yaml_elsewhere import is_named_elsewhere, is_of_another
+from .parameter_file_names import STARTING, may_name, named_in, names_file
 from .rewritten_yaml import is_replaced, is_written_out
 
-STARTING = regex(r"\.(?:py|xml|launch|launch\.ya?ml|sh|bash|[ch]pp|cc|service)$")
-"""Files that give parameter files to nodes."""
 PARSES = regex(r"\bYAML\s*\(|\byaml\.load|\b(?:safe|full|unsafe)_load\s*\(")
-DOCS = regex(r"\.(?:md|rst|txt)$")
 SHOWN = regex(r"(?:^|[_.-])(?:examples?|samples?|templates?)[_.-]")
 """How a file is called that is there to be copied."""
 CONTROLLERS, MOVEIT = "ros2_controllers.yaml", "moveit_configs_utils"
@@ -82,13 +79,7 @@ class ParameterFileUse:
         if not readers:
             blocks = self.file.blocks
             return bool(blocks) and all(each.name.rpartition("/")[2] in PYTHON_PACKAGES for each in blocks)
-        return all(self.is_python(*each) for each in readers)
-
-    def is_python(self, package: str, executable: str) -> bool:
-        facts = self.workspace.named(package)
-        if executable.endswith(".py") or (facts is not None and facts.build_type == "ament_python"):
-            return True
-        return facts is None and is_python_package(package)
+        return all(is_in_python(*each, self.workspace) for each in readers)
 
     @property
     def is_parsed_by_launch(self) -> bool:
@@ -129,15 +120,9 @@ class ParameterFileUse:
 
     def naming(self, path: str) -> str:
         """Return the text of a file that names this one, "" of any other; a node may be called like its file."""
-        name = self.file.path.rpartition("/")[2]
-        stem = re.escape(name.rpartition(".")[0])
-        if DOCS.search(path):
-            found = re.search(rf"params[-_]file\S*[ \t]*\S*{re.escape(name)}", self.read(path))
-            return self.read(path) if found else ""
-        text = self.read(path) if STARTING.search(path) else ""
-        is_named = re.search(rf"[\"'/]{stem}\.", text) is not None
-        in_parts = ANY in self.package.named_yaml and re.search(rf"[\"'/]{stem}[\"']", text) is not None
-        return text if is_named or in_parts else ""
+        text = self.read(path) if may_name(path) else ""
+        name, in_parts = self.file.path.rpartition("/")[2], ANY in self.package.named_yaml
+        return text if text and names_file(name, path, text, in_parts=in_parts) else ""
 
     def is_for_moveit(self, name: str) -> bool:
         """Return whether the launch files that MoveIt makes give the file to ros2_control, by its usual name."""
@@ -181,7 +166,9 @@ class ParameterFileUses:
         return ParameterFileUse(file, self.workspace, self.package, self.files, self.table)
 
 
-def named_in(folder: str, name: str, text: str) -> bool:
-    """Return whether a text names a file together with its folder, as one path or in parts."""
-    parts = rf"\b{re.escape(posixpath.basename(folder))}[\"'/,\s]+{re.escape(name.rpartition('.')[0])}\b"
-    return re.search(parts, text) is not None
+def is_in_python(package: str, executable: str, workspace: Workspace) -> bool:
+    """Return whether a node is in Python, by the name of its program or by its package."""
+    facts = workspace.named(package)
+    if executable.endswith(".py") or (facts is not None and facts.build_type == "ament_python"):
+        return True
+    return facts is None and is_python_package(package)
