@@ -22,7 +22,8 @@ from rospkg_cli.change.judge import judge
 from rospkg_cli.cli.change.place import ChangePlace, place_of
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.discovery.discover import packages_below
-from rospkg_cli.engine.run.session import Results, Scope
+from rospkg_cli.engine.run.results import Results
+from rospkg_cli.engine.run.scope import Scope
 from rospkg_cli.light_dataclasses import replace
 from rospkg_cli.package.install_table import InstallTable
 from rospkg_cli.package.manifest import Manifest

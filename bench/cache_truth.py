@@ -22,7 +22,8 @@ from typing import Any
 
 from rospkg_cli import disk_trace
 from rospkg_cli.__main__ import main as rospkg
-from rospkg_cli.engine.run.worker import PackageResults, Worker
+from rospkg_cli.engine.run.package_results import PackageResults
+from rospkg_cli.engine.run.worker import Worker
 from rospkg_cli.rule import all_rules
 
 ARGUMENTS = ["lint", ".", "--format", "json", "--pedantic", "--release", "--preview", "--jobs", "1"]

@@ -13,7 +13,8 @@ import yaml
 
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.discovery.discover import packages_below
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.scaffold.answers import Request

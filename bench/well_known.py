@@ -19,7 +19,8 @@ from pathlib import Path
 from bench.tables import Origin, Revision, write
 from bench.well_known_renames import ON_PATH, RENAMED, REPOSITORIES, VOUCHED
 from rospkg_cli.engine.discovery.discover import packages_in
-from rospkg_cli.engine.run.session import Pool, Scope
+from rospkg_cli.engine.run.pool import Pool
+from rospkg_cli.engine.run.scope import Scope
 from rospkg_cli.package.package_facts import PackageFacts
 from rospkg_cli.package.rule_settings import RuleSettings
 from rospkg_cli.ros.distros import DISTROS, Targets

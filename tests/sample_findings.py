@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from random import Random
 
-from rospkg_cli.engine.run.session import Results
+from rospkg_cli.engine.run.results import Results
 from rospkg_cli.finding import Edit, Finding, Fix, Location, Safety, Severity
 from rospkg_cli.source import Span
 

@@ -16,8 +16,10 @@ from rospkg_cli.edits.undeclared_hits import related
 from rospkg_cli.engine.discovery import discover, exclusions, incomplete_workspace, listed_repositories
 from rospkg_cli.engine.fixing import remove_leftovers
 from rospkg_cli.engine.run import run_rules
+from rospkg_cli.engine.run.pool import SERIAL_BELOW, Pool
 from rospkg_cli.engine.run.process_pool import asked_of_the_disk
-from rospkg_cli.engine.run.session import SERIAL_BELOW, Pool, Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.engine.suppression import comments, file_head
 from rospkg_cli.engine.suppression.insert_ignores import ignore_comments
 from rospkg_cli.example import manifest

@@ -14,7 +14,8 @@ from rospkg_cli.change.judge import judge, refuse_new
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.fixing.write import WriteError
 from rospkg_cli.engine.fixing.write_all import write_all
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.example import manifest
 from rospkg_cli.fence import Fence

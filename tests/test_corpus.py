@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.disk import DiskTree
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.report import Report, render
 

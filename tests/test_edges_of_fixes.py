@@ -15,7 +15,7 @@ from rospkg_cli.checks.setup.python_package import PythonPackage
 from rospkg_cli.edits.entry_points import separate_with_commas
 from rospkg_cli.engine.fixing.apply import apply_fixes
 from rospkg_cli.engine.run import process_pool
-from rospkg_cli.engine.run.session import Scope
+from rospkg_cli.engine.run.scope import Scope
 from rospkg_cli.example import BACKDROPS, CMAKE, manifest, scripts, setup_py
 from rospkg_cli.package.setup.setup_py import SetupPy
 from rospkg_cli.ros.distros import Targets

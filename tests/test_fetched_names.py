@@ -12,7 +12,8 @@ from small_rosdistro import DISTROS
 from rospkg_cli.cli import UsageError
 from rospkg_cli.cli.new.run import new
 from rospkg_cli.engine.discovery.incomplete_workspace import missing_packages
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.example import BACKDROPS, existing_files, manifest
 from rospkg_cli.finding import Finding, Severity
 from rospkg_cli.index.cache import cache_index

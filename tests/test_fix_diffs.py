@@ -14,7 +14,8 @@ from rospkg_cli.cli.diff import unified
 from rospkg_cli.engine.discovery.cmake_projects import cmake_projects_in
 from rospkg_cli.engine.discovery.discover import packages_in, repositories_in
 from rospkg_cli.engine.fixing.fix import fix_all
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.example import Example
 from rospkg_cli.finding import Safety
 from rospkg_cli.ros.distros import Targets

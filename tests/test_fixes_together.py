@@ -8,7 +8,8 @@ import pytest
 
 from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.fixing.fix_results import FixResults
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest
 from rospkg_cli.finding import Safety
 from rospkg_cli.tree import MemoryTree

@@ -13,7 +13,7 @@ import jsonschema
 import pytest
 from junitparser import JUnitXml
 
-from rospkg_cli.engine.run.session import Results
+from rospkg_cli.engine.run.results import Results
 from rospkg_cli.report import FORMATS, Report, render
 from rospkg_cli.report.fingerprint import fingerprints
 from rospkg_cli.rule import all_rules

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from lxml import html
 
-from rospkg_cli.engine.run.session import Results
+from rospkg_cli.engine.run.results import Results
 from rospkg_cli.finding import Chmod, Create, Delete, Edit, Finding, Fix, Location, Move, Severity
 from rospkg_cli.light_dataclasses import replace
 from rospkg_cli.report import Report, render

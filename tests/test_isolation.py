@@ -18,8 +18,10 @@ from rospkg_cli.disk_trace import MAX_BYTES
 from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run import worker
 from rospkg_cli.engine.run.process_pool import ProcessPool
+from rospkg_cli.engine.run.results import Results
 from rospkg_cli.engine.run.run_rules import MAX_HITS
-from rospkg_cli.engine.run.session import Results, Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.finding import Delete, Edit, Fix, Hit, Safety
 from rospkg_cli.package import readers
 from rospkg_cli.package.manifest import Manifest

@@ -13,15 +13,12 @@ from test_cache_truth import add, edit
 
 from rospkg_cli import disk_trace
 from rospkg_cli.cache.kept_file import load, save
+from rospkg_cli.engine.reuse.answer_digests import METHODS, AnswerDigests
 from rospkg_cli.engine.reuse.plain import ENUMS, KINDS, digest_of, from_plain, to_plain
-from rospkg_cli.engine.reuse.recorded_workspace import (
-    GIVEN,
-    METHODS,
-    AnswerDigests,
-    RecordedFacts,
-    RecordedWorkspace,
-)
-from rospkg_cli.engine.run.worker import PackageResults, Worker
+from rospkg_cli.engine.reuse.recorded_facts import RecordedFacts
+from rospkg_cli.engine.reuse.recorded_workspace import GIVEN, RecordedWorkspace
+from rospkg_cli.engine.run.package_results import PackageResults
+from rospkg_cli.engine.run.worker import Worker
 from rospkg_cli.example import manifest
 from rospkg_cli.finding import Finding
 from rospkg_cli.light_dataclasses import field_names

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.engine.discovery.incomplete_workspace import missing_packages
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.example import CMAKE, SETUP_CFG, SETUP_PY, manifest
 from rospkg_cli.package.missing_repositories import is_called
 from rospkg_cli.ros.distros import Targets

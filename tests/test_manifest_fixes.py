@@ -13,7 +13,8 @@ from rospkg_cli.edits.manifest_format import to_format_3
 from rospkg_cli.edits.manifest_tags import remove_attribute, rename_tag, set_attribute, set_text
 from rospkg_cli.engine.fixing.apply import edited
 from rospkg_cli.engine.fixing.fix import fix_all
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.example import manifest
 from rospkg_cli.finding import Edit, Safety
 from rospkg_cli.package.manifest import Manifest, manifest_of

@@ -10,7 +10,8 @@ from rospkg_cli.edits.launch_file import import_name, pass_through
 from rospkg_cli.edits.manifest import add_dependency
 from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.fixing.fix_results import FixResults
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.example import BACKDROPS, CMAKE, SETUP_PY, existing_files, manifest, scripts, setup_py
 from rospkg_cli.files import PackageFiles
 from rospkg_cli.finding import Safety

@@ -6,7 +6,8 @@ import pytest
 
 from rospkg_cli.engine.discovery.discover import packages_in
 from rospkg_cli.engine.fixing.fix import fix_all
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.finding import Safety
 from rospkg_cli.testing import lint_files

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.example import manifest
 from rospkg_cli.ros.distros import Targets
 from rospkg_cli.tree import MemoryTree

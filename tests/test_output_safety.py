@@ -15,7 +15,7 @@ from markdown_it import MarkdownIt
 
 from rospkg_cli.cli.diff import diff
 from rospkg_cli.control_characters import in_json, visible, visible_lines, without_workflow_commands
-from rospkg_cli.engine.run.session import Results
+from rospkg_cli.engine.run.results import Results
 from rospkg_cli.finding import Edit, Finding, Fix, Location, Severity
 from rospkg_cli.report import FORMATS, Report, render
 from rospkg_cli.source import Source, Span

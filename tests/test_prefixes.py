@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from rospkg_cli.engine.discovery.installed_packages import installed_package_names
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.example import BACKDROPS, existing_files, manifest
 from rospkg_cli.tree import MemoryTree
 

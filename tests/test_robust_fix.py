@@ -16,7 +16,9 @@ from in_process import run_here as rospkg
 from rospkg_cli.disk import DiskTree
 from rospkg_cli.engine.fixing.fix import fix_all
 from rospkg_cli.engine.run import worker
-from rospkg_cli.engine.run.session import Results, Scope, Session
+from rospkg_cli.engine.run.results import Results
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.example import scripts
 from rospkg_cli.finding import Edit, Fix, Hit, Safety

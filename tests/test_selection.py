@@ -10,7 +10,7 @@ from rospkg_cli.config.file import find_config
 from rospkg_cli.config.hierarchy import ConfigTree
 from rospkg_cli.engine.config_filter import ConfigFilter
 from rospkg_cli.engine.discovery.exclusions import Exclusions
-from rospkg_cli.engine.run.session import Scope
+from rospkg_cli.engine.run.scope import Scope
 from rospkg_cli.engine.selection import Selection
 from rospkg_cli.engine.suppression.config_rule_names import rule_name_events
 from rospkg_cli.finding import Finding, Severity

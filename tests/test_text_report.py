@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from in_process import run_here as rospkg
 
-from rospkg_cli.engine.run.session import Results
+from rospkg_cli.engine.run.results import Results
 from rospkg_cli.finding import Edit, Finding, Fix, Location, Safety, Severity
 from rospkg_cli.report import Report, render
 from rospkg_cli.report.short_message import clauses, short_message

@@ -20,7 +20,7 @@ def test_what_stands_behind_an_unreadable_build_file_is_an_info(path: str) -> No
     found = {each.code: each for each in lint_files(files, ["RPK001", "DEP118"]).findings}
     assert found["RPK001"].severity.value == "error"
     assert found["DEP118"].severity.value == "info"
-    assert found["DEP118"].message.endswith(f"; nobody comes here before `{path}` can be read")
+    assert found["DEP118"].message.endswith(f"; this matters only once `{path}` can be read")
 
 
 @pytest.mark.parametrize("more", [{}, {"scripts/setup.py": "def (:\n"}, {"config/a.yaml": "a: [\n"}])

@@ -7,7 +7,8 @@ from test_fetched_names import INDEX, need
 
 from rospkg_cli.checks.depends.similar_names import SimilarNames
 from rospkg_cli.engine.discovery.incomplete_workspace import MissingPackages, missing_packages
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.example import BACKDROPS, existing_files, manifest
 from rospkg_cli.finding import Finding
 from rospkg_cli.package.missing_repositories import may_hold

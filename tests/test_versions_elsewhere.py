@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.example import BACKDROPS, existing_files
 from rospkg_cli.rules.interfaces import idl010_unknown_field as idl010
 from rospkg_cli.rules.interfaces import idl011_unknown_interface_import as idl011

@@ -16,7 +16,8 @@ import rospkg_cli
 from rospkg_cli.checks.urdf.named_with_folder import NamedWithFolder
 from rospkg_cli.checks.urdf.opened_robots import OpenedRobots
 from rospkg_cli.disk import DiskTree
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.languages.cmake import file as cmake_file

@@ -11,7 +11,8 @@ from planned import plan
 from working_trees import PUT, folders_of
 
 from rospkg_cli.disk import DiskTree
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.engine.selection import EVERYTHING
 from rospkg_cli.example import BACKDROPS, existing_files
 from rospkg_cli.rule import Rule, all_rules

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.engine.run.session import Scope, Session
+from rospkg_cli.engine.run.scope import Scope
+from rospkg_cli.engine.run.session import Session
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.testing import lint_files
 from rospkg_cli.tree import MemoryTree

@@ -147,6 +147,11 @@ class Finding:
     """Whether the config or a baseline suppresses it, not a comment in the file."""
 
     @property
+    def is_loud(self) -> bool:
+        """Whether it is a warning or an error."""
+        return self.severity is not Severity.INFO
+
+    @property
     def fix_options(self) -> str:
         """The options of `rospkg lint` that apply the fix; "" where there is none."""
         if self.fix is None:

@@ -11,7 +11,9 @@ from .cli.lint.lint_options import LintOptions, ReportOptions
 from .cli.lint.run import lint_to
 from .engine.discovery.cmake_projects import cmake_projects_in
 from .engine.discovery.discover import packages_in, repositories_in
-from .engine.run.session import Results, Scope, Session
+from .engine.run.results import Results
+from .engine.run.scope import Scope
+from .engine.run.session import Session
 from .engine.selection import EVERYTHING
 from .ros.distros import Targets
 from .tree import MemoryTree, TreeEntry

@@ -10,7 +10,7 @@ import pytest
 from chromium import Browser, started_browser
 from sample_findings import forty
 
-from rospkg_cli.engine.run.session import Results
+from rospkg_cli.engine.run.results import Results
 from rospkg_cli.graph.as_html import as_html
 from rospkg_cli.graph.workspace_graph import GraphEdge, GraphNode, WorkspaceGraph
 from rospkg_cli.light_dataclasses import replace

@@ -6,7 +6,8 @@ from collections import Counter
 from collections.abc import Callable, Iterable
 
 from ..engine.fixing.overlay import Overlay
-from ..engine.run.session import Results, Session
+from ..engine.run.results import Results
+from ..engine.run.session import Session
 from ..finding import Finding, Severity
 from ..light_dataclasses import dataclass, replace
 from . import ChangeError

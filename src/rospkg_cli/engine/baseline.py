@@ -13,7 +13,7 @@ from ..disk_trace import read
 from ..finding import Finding
 from ..light_dataclasses import replace
 from ..user_error import UserError
-from .run.session import Results
+from .run.results import Results
 
 SCHEMA = 1
 REASON = "in the baseline"

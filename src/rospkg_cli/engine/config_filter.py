@@ -15,7 +15,9 @@ from ..light_dataclasses import dataclass, field, replace
 from ..package.run_events import UnknownRuleName, UnusedSuppression
 from .discovery.exclusions import Exclusions
 from .run.codes_of_packages import enclosing_folder
-from .run.session import Results, Scope, Session
+from .run.results import Results
+from .run.scope import Scope
+from .run.session import Session
 from .selection import codes_named
 
 

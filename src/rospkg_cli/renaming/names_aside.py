@@ -7,7 +7,9 @@ from collections.abc import Callable
 
 from ..change.judge import Judgement
 from ..change.moved_tree import MovedTree
-from ..engine.run.session import Results, Scope, Session, keep_all
+from ..engine.run.results import Results
+from ..engine.run.scope import Scope
+from ..engine.run.session import Session, keep_all
 from ..finding import Finding
 from ..light_dataclasses import replace
 from .plan import RenamePlan

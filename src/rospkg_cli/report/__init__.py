@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import IO
 
 from ..control_characters import visible, without_workflow_commands
-from ..engine.run.session import Results
+from ..engine.run.results import Results
 from ..finding import Finding, Severity
 from ..light_dataclasses import dataclass, replace
 from .printable import printable

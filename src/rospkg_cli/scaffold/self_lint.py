@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ..engine.run.session import Results, Scope, Session
+from ..engine.run.results import Results
+from ..engine.run.scope import Scope
+from ..engine.run.session import Session
 from ..engine.selection import EVERYTHING
 from ..ros.distros import Targets
 from ..tree import MemoryTree

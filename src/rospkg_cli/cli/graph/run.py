@@ -7,7 +7,8 @@ from pathlib import Path
 
 from ...engine.discovery.choose_configs import choose_configs
 from ...engine.discovery.locate import Located, locate
-from ...engine.run.session import Pool, Session
+from ...engine.run.pool import Pool
+from ...engine.run.session import Session
 from ...graph.as_dot import as_dot
 from ...graph.as_html import as_html
 from ...graph.as_json import as_json
@@ -52,7 +53,7 @@ def graph(options: GraphOptions) -> int:
     rules = RuleOptions(select=(*UNDECLARED, *UNUSED), pedantic=True, target=options.target)
     with progress(True) as show_progress:
         session = make_session(LintOptions(paths=paths, jobs="1", rules=rules), configs, located, show_progress)
-        found, crashes = read_graph(replace(session, tells_switched_off=False))
+        found, crashes = read_graph(replace(session, reports_switched_off=False))
     sys.stdout.writelines(f"{line}\n" for line in WRITERS[options.format](chosen(found, options)))
     for name in crashes:
         say(f"the dependencies of `{name}` are not all checked: internal error; `rospkg lint --traceback` tells more")

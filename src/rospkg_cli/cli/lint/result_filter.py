@@ -10,7 +10,8 @@ from ...config.hierarchy import ConfigTree
 from ...current_folder import absolute
 from ...engine.config_filter import ConfigFilter
 from ...engine.discovery.locate import Located
-from ...engine.run.session import Results, Session
+from ...engine.run.results import Results
+from ...engine.run.session import Session
 from ...report import Report
 from ..streams import say
 

@@ -16,7 +16,8 @@ from ...disk_trace import exists, stop_trace
 from ...engine.discovery.choose_configs import choose_configs
 from ...engine.discovery.locate import Located, locate
 from ...engine.fixing.fix_results import FixResults
-from ...engine.run.session import Results, Session
+from ...engine.run.results import Results
+from ...engine.run.session import Session
 from ...engine.selection import codes_named, rule_names
 from ...fence import Fence
 from ...finding import Safety, Severity

@@ -13,7 +13,9 @@ from ...config.required_version import satisfies
 from ...disk import DiskTree
 from ...engine.discovery.locate import Located
 from ...engine.run.codes_of_packages import CodesOfPackages
-from ...engine.run.session import SERIAL_BELOW, Pool, Scope, Session
+from ...engine.run.pool import SERIAL_BELOW, Pool
+from ...engine.run.scope import Scope
+from ...engine.run.session import Session
 from ...engine.selection import Selection, codes_named, rule_names
 from ...index import NamesError
 from ...index.cache import names
@@ -57,7 +59,7 @@ def make_session(
         result_filter(options.suppression.baseline, configs, located),
         show_progress,
         chosen if chosen.special else None,
-        tells_switched_off=True,
+        reports_switched_off=True,
     )
 
 

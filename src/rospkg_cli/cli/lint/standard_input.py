@@ -8,7 +8,8 @@ from pathlib import Path
 from ...current_folder import absolute
 from ...disk_trace import MAX_BYTES
 from ...engine.fixing.overlay import Overlay
-from ...engine.run.session import Results, Session
+from ...engine.run.results import Results
+from ...engine.run.session import Session
 from ...light_dataclasses import replace
 from ...tree import TreeEntry
 from .. import UsageError

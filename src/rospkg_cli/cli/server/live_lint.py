@@ -13,7 +13,9 @@ from ...engine.discovery.locate import Located, locate
 from ...engine.live.live_packages import LivePackages
 from ...engine.live.noting_pool import NotingPool
 from ...engine.live.safe_point import SafePoint
-from ...engine.run.session import Results, Scope, Session, no_progress
+from ...engine.run.results import Results
+from ...engine.run.scope import Scope
+from ...engine.run.session import Session, no_progress
 from ...light_dataclasses import dataclass, field, replace
 from ...package.package_facts import PackageFacts
 from ..lint.lint_options import LintOptions

@@ -14,7 +14,7 @@ from ...fence import is_shared
 from ...leftovers import is_never_source
 from ...light_dataclasses import dataclass
 from ...user_error import UserError
-from ..run.session import Scope
+from ..run.scope import Scope
 from .cmake_projects import LIST, cmake_projects, read_list
 from .discover import PassedBy, enclosing_package, packages_below, repositories
 from .exclusions import Exclusions

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from ...finding import Finding, Safety, Severity
 from ...light_dataclasses import replace
 from ...package.run_events import RuleCrash
-from ..run.session import Results, Session
+from ..run.results import Results
+from ..run.session import Session
 from .fix_results import FixResults
 from .oscillation import MAX_ROUNDS, oscillating
 from .overlay import Overlay

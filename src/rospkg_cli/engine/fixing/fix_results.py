@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...finding import Finding
 from ...light_dataclasses import dataclass, field
 from ...tree import TreeEntry
-from ..run.session import Results
+from ..run.results import Results
 
 
 @dataclass

@@ -8,8 +8,9 @@ from typing import Any
 from ...light_dataclasses import dataclass, field
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
+from ..reuse.answer_digests import AnswerDigests
 from ..reuse.kept_packages import Observed
-from ..reuse.recorded_workspace import AnswerDigests, Question
+from ..reuse.recorded_facts import Question
 from .safe_point import never
 
 SOME = 50

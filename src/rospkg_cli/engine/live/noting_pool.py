@@ -15,9 +15,12 @@ from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...tree import Kind, Tree, TreeEntry
 from ..reuse.kept_packages import Observed
+from ..run.package_memory import to_be_kept
+from ..run.package_results import PackageResults
+from ..run.pool import Pool
 from ..run.run_rules import InputsOf
-from ..run.session import Pool, Scope, to_be_kept
-from ..run.worker import PackageResults, Worker
+from ..run.scope import Scope
+from ..run.worker import Worker
 from .live_packages import LivePackages
 from .safe_point import RunInterrupted, never
 

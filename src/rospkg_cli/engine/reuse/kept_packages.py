@@ -10,9 +10,10 @@ from ...disk import DiskTree
 from ...light_dataclasses import dataclass, field
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace
+from .answer_digests import AnswerDigests
 from .plain import from_plain, to_plain
+from .recorded_facts import Question
 from .recorded_tree import Read, found_again, found_at, listing
-from .recorded_workspace import AnswerDigests, Question
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,7 @@
-"""The workspace as one package sees it: what it asks about the others is remembered, with a digest of each answer."""
+"""The workspace as one package sees it: what the package asks about others is noted."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any
-
-from ...light_dataclasses import field_names
 from ...package.launch.included_arguments import IncludedArguments
 from ...package.launch.workspace_launch_files import WorkspaceLaunchFiles
 from ...package.package_facts import PackageFacts, Plugin
@@ -13,33 +9,8 @@ from ...package.params.parameter_index import ParameterIndex
 from ...package.workspace import ValuesField, Workspace
 from ...ros.distros import Targets
 from ...ros.names import NameKind
-from .plain import digest_of
+from .recorded_facts import Question, RecordedFacts
 from .recorded_parameters import RecordedParameterIndex
-
-Question = tuple[str, ...]
-"""What is asked, and of what: `("field", "src/other", "version")`."""
-
-
-class RecordedFacts(PackageFacts):
-    """The facts of another package: each field that is looked at is noted."""
-
-    __slots__ = ("_noted", "_real")
-
-    def __init__(self, real: PackageFacts, noted: set[Question]) -> None:
-        self._real, self._noted = real, noted
-
-
-def recorded_field(name: str) -> property:
-    def get(self: RecordedFacts) -> Any:
-        self._noted.add(("field", self._real.folder, name))
-        return getattr(self._real, name)
-
-    return property(get)
-
-
-for _name in field_names(PackageFacts):
-    setattr(RecordedFacts, _name, recorded_field(_name))
-
 
 GIVEN = ("is_complete", "prefix_names", "repositories", "index", "incomplete", "missing_repositories", "cmake_projects")
 """What is the same for all packages of a run: `rules_key` of KeptPackages holds it."""
@@ -155,61 +126,3 @@ class RecordedWorkspace(Workspace):
     def providers_of(self, module: str) -> tuple[str, ...]:
         self.noted.add(("providers_of", module))
         return self.real.providers_of(module)
-
-
-class AnswerDigests:
-    """The digests of a workspace's answers, each computed once."""
-
-    def __init__(self, workspace: Workspace) -> None:
-        self.workspace = workspace
-        self.known: dict[Question, str] = {}
-        self.pairs: dict[Question, tuple[Question, str]] = {}
-        """Questions with their digests, one object for all packages that ask: thousands ask the same hundreds."""
-
-    def digest(self, question: Question) -> str:
-        """Return the digest of an answer; "" where the question makes no sense in this workspace."""
-        if question not in self.known:
-            try:
-                self.known[question] = digest_of(self.answer(*question))
-            except (AttributeError, LookupError, TypeError):
-                self.known[question] = ""
-        return self.known[question]
-
-    def answer(self, what: str, *arguments: str) -> object:
-        real = self.workspace
-        if what == "folders":
-            return tuple(facts.folder for facts in real.packages)
-        if what == "all":
-            return tuple(getattr(facts, arguments[0]) for facts in real.packages)
-        if what == "field":
-            return getattr(real.at(arguments[0]), arguments[1])
-        if what == "named":
-            found = real.named(arguments[0])
-            return None if found is None else found.folder
-        if what == "is_name":
-            return arguments[0] in real.names
-        if what in ("selected", "names"):
-            return getattr(real, what)
-        if what in ("having", "needing"):
-            return tuple(facts.folder for facts in getattr(real, what)(*arguments))
-        if what not in METHODS:
-            raise LookupError(what)
-        answer = getattr(real, what)(*arguments)
-        return tuple(answer) if isinstance(answer, list) else answer
-
-    def of(self, noted: Iterable[Question]) -> tuple[tuple[Question, str], ...]:
-        """Return the questions with their digests; a field that most packages were asked for counts as asked of all."""
-        noted, counts = set(noted), dict[str, int]()
-        for question in noted:
-            if question[0] == "field":
-                counts[question[2]] = counts.get(question[2], 0) + 1
-        common = {name for name, count in counts.items() if count > 8 and 2 * count > len(self.workspace.packages)}
-        noted = {each for each in noted if each[0] != "field" or each[2] not in common}
-        noted |= {("all", name) for name in common} | ({("folders",)} if common else set())
-        pairs = ((each, self.digest(each)) for each in sorted(noted))
-        return tuple(self.pairs.setdefault(pair[0], pair) for pair in pairs)
-
-
-METHODS = frozenset(
-    "package_at is_built_against loaders_of bases_loaded_from plugins_of with_header providers_of".split()
-)  # fmt: skip

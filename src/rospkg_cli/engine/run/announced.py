@@ -1,4 +1,4 @@
-"""What is missing where a comment says that it is still to be written: the task of whoever takes an exercise on."""
+"""Findings on something missing that a comment or page asks readers to write, as exercises do."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ...files import PackageFiles
 from ...finding import Finding
 from ...lazy_regex import regex
 from ...ros.interfaces import KINDS
-from .milder import Results, as_infos
+from .milder import RuleResults, as_infos
 
 OF_MISSING = frozenset(
     (
@@ -21,7 +21,7 @@ OF_MISSING = frozenset(
         "URD001 URD002"
     ).split()
 )
-"""Rules about what a file names and nothing has."""
+"""Rules about names of something that does not exist."""
 OF_PROGRAMS = (r"install (?:your |the |all )*(?:targets?|executables?|nodes?|programs?|scripts?)\b", "CMakeLists.txt")
 OF_COMPONENTS = (r"register (?:your |the |a |all )*(?:components?|nodes?|class)\b", "CMakeLists.txt")
 OF_DEPENDENCIES = (r"(?:add|declare|list|specify|fill in|complete) (?:[\w-]+ ){0,3}dependenc(?:y|ies)\b", "package.xml")
@@ -56,13 +56,13 @@ MAX_NAMES = 2
 WHY = "; a comment says that it is still to be written"
 OF_FILES = frozenset({"CMK102", "IDL006", "IDL011", "SET101"})
 WRITES = regex(r"(?i)\b(?:write|create|implement|complete|touch|nano|gedit|vim?)[ \t`*:]")
-"""What tells people to make a file whose name follows in the line."""
+"""Words of a line that ask people to make the file whose name follows."""
 BY_PAGE = "; a page has people write it"
 OF_WHOLE = "; a comment in {} says that this is still to be done"
 
 
-def as_announced(results: Results, files: PackageFiles, package: str) -> Results:
-    """Return the results of a package with an info for what a comment leaves to its reader."""
+def as_announced(results: RuleResults, files: PackageFiles, package: str) -> RuleResults:
+    """Return the results of a package with an info for what a comment or page asks readers to write."""
     return as_infos(results, ALL, lambda found: why_left(found, files, package))
 
 
@@ -89,12 +89,12 @@ def why_left(found: Finding, files: PackageFiles, package: str) -> str:
         names = [f"{last(NAMED.findall(found.message)[1])}.{kind}" for kind in KINDS]
     else:
         names = names[:1]
-    is_told = found.code in OF_FILES and any(is_written_by_people(files, each, found.code) for each in names)
-    return BY_PAGE if is_told else ""
+    is_written = found.code in OF_FILES and any(is_written_by_people(files, each, found.code) for each in names)
+    return BY_PAGE if is_written else ""
 
 
 def why_without_field(found: Finding, files: PackageFiles) -> str:
-    """Return what is said of a message without a field, where a comment or a page has people add it; else ""."""
+    """Return the end of a message on a missing field that a comment or a page has people add; "" for others."""
     message, *names = NAMED.findall(found.message) or [""]
     if asks_for_fields(files, message):
         return IN_MESSAGE
@@ -115,7 +115,7 @@ def asks_for_fields(files: PackageFiles, message: str) -> bool:
 
 
 def texts_of(files: PackageFiles, message: str) -> list[str]:
-    """Return what the files say that a message, service or action may be of."""
+    """Return the texts of the files that a message, service or action may come from."""
     package, _, rest = message.partition("/")
     kind, _, name = rest.partition("/")
     path = f"{kind}/{name.partition('_')[0]}.{kind}"

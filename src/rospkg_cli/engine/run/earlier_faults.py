@@ -1,4 +1,4 @@
-"""Faults of Python code behind another one, or a wait, that ends the run: nobody meets them until that is mended."""
+"""Faults of Python code that never run today, as another fault or an endless wait before them ends the run."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from ...package.run_events import RuleCrash
 from ...source import Span
 from .failing_modules import FailingModules
 from .finding_builder import AT_RUN
+from .milder import RuleResults
 from .stopping_places import StoppingPlaces, all_places, is_mild_stop, location
 from .waiting_modules import WaitingModules
 
@@ -36,9 +37,9 @@ class EarlierFaults:
     installed: InstalledModules | None = None
     refused: RefusedOwnCalls | None = None
 
-    def milder(self, every: Sequence[Finding | RuleCrash]) -> list[Finding | RuleCrash]:
-        """Return results with an info for each fault of a file that its program does not come to."""
-        loud = [each for each in every if isinstance(each, Finding) and each.severity is not Severity.INFO]
+    def milder(self, every: Sequence[Finding | RuleCrash]) -> RuleResults:
+        """Return results with an info for each fault of a file that its program does not reach."""
+        loud = [each for each in every if isinstance(each, Finding) and each.is_loud]
         mild = [each for each in every if isinstance(each, Finding) and is_mild_stop(each)]
         found: dict[int, Finding] = {}
         failing = self.failing_imports(loud)
@@ -52,7 +53,7 @@ class EarlierFaults:
         return [found.get(id(each), each) for each in every]
 
     def failing_imports(self, loud: Sequence[Finding]) -> Mapping[str, Sequence[Span]]:
-        """Return by the path of a file where it imports own modules whose import ends at a fault."""
+        """Return, by the path of a file, its imports of own modules whose import fails."""
         if self.installed is None:
             return {}
         start = f"{self.files.folder}/" if self.files.folder else ""
@@ -109,7 +110,7 @@ class EarlierFaults:
         return found
 
     def naming(self, file: PythonFile) -> list[str]:
-        """Return what other files say that name a module, and may read what is in it."""
+        """Return the texts of the other files that name a module, and may use what is in it."""
         module = re.compile(rf"(?<!\w){re.escape(file.path.rpartition('/')[2].removesuffix('.py'))}(?!\w)")
         others = (each for each in self.files.paths if each.endswith(".py") and each != file.path)
         return [text for each in others if module.search(text := self.files.readable_text(each))]

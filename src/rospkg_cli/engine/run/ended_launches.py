@@ -1,4 +1,4 @@
-"""Faults that launch meets when it visits the actions of a file whose description Python never gets to return."""
+"""Faults in actions of a launch file that launch never visits, as Python raises before it returns them."""
 
 from __future__ import annotations
 
@@ -7,27 +7,25 @@ from pathlib import PurePosixPath
 
 from ...finding import Finding, Severity
 from ...light_dataclasses import replace
-from ...package.run_events import RuleCrash
 from .earlier_faults import FIRST
 from .met_in_launch import shows_at_visit
+from .milder import RuleResults
 from .run_rules import InputsOf
 
 OF_CONFIGURATIONS = frozenset({"LCH008", "LCH016"})
-"""Launch asks for the value of a configuration at the visit, unless Python looks it up itself."""
+"""Rules on launch configurations: launch reads their values at the visit, unless Python looks them up itself."""
 OF_TEXTS = "DEP118"
-"""Tells of paths, which are opened by what launch starts."""
+"""The rule on personal paths, which are opened by what launch starts."""
 BEHIND = "; the launch ends before, at another line"
 
 
-def behind_ended_launches(
-    results: list[Finding | RuleCrash], stops: list[Finding], inputs: InputsOf, folder: str
-) -> list[Finding | RuleCrash]:
-    """Return results with an info for each fault that a launch file would have if Python came to its end.
+def behind_ended_launches(results: RuleResults, stops: list[Finding], inputs: InputsOf, folder: str) -> RuleResults:
+    """Return results with an info for each fault that launch would meet only if Python reached the end of the file.
 
-    What Python meets itself, before or behind, keeps its level.
+    What Python itself meets keeps its level.
 
     Args:
-        stops: findings that say that Python raises where it comes to their places.
+        stops: findings on places at which Python raises.
         folder: of the package, from the root of the run.
     """
     visited = [each for each in results if isinstance(each, Finding) and is_visited(each)]
@@ -47,11 +45,11 @@ def is_visited(finding: Finding) -> bool:
     path = finding.location.path
     is_text = finding.code == OF_TEXTS and all(place.path == path for place, _ in finding.related)
     is_late = is_text or finding.code in OF_CONFIGURATIONS or shows_at_visit(finding.code, finding.severity)
-    return finding.severity is not Severity.INFO and is_late
+    return finding.is_loud and is_late
 
 
 def first_stops(stops: list[Finding], paths: set[str], inputs: InputsOf, folder: str) -> Iterator[tuple[str, Finding]]:
-    """Yield the files, and where each call of the function that launch calls surely ends."""
+    """Yield the files with the first place at which `generate_launch_description` certainly raises."""
     from ...checks.launch.ended_descriptions import ends_description
     from ...checks.launch.unmet_places import UnmetPlaces
 

@@ -16,11 +16,11 @@ from ...unreadable import UnreadableError
 from .laid_aside import OF_RUNS, level_aside
 
 IN_USE = (*OF_RUNS, "PLG", "IDL012", "CMK201")
-"""Families and rules about code, launch files and what these open: nobody meets their faults in a file that is left."""
+"""Families and rules about code, launch files and what these open: their faults do no harm in unused files."""
 AT_RUN = frozenset({"DEP117", "DEP120", "IDL010"})
 """Rules about lines of Python that raise when they run."""
 OF_STARTS = AT_RUN | {"DEP109", "DEP110", "DEP112", "IDL011", "PRM007"}
-"""Those, and the rules about imports, look-ups and parameters: their errors end the programs that come to them."""
+"""Those, and the rules about imports, look-ups and parameters: their errors end the programs that run them."""
 UNLED = "; nothing here leads to this file"
 
 
@@ -40,11 +40,11 @@ class FindingBuilder:
     whole: PackageFiles
     package: str
     is_left: Callable[[str], bool]
-    """Whether nothing of the package leads to a file, by its path in the package."""
+    """Whether nothing of the package uses a file, by its path in the package."""
     why_warning: Callable[[Hit], str]
-    """Why a fault of Python code that ends a run does so for some alone: its program is not started; "" for others."""
+    """Why a fault of Python code that ends a run does so only at times: its program is not started; "" for others."""
     why_unmet: Callable[[str, Severity, Hit], str]
-    """Why no plain launch comes to the places of a hit, by the rule's code and the level; "" where one may."""
+    """Why a launch with its defaults reaches no place of a hit, by the rule's code and level; "" where it may."""
 
     @property
     def crash_path(self) -> str:
@@ -95,7 +95,7 @@ class FindingBuilder:
         )
 
     def met(self, code: str, level: Severity, hit: Hit) -> tuple[Severity, str]:
-        """Return the level of a hit by who comes to its file, or to its places there, and what is said of that."""
+        """Return the level of a hit by whether its file or place is used, and the reason, which ends the message."""
         if level is Severity.INFO:
             return level, ""
         if code.startswith(IN_USE) and self.is_left(hit.path):
@@ -119,7 +119,7 @@ class FindingBuilder:
         return hit
 
     def level(self, code: str, level: Severity, path: str) -> Severity:
-        """Return the level of a hit by where its file lies: milder where nobody starts what is laid aside."""
+        """Return the level of a hit by where its file is: milder in folders for what is no longer used."""
         return level_aside(code, level, self.resolve(path), self.folder_of(path), lambda: self.is_left(path))
 
     def folder_of(self, path: str) -> str:

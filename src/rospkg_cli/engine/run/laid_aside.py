@@ -1,4 +1,4 @@
-"""How mild findings are of what lies in a folder for what nobody uses any more (`old/`, `not_in_use/`)."""
+"""Levels of findings in folders for what is no longer used (`old/`, `not_in_use/`)."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ BUILDING = (
 )
 """Families and rules whose errors stop a build: colcon builds packages that are laid aside, too."""
 BUILT = frozenset({"CMK003", "CMK104", "CMK105", "CMK108", "CMK109", "CMK111", "CMK128", "XML107", "XML306"})
-"""Those among them whose errors show themselves once something is started."""
+"""Those among them whose errors appear only once something is started."""
 TEMPLATE = "{{"
-"""Stands in the names of folders that cookiecutter, copier and the like fill in: nobody builds what is in them."""
+"""Part of the names of template folders (cookiecutter, copier), whose contents are not built as they are."""
 BUILD_FILES = ("package.xml", "CMakeLists.txt", "setup.py", ".cmake")
 OF_RUNS = ("DEP", "LCH", "PRM", "URD", "IDL010", "IDL011")
-"""Families about launches and runs, and about machines that others install packages on, and rules about Python."""
+"""Families about launches and runs, and about what other machines lack, and rules about Python."""
 OPENED = ("PRM", "URD", "IDL010", "IDL011")
-"""Those about files that launch files open, or others import, by their names."""
+"""Those about files that launch files open, or others import, by name."""
 
 
 def stops_build(code: str, path: str) -> bool:
@@ -31,8 +31,8 @@ def stops_build(code: str, path: str) -> bool:
 def level_aside(code: str, level: Severity, path: str, folder: str, is_left: Callable[[], bool]) -> Severity:
     """Return the level of a hit by where its file lies, from the root of the run, in the package of a folder.
 
-    Nobody meets what is wrong with a package that is laid aside, unless it stops the build. Within a package in use,
-    code that is laid aside may still be imported: what ends it is a warning then.
+    A fault in a package that is laid aside does no harm unless it stops the build. In a package in use, code that is
+    laid aside may still be imported, so that a fault that ends it is a warning.
     """
     if TEMPLATE in path:
         return Severity.INFO

@@ -1,4 +1,4 @@
-"""The faults of launch files that are asked whether a plain launch meets them, whichever rule tells of them."""
+"""Whether a launch with its defaults reaches the places of a finding in launch files, whichever rule reports it."""
 
 from __future__ import annotations
 
@@ -7,29 +7,29 @@ from ...finding import ALSO, Hit, Severity
 from ...source import Span
 
 OF_THAT_FACT = frozenset({"LCH001", "LCH010", "LCH012", "LCH017"})
-"""Rules about the file as a whole, and one that tells of arguments which come to nothing."""
+"""Rules about the file as a whole, and one on arguments without an effect."""
 AT_VISITS = ("LCH002", "LCH009", "LCH011", "LCH015", "LCH019", "LCH021", "LCH022", "PRM")
-"""What shows itself when launch visits the action or reads the value; at all else Python itself may stop."""
+"""Rules on faults that appear when launch visits an action or reads a value; at others Python itself may stop."""
 WITH_WARNINGS = "LCH014"
-"""With its warnings the launch goes on; at its errors Python may stop."""
+"""The launch goes on after its warnings; at its errors Python may stop."""
 
 Place = tuple[str, Span]
 """The path of a file in the package, and where in it."""
 
 
 def shows_at_visit(code: str, level: Severity) -> bool:
-    """Return whether a fault shows itself when launch visits an action, or reads a value for one."""
+    """Return whether a fault appears only when launch visits an action, or reads a value for one."""
     return code.startswith(AT_VISITS) or (code == WITH_WARNINGS and level is Severity.WARNING)
 
 
 def places_of(hit: Hit) -> list[Place]:
-    """Return all places at which a hit is met."""
+    """Return all places of a hit, with those that have the same fault."""
     also = (each for each in hit.related if each.message in ALSO)
     return [(hit.path, hit.span), *((each.path, each.span) for each in also)]
 
 
 def why_unmet(launches: UnmetPlaces, code: str, level: Severity, hit: Hit) -> str:
-    """Return why no plain launch comes to any of the places of a hit; "" where one may come to some."""
+    """Return why a launch with its defaults reaches none of the places of a hit; "" where it may reach one."""
     places, is_late = places_of(hit), shows_at_visit(code, level)
     reasons = [launches.why_unstarted(path) for path, _ in places]
     if all(reasons):

@@ -1,25 +1,23 @@
-"""Where it must be asked whether a fault stands behind another one that ends the run of its Python code."""
+"""Findings that become infos as a fault before them ends the run; looked for only where there is such a fault."""
 
 from __future__ import annotations
 
 from ...finding import Finding, Severity
-from ...package.run_events import RuleCrash
 from .finding_builder import AT_RUN
+from .milder import RuleResults
 from .run_rules import InputsOf
 
 ENDING_LAUNCHES = "LCH013"
-"""The rule whose errors say that Python itself raises where it comes to the place."""
-
-Results = list[Finding | RuleCrash]
+"""The rule whose errors are on places of a launch file at which Python raises."""
 
 
-def milder_behind(results: Results, inputs: InputsOf, folder: str) -> Results:
-    """Return results with an info for each fault that nobody meets as long as the run ends or waits before.
+def milder_behind(results: RuleResults, inputs: InputsOf, folder: str) -> RuleResults:
+    """Return results with an info for each fault that is not reached, as the run ends or waits before it.
 
     Args:
         folder: of the package, from the root of the run.
     """
-    loud = [each for each in results if isinstance(each, Finding) and each.severity is not Severity.INFO]
+    loud = [each for each in results if isinstance(each, Finding) and each.is_loud]
     if any(each.code in AT_RUN for each in loud):
         from .earlier_faults import EarlierFaults
 

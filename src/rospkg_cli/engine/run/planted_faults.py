@@ -1,4 +1,4 @@
-"""Faults that a course plants in its packages, as its pages say: to find them is the exercise of who reads those."""
+"""Faults that a course put into its packages on purpose, as its pages say: to find them is the exercise."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ...files import PackageFiles
 from ...finding import Finding
 from ...lazy_regex import regex
 from ...package.workspace import Workspace
-from .milder import Results, as_infos, is_loud
+from .milder import RuleResults, as_infos
 
 PAGES = (".md", ".rst", ".txt")
 TOLD_ABOVE = tuple(f"{name}{end}" for name in ("README", "Readme", "readme") for end in PAGES)
@@ -20,12 +20,12 @@ PLANTED = regex(
     rf"|\b{ON_PURPOSE}\b[^.;:\n]{{0,30}}\b(?:{SURE}|broken|buggy|flawed|faulty)(?![\w-])"
     rf"|\b(?:broken|buggy|flawed|faulty)\b[^.;:\n]{{0,30}}\b{ON_PURPOSE}\b"
 )
-"""How a page says that something is wrong because it is meant to be."""
+"""How a page says that something is wrong on purpose."""
 OF_CODE = regex(
     r"(?i)\b(?:code|sources?|files?|packages?|nodes?|launch|workspace|repo(?:sitory)?|projects?|exercises?|tasks?"
     r"|participants?|students?|debug\w*)\b|\w\.(?:py|cpp|hpp|xml|ya?ml|urdf|xacro)\b"
 )
-"""What is wrong so, or who is to find it: not what a robot meets."""
+"""Words for code with such faults, or for those who look for them, as opposed to faults that a robot simulates."""
 INJECTS = regex(
     r"(?i)\binject\w*|\bsimulat\w*|\b(?:fix(?:ed|es)|removed?|no)\b[^.\n]{0,40}\b(?:intentional|deliberate)"
 )
@@ -39,9 +39,9 @@ NAMED = regex("`([^`]+)`")
 WHY = "; a page says that faults are planted here on purpose"
 
 
-def with_planted_faults(results: Results, files: PackageFiles, folder: str, workspace: Workspace) -> Results:
-    """Return the results of a package with an info for what is wrong where a page says that it is meant to be."""
-    codes = frozenset(each.code for each in results if isinstance(each, Finding) and is_loud(each))
+def with_planted_faults(results: RuleResults, files: PackageFiles, folder: str, workspace: Workspace) -> RuleResults:
+    """Return the results of a package with an info for each finding where a page says that faults are on purpose."""
+    codes = frozenset(each.code for each in results if isinstance(each, Finding) and each.is_loud)
     if codes and is_planted(files, folder):
         return as_infos(results, codes, lambda _: WHY)
     between = frozenset(code for code in codes if code.startswith(BETWEEN_TWO))
@@ -49,7 +49,7 @@ def with_planted_faults(results: Results, files: PackageFiles, folder: str, work
 
 
 def why_in_another(found: Finding, files: PackageFiles, folder: str, workspace: Workspace) -> str:
-    """Return what is said of a finding whose other place lies in a package with planted faults; "" for others."""
+    """Return the end of a message on a finding that names a package with planted faults; "" for others."""
     for name in NAMED.findall(found.message):
         other = workspace.named(name)
         if other is not None and other.folder != folder and is_planted(files, other.folder):
@@ -58,7 +58,7 @@ def why_in_another(found: Finding, files: PackageFiles, folder: str, workspace: 
 
 
 def is_planted(files: PackageFiles, folder: str) -> bool:
-    """Return whether a page in the folder of a package says so, or one above it of the whole, or of that folder."""
+    """Return whether a page in the folder of a package says so, or one above it, of all packages or of this one."""
     if files.whole is None:
         return any(planting(files, path) for path in files.paths if path.endswith(PAGES))
     own, whole = PackageFiles(files.whole.sub(folder), folder, files.whole), PackageFiles(files.whole)

@@ -1,4 +1,4 @@
-"""Names of plugins that a comment or a page leaves to people, or says that nothing reads: nobody misses the plugin."""
+"""Missing plugins that do no harm: a comment or page has people write them, or says that nothing reads the name."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ BY_PAGE = "a page has people write it"
 
 
 def why_left(files: PackageFiles, code: str, _: Severity, hit: Hit) -> str:
-    """Return why nobody misses a plugin of a parameter file; "" where somebody may.
+    """Return why a missing plugin of a parameter file does no harm; "" where it may.
 
     Args:
         files: of the whole run, for paths that begin with `/`.

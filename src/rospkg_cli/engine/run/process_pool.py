@@ -16,10 +16,12 @@ from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...tree import Tree
 from ..reuse.kept_packages import Observed
+from .package_results import PackageResults
 from .parts import parts_of
+from .pool import Pool
 from .rule_plugins import load_plugins
-from .session import Pool, Scope
-from .worker import PackageResults, Worker
+from .scope import Scope
+from .worker import Worker
 
 T = TypeVar("T")
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import partial
-from typing import Any, Protocol
+from typing import Any
 
 from ...files import PackageFiles
 from ...finding import Finding
@@ -14,105 +14,23 @@ from ...package.rule_settings import RuleSettings
 from ...package.run_events import NoPackagesFound, RuleCrash
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
-from ...ros.names import BUILT_IN, Names
 from ...rule_table import rule_by_code, rule_entries
 from ...tree import Tree
-from ..reuse.kept_packages import Observed
-from ..suppression.comments import Suppression
 from ..suppression.suppression_index import SuppressionIndex
 from .codes_of_packages import CodesOfPackages
 from .crashes import one_each
 from .finding_builder import FindingBuilder, RootFindingBuilder, nothing_is_left, nothing_is_seldom
+from .package_memory import PackageMemory, kept_results, to_be_kept
+from .package_results import PackageResults
 from .plugins_left import why_left
+from .pool import SERIAL_BELOW, Pool
+from .results import Results
 from .run_rules import run_rules
+from .scope import Scope
 from .switched_off import switched_off
-from .worker import PackageResults, Worker
 
 ALWAYS = frozenset({"RPK005", "RPK006"})
 """The rules on a run that failed, which no choice leaves out."""
-
-
-@dataclass(frozen=True)
-class Scope:
-    """The packages of a run, and what is known around them. Folders are relative to the root of the tree."""
-
-    folders: tuple[str, ...]
-    """Every package of the workspace."""
-    selected: frozenset[str]
-    """The packages to report on, as in Workspace."""
-    name: str = "package"
-    """The name of the root folder."""
-    incomplete: str = ""
-    """What says that packages of the workspace are not here; "" where nothing does."""
-    prefix_names: frozenset[str] = frozenset()
-    """As in Workspace; so are the following."""
-    index: Names = BUILT_IN
-    repositories: tuple[frozenset[str], ...] = ()
-    missing_repositories: frozenset[str] = frozenset()
-    cmake_projects: tuple[tuple[str, str], ...] = ()
-
-
-@dataclass(frozen=True)
-class Results:
-    """What a run found; findings are sorted, and `suppressed` ones are listed separately."""
-
-    findings: tuple[Finding, ...] = ()
-    suppressed: tuple[Finding, ...] = ()
-    crashes: tuple[RuleCrash, ...] = ()
-    packages: int = 0
-    files: int = 0
-    checksums: Mapping[str, int] = field(default_factory=dict)
-    """Of the files that fixes change, as they were when the rules read them."""
-
-
-SERIAL_BELOW = 40
-"""With fewer packages starting processes costs more than it saves."""
-
-
-class Pool:
-    """Runs everything in this process; `engine.run.process_pool` has the one that uses several."""
-
-    def __init__(self, tree: Tree, scope: Scope, targets: Targets, settings: RuleSettings) -> None:
-        self.worker = Worker(tree, scope.folders, targets, settings, scope.name, scope.selected)
-
-    def collect_facts(self, wanted: Collection[str]) -> list[PackageFacts]:
-        return self.worker.collect_facts(wanted)
-
-    def run_rules(self, workspace: Workspace, codes: Sequence[str], wanted: Collection[str]) -> list[PackageResults]:
-        return self.worker.run_rules(workspace, codes, wanted)
-
-    def observed(self) -> dict[str, Observed]:
-        """Return what was asked while packages were read and checked, where the run is traced."""
-        return self.worker.observed()
-
-    def close(self) -> None:
-        """Release what the pool holds."""
-
-
-class PackageMemory(Protocol):
-    """What earlier runs left: on disk for the next process (KeptPackages), or in memory (LivePackages)."""
-
-    def known_facts(self, folders: Iterable[str]) -> dict[str, PackageFacts]: ...
-
-    def unchecked(self) -> frozenset[str]: ...
-
-    def known_results(self, workspace: Workspace, folders: Iterable[str]) -> dict[str, Any]: ...
-
-    def keep(
-        self, workspace: Workspace, observed: Mapping[str, Observed], results: Mapping[str, Any], failed: Set[str]
-    ) -> None: ...
-
-
-def to_be_kept(results: PackageResults) -> tuple[object, ...]:
-    """Return the results of a package in which nothing crashed, for `KeptPackages`."""
-    return results.findings, results.suppressions, results.files, results.checksums
-
-
-def kept_results(
-    folder: str, findings: tuple[Finding, ...], suppressions: tuple[Suppression, ...], files: int, checksums: Any
-) -> PackageResults:
-    """Return the results again."""
-    return PackageResults(folder, findings, (), suppressions, files, checksums)
 
 
 def no_progress(_: str) -> None:
@@ -140,7 +58,7 @@ class Session:
     """Called with a line for the user at the start of each phase."""
     codes_by_package: CodesOfPackages | None = None
     """Which of the rules run on which package, where not all run on all."""
-    tells_switched_off: bool = False
+    reports_switched_off: bool = False
     """Whether it says which checks something around the packages switches off."""
 
     kept: PackageMemory | None = None
@@ -200,7 +118,7 @@ class Session:
         findings = index.apply(self.asked_for(findings))
         crashes = one_each(crashes)
         events: list[Any] = [*index.unused(), *index.unknown(), *index.without_reason(), *crashes]
-        events += switched_off(workspace, findings) if self.tells_switched_off else ()
+        events += switched_off(workspace, findings) if self.reports_switched_off else ()
         findings += index.apply(self.report(workspace, events))
         findings.sort(key=lambda f: f.sort_key)
         return Results(

@@ -47,17 +47,17 @@ def location(path: str, file: PythonFile, span: Span) -> Location:
 
 
 def is_mild_stop(each: Finding) -> bool:
-    """Return whether an info tells of a place that is seldom come to, and then ends the run."""
+    """Return whether an info is on a place that seldom runs, but ends the run when it does."""
     return each.severity is Severity.INFO and each.code in AT_RUN and not each.message.endswith(FOR_OLDER)
 
 
 def all_places(each: Finding, path: str) -> list[Location]:
-    """Return where a finding is met in one file."""
+    """Return the places of a finding in one file."""
     also = [at for at, what in each.related if what in ALSO]
     return [at for at in (each.location, *also) if at.path == path]
 
 
 def may_pass(file: PythonFile, span: Span) -> bool:
-    """Return whether some Pythons or distributions pass over a place: a keyword of a message, or an annotation."""
+    """Return whether a place is no error in some version of Python or distribution: a keyword or an annotation."""
     keywords = any(file.span(each).holds(span) for each in nodes_of_kind(file.tree, ast.keyword))
     return keywords or any(file.span(each).holds(span) for each in told_types(file))

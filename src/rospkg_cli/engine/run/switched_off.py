@@ -1,4 +1,4 @@
-"""What something around the packages switches off: whether the names of their dependencies exist is not checked."""
+"""Whether the check for unknown names of dependencies is switched off by something around the packages."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from ...source import Span
 
 NO_INDEX = "no index of names was fetched; `rospkg index update` fetches one"
 JUDGES = frozenset({"DEP001", "DEP203"})
-"""The rules that tell that a name is wrong even where unknown ones are not judged."""
+"""The rules that report wrong names even where unknown names are not reported."""
 
 
 def switched_off(workspace: Workspace, findings: Iterable[Finding] = ()) -> Iterator[CheckSwitchedOff]:
-    """Yield an event at the first dependency that nothing here knows, with all of them, and why they are not judged.
+    """Yield an event at the first dependency whose name is unknown here, with all such names, and why none is reported.
 
-    Names that a finding judges all the same are left out.
+    Names that a finding reports all the same are left out.
     """
-    told = {(f"/{each.location.path}", each.location.span) for each in findings if each.code in JUDGES}
+    reported = {(f"/{each.location.path}", each.location.span) for each in findings if each.code in JUDGES}
     found: dict[str, tuple[str, Span]] = {}
     judged: set[str] = set()
     for facts in workspace.packages:
         for each in facts.dependencies if facts.folder in workspace.selected else ():
             place = facts.at("package.xml"), each.span
-            if place in told:
+            if place in reported:
                 judged.add(each.name)
             elif each.name and each.name not in found and is_unsure(workspace, each.name):
                 found[each.name] = place
@@ -38,8 +38,8 @@ def switched_off(workspace: Workspace, findings: Iterable[Finding] = ()) -> Iter
 
 
 def is_unsure(workspace: Workspace, name: str) -> bool:
-    """Return whether nothing is said of a name: an index tells it, unless a missing repository is called like it."""
-    is_told = isinstance(workspace.index, FetchedNames) and workspace.missing_repositories
-    if workspace.is_available(name) or (is_told and not workspace.may_lack(name)):
+    """Return whether it can't be known that a name exists; an index knows, unless a missing repository may have it."""
+    is_known = isinstance(workspace.index, FetchedNames) and workspace.missing_repositories
+    if workspace.is_available(name) or (is_known and not workspace.may_lack(name)):
         return False
     return workspace.kind_of(name) is NameKind.CANT_TELL

@@ -1,4 +1,4 @@
-"""What is told of a package that colcon can't build, as its manifest or build file can't be read: the rest waits."""
+"""Milder findings in a package that can't be built as it is: build files can't be read, or files are to be added."""
 
 from __future__ import annotations
 
@@ -7,59 +7,53 @@ from pathlib import PurePosixPath
 from ...files import PackageFiles
 from ...finding import Finding, Severity
 from ...light_dataclasses import replace
-from ...package.run_events import RuleCrash
 from ...package.workspace import Workspace
+from .milder import RuleResults
 
 UNREADABLE = "RPK001"
 BUILD_FILES = ("package.xml", "setup.py", "CMakeLists.txt")
 """Of these in the folder of a package, one that can't be read stops the build."""
 
 STOPS = frozenset({"CMK102", "IDL006", "SET101", "SET202", "SET302", "XML304"})
-"""One of these is told of each package that is incomplete."""
+"""A package that lacks files has a finding of one of these rules."""
 
 ASKED = ("CMK1", "DEP10", "IDL006", "IDL01", "LCH00", "LCH011", "PLG002", "PRM00", "SET", "URD00")
-"""Families of rules about what is missing, of which a comment may say that it is still to be written."""
+"""Families of rules about something missing, which a comment may announce as still to be written."""
 
 
-def of_unbuilt(
-    results: list[Finding | RuleCrash], files: PackageFiles, folder: str, name: str, workspace: Workspace
-) -> list[Finding | RuleCrash]:
-    """Return the results of a package, with infos for what nobody meets in one that is not built as it lies."""
-    if any(isinstance(each, Finding) and each.code in STOPS and is_loud(each) for each in results):
+def of_unbuilt(results: RuleResults, files: PackageFiles, folder: str, name: str, workspace: Workspace) -> RuleResults:
+    """Return the results of a package, with infos for what does no harm as long as it can't be built as it is."""
+    if any(isinstance(each, Finding) and each.code in STOPS and each.is_loud for each in results):
         from .lesson_folder import as_it_lies  # for packages that lack a file
 
         results = as_it_lies(results, files, name)
-    if any(isinstance(each, Finding) and each.code.startswith(ASKED) and is_loud(each) for each in results):
+    if any(isinstance(each, Finding) and each.code.startswith(ASKED) and each.is_loud for each in results):
         from .announced import as_announced  # for packages that lack something
 
         results = as_announced(results, files, name)
     results = behind_unreadable(results, folder)
-    if not any(isinstance(each, Finding) and is_loud(each) for each in results):
+    if not any(isinstance(each, Finding) and each.is_loud for each in results):
         return results
     from .planted_faults import with_planted_faults  # for packages with a finding
 
     return with_planted_faults(results, files, folder, workspace)
 
 
-def behind_unreadable(results: list[Finding | RuleCrash], folder: str) -> list[Finding | RuleCrash]:
-    """Return the results of a package with an info for each fault that is met only once the package can be built.
+def behind_unreadable(results: RuleResults, folder: str) -> RuleResults:
+    """Return the results of a package with an info for each fault that matters only once its build files can be read.
 
-    What is known of such a package is little, too: which programs it has, what it installs and declares.
+    Little is known of such a package: neither its programs nor what it installs and declares.
     """
     paths = {str(PurePosixPath(folder, name)) for name in BUILD_FILES}
     found = [each for each in results if isinstance(each, Finding)]
-    stops = [each for each in found if each.code == UNREADABLE and is_loud(each) and each.location.path in paths]
+    stops = [each for each in found if each.code == UNREADABLE and each.is_loud and each.location.path in paths]
     if not stops:
         return results
     name = PurePosixPath(stops[0].location.path).name
-    why = f"; nobody comes here before `{name}` can be read"
+    why = f"; this matters only once `{name}` can be read"
     return [
         replace(each, severity=Severity.INFO, message=each.message + why)
-        if isinstance(each, Finding) and is_loud(each) and each.code != UNREADABLE
+        if isinstance(each, Finding) and each.is_loud and each.code != UNREADABLE
         else each
         for each in results
     ]
-
-
-def is_loud(found: Finding) -> bool:
-    return found.severity is not Severity.INFO

@@ -2,33 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
-from contextlib import suppress
+from collections.abc import Collection, Iterable, Sequence
 from functools import cache, partial
-from zlib import crc32
 
 from ...disk import DiskTree
 from ...disk_trace import current_trace
 from ...files import PackageFiles
-from ...finding import Finding, Hit, Severity
+from ...finding import Finding
 from ...light_dataclasses import dataclass, field
 from ...package.collect_facts import collect_facts, unknown_facts
 from ...package.facts_on_demand import facts_on_demand
 from ...package.package import Package
 from ...package.package_facts import PackageFacts
 from ...package.rule_settings import RuleSettings
-from ...package.run_events import RUN_EVENTS, RuleCrash
+from ...package.run_events import RuleCrash
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
-from ...rule_table import rule_by_code, rule_entries
+from ...rule_table import rule_by_code
 from ...tree import Tree
 from ..reuse.kept_packages import Observed
+from ..reuse.recorded_facts import Question
 from ..reuse.recorded_tree import RecordedTree, listing
-from ..reuse.recorded_workspace import Question, RecordedWorkspace
-from ..suppression.comments import Suppression, suppressions_in
+from ..reuse.recorded_workspace import RecordedWorkspace
+from ..suppression.comments import suppressions_in
 from .crashes import reader_crashes
-from .finding_builder import OF_STARTS, FindingBuilder
+from .finding_builder import FindingBuilder
+from .fitting_rules import fitting_rules, is_over_packages
+from .lazy_checks import is_left, why_unmet, why_warning
 from .milder_behind import milder_behind
+from .package_results import PackageResults, checksums_of
 from .rule_inputs import InputBuilder
 from .run_rules import InputsOf, run_rules
 from .unbuilt_package import of_unbuilt
@@ -38,19 +40,6 @@ NO_SETTINGS = RuleSettings()
 MAX_KEPT = 1_000
 """Packages of a process whose models are kept until they are checked; those of more are read twice, as each package
 keeps 30 KiB or more."""
-
-
-@dataclass(frozen=True)
-class PackageResults:
-    """What the rules found in one package."""
-
-    folder: str
-    findings: tuple[Finding, ...] = ()
-    crashes: tuple[RuleCrash, ...] = ()
-    suppressions: tuple[Suppression, ...] = ()
-    files: int = 0
-    checksums: tuple[tuple[str, int], ...] = ()
-    """Of the files that fixes change, as they were read here; paths from the root of the run."""
 
 
 @dataclass
@@ -140,8 +129,7 @@ class Worker:
         inputs = self.inputs(package, seen)
         left, warned, unmet = cache(partial(is_left, inputs)), partial(why_warning, inputs), partial(why_unmet, inputs)
         builder = FindingBuilder(package.files, whole, facts.name, left, warned, unmet)
-        fitting = (code for code in codes if not (facts.is_for_ros1 and code.startswith(OF_ROS_2)))
-        rules = [rule_by_code(code) for code in fitting if has_inputs(code, package)]
+        rules = [rule_by_code(code) for code in fitting_rules(codes, package, facts)]
         results = milder_behind(list(run_rules(inputs, rules, builder)), inputs, folder)
         results = of_unbuilt(results, package.files, folder, facts.name, seen)
         results += reader_crashes(package, builder.package, builder.crash_path)
@@ -157,72 +145,9 @@ class Worker:
         return PackageResults(folder, findings, crashes, suppressions, len(package.files.paths), checksums)
 
 
-def is_left(inputs: InputsOf, path: str) -> bool:
-    """Return whether nothing of a package leads to a file; imported where a finding needs it."""
-    from ...checks.left_files import LeftFiles
-
-    return any(each.has(path) for each in inputs(LeftFiles))
-
-
-def why_warning(inputs: InputsOf, hit: Hit) -> str:
-    """Return why a fault that ends a run is met by some alone; imported where a finding needs it."""
-    from ...checks.reached_places import ReachedPlaces
-    from ...checks.unstarted_programs import UNSTARTED, UnstartedPrograms
-
-    if any(each.has(hit.path) for each in inputs(UnstartedPrograms)):
-        return UNSTARTED
-    return next((each.why_milder(hit.path, hit.span) for each in inputs(ReachedPlaces)), "")
-
-
-def why_unmet(inputs: InputsOf, code: str, level: Severity, hit: Hit) -> str:
-    """Return why no plain launch or start comes to a hit; imported where a finding needs it."""
-    if code in OF_STARTS and hit.path.endswith(".py"):
-        from ...checks.unintended_starts import UnintendedStarts
-
-        if why := next((each.why(hit.path, hit.span) for each in inputs(UnintendedStarts)), ""):
-            return why
-    if not code.startswith(OF_LAUNCHES) or code in ASKING or "launch" not in hit.path:
-        return ""
-    from ...checks.launch.unmet_places import UnmetPlaces
-    from .met_in_launch import why_unmet
-
-    return next((why_unmet(each, code, level, hit) for each in inputs(UnmetPlaces)), "")
-
-
 def observed_in(folder: str, package: Package, noted: frozenset[Question] = frozenset()) -> dict[str, Observed]:
     """Return what was asked of a package's files, by its folder; nothing where none was, or a reader crashed."""
     own, whole = package.files.tree, package.files.whole
     if not isinstance(own, RecordedTree) or not isinstance(whole, RecordedTree) or not own.reads or package.crashes:
         return {}
     return {folder: Observed(listing(own), own.reads, whole.reads, noted)}
-
-
-def checksums_of(files: PackageFiles, paths: Iterable[str]) -> Iterator[tuple[str, int]]:
-    """Yield each of some files (paths from the root of the run) that is there, with the checksum of its bytes."""
-    prefix = files.folder + "/" if files.folder else ""
-    for path in sorted(paths):
-        with suppress(OSError):
-            yield path, crc32(files.tree.entry(path.removeprefix(prefix)).data)
-
-
-OF_ROS_2 = ("CMK", "DEP", "IDL", "LCH", "PLG", "PRM", "SET", "URD")
-"""Families about builds, launches and runs of ROS 2, which a package for ROS 1 has none of."""
-
-OF_LAUNCHES = ("DEP", "LCH", "PRM")
-"""Families that tell of launch files."""
-ASKING = frozenset({"LCH003", "LCH004"})
-"""Rules that ask themselves whether a launch comes to a place, by how it opens the file that is named there."""
-
-OVER_RUNS = {kind.__name__ for kind in RUN_EVENTS | {Workspace}}
-
-
-def is_over_packages(code: str) -> bool:
-    """Return whether a rule is about one package; one that no table knows is."""
-    entry = rule_entries().get(code)
-    return entry is None or entry.over not in OVER_RUNS
-
-
-def has_inputs(code: str, package: Package) -> bool:
-    """Return whether a package may have what a rule is about: only then it is worth its import."""
-    entry = rule_entries().get(code)
-    return entry is None or all(package.has(model) for model in entry.needs)
