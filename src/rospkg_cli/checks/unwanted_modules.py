@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ..languages.python.file import Import, PythonFile
+from ..languages.python.file import PythonFile
+from ..languages.python.imports import Import
 from ..light_dataclasses import dataclass
 from .reached_definitions import ReachedDefinitions
 from .reached_modules import ReachedModules

@@ -5,7 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Iterator
 
-from ...languages.python.file import Import
+from ...languages.python.imports import Import
 from ...light_dataclasses import dataclass
 from ...package.install_table import InstalledFile
 from ...ros.imports import STANDARD

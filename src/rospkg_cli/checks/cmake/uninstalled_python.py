@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
-from ...languages.python.file import Import
+from ...languages.python.imports import Import
 from ...light_dataclasses import dataclass
 from ...package.cmake.artifacts import PYTHON_MODULES
 from ...package.cmake.cmake_package import CMakePackage

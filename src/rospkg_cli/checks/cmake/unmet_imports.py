@@ -6,7 +6,8 @@ import posixpath
 import re
 
 from ...files import PackageFiles
-from ...languages.python.file import Import, PythonFile
+from ...languages.python.file import PythonFile
+from ...languages.python.imports import Import
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
 from ...package.install_table import InstalledFile

@@ -8,7 +8,8 @@ from collections.abc import Iterator
 
 from ...languages.python.branches import asks_how_started
 from ...languages.python.called_modules import is_bound
-from ...languages.python.file import Import, PythonFile
+from ...languages.python.file import PythonFile
+from ...languages.python.imports import Import
 from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
 from ..repository.foreign_images import foreign_image

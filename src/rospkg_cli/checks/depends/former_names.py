@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from ...languages.python.file import Import, PythonFile
+from ...languages.python.file import PythonFile
+from ...languages.python.imports import Import
 from ...light_dataclasses import dataclass
 from ...ros.interfaces import KINDS
 from ...suggest import slips

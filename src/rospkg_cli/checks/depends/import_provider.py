@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...languages.python.file import Import
+from ...languages.python.imports import Import
 from ...ros.distros import Targets
 from ...ros.imports import may_serve
 from ...ros.rosdep import NOT_THERE

@@ -7,7 +7,8 @@ from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.python.alias_span import alias_span
-from ...languages.python.file import Import, PythonFile
+from ...languages.python.file import PythonFile
+from ...languages.python.imports import Import
 from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
 from ...package.file_role import role_of

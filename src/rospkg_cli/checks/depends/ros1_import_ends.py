@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ...languages.python.file import Import
+from ...languages.python.imports import Import
 from ...light_dataclasses import dataclass
 from ...package.python.python_imports import PackageImports
 from ..python.ros1_import import ROS1, ros1_import

@@ -7,7 +7,7 @@ from functools import cached_property
 
 from ...files import PackageFiles
 from ...languages.cpp.file import CppFile
-from ...languages.python.file import Import
+from ...languages.python.imports import Import
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from ...languages.python.file import Import, PythonFile
+from ...languages.python.file import PythonFile
+from ...languages.python.imports import Import
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import is_set_aside, role_of

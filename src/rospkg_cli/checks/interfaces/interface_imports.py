@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...languages.python.alias_span import alias_span
-from ...languages.python.file import Import, PythonFile
+from ...languages.python.file import PythonFile
+from ...languages.python.imports import Import
 from ...light_dataclasses import dataclass, replace
 from ...package.package_facts import PackageFacts
 from ...package.workspace import Workspace

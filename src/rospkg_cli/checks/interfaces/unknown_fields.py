@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...languages.python.constant_truth import unreached_nodes
-from ...languages.python.file import Import, PythonFile
+from ...languages.python.file import PythonFile
 from ...languages.python.guarded_nodes import BLOCKS, guarded_nodes
+from ...languages.python.imports import Import
 from ...light_dataclasses import dataclass
 from ...ros.interface_fields import ros1_fields
 from ...ros.interfaces import KINDS

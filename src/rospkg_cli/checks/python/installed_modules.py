@@ -6,7 +6,7 @@ import posixpath
 from functools import cached_property
 
 from ...files import PackageFiles
-from ...languages.python.file import Import
+from ...languages.python.imports import Import
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.install_table import PYTHON, InstallTable

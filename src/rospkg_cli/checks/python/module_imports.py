@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from ...languages.python.file import Import, PythonFile
+from ...languages.python.file import PythonFile
+from ...languages.python.imports import Import
 from ...light_dataclasses import dataclass
 from .installed_modules import InstalledModules
 from .run_imports import RunImports

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import ast
 
-from ...languages.python.file import Import, PythonFile
+from ...languages.python.file import PythonFile
+from ...languages.python.imports import Import
 
 NODES = {"rclpy.node": frozenset({"Node"}), "rclpy.lifecycle": frozenset({"Node", "LifecycleNode"})}
 

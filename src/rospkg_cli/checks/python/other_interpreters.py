@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ...languages.python.file import Import
+from ...languages.python.imports import Import
 from ...ros.imports import HOSTS, OF_HOSTS
 
 

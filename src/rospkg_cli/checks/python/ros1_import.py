@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ...languages.python.file import Import
+from ...languages.python.imports import Import
 
 ROS1 = frozenset({"rospy", "roslib"})
 """Modules without which nothing of ROS 1 runs, and which ROS 2 does not have."""

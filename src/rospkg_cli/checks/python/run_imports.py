@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 
-from ...languages.python.file import Import, PythonFile
+from ...languages.python.file import PythonFile
+from ...languages.python.imports import Import
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role, is_set_aside, role_of
 from ...package.python.python_imports import PackageImports

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...languages.python.file import Import
+from ...languages.python.imports import Import
 from ...package.python_modules import PythonModules
 from ...package.setup.setup_py import SetupPy
 

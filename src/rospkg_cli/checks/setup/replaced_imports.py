@@ -5,7 +5,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from ...languages.python.file import Import, PythonFile, handles_import_error
+from ...languages.python.file import PythonFile
+from ...languages.python.import_conditions import handles_import_error
+from ...languages.python.imports import Import
 
 ENDS = frozenset({"exit", "_exit", "quit", "abort"})
 LEAVES = (ast.Raise, ast.Import, ast.ImportFrom)

@@ -7,7 +7,9 @@ import posixpath
 from collections.abc import Mapping
 from functools import cached_property
 
-from ...languages.python.file import Import, PythonFile, bindings
+from ...languages.python.bindings import bindings
+from ...languages.python.file import PythonFile
+from ...languages.python.imports import Import
 from ...languages.python.nodes import FunctionNode, nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...source import Span

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from ...checks.python.installed_modules import InstalledModules
-from ...languages.python.file import Import, PythonFile
+from ...languages.python.file import PythonFile
+from ...languages.python.imports import Import
 from ...languages.python.stopped_places import StoppedPlaces
 from ...light_dataclasses import dataclass
 from ...source import Span

@@ -9,6 +9,7 @@ from functools import cached_property
 from ...checks.python.endless_waits import endless_waits
 from ...checks.python.installed_modules import InstalledModules
 from ...languages.python.file import PythonFile
+from ...languages.python.imports import module_span
 from ...languages.python.nodes import nodes_of_kind
 from ...light_dataclasses import dataclass
 from ...source import Span
@@ -30,7 +31,7 @@ class WaitingModules:
 
     def home(self, file: PythonFile, node: ast.ImportFrom) -> str:
         """Return the file that a module is imported from; "" for one of others."""
-        span = file.module_span(node)
+        span = module_span(file, node)
         found = next((each for each in file.imports if each.names and each.span == span), None)
         module = self.installed.absolute(found, file.path) if found is not None else node.module or ""
         return self.installed.sources.get(module, "")

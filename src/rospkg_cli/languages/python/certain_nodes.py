@@ -8,8 +8,9 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from .attributes import is_of_self
 from .constant_truth import constant_truth
 from .evaluation_order import in_order
-from .file import STARTERS, PythonFile
+from .file import PythonFile
 from .nodes import children_of, nodes_of, nodes_of_kind
+from .started_calls import STARTERS
 
 LEAVING = STARTERS | {"exit", "_exit", "fail", "skip"}
 """Calls behind which nothing may run: they don't return before the program ends, or at all."""

@@ -7,7 +7,8 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 
 from ...light_dataclasses import dataclass
-from .file import PythonFile, bindings
+from .bindings import bindings
+from .file import PythonFile
 from .nodes import children_of, nodes_of
 
 JOINERS = frozenset({"join", "joinpath", "Path", "PurePath", "str"})

@@ -7,10 +7,11 @@ from collections.abc import Callable
 
 from ...source import Span
 from .constant_truth import constant_truth, unreached_statements
-from .file import STARTERS, PythonFile
+from .file import PythonFile
 from .nodes import FunctionNode, last_name, nodes_of, nodes_of_kind
 from .raising_regions import BLOCKS, BRANCHES, around
 from .settled_names import settled_in, truths
+from .started_calls import STARTERS
 
 Scope = FunctionNode | ast.Module
 INTERRUPTS = frozenset({"KeyboardInterrupt", "SystemExit", "GeneratorExit", "ExternalShutdownException"})

@@ -8,8 +8,9 @@ from collections.abc import Iterable, Iterator
 
 from ...light_dataclasses import dataclass
 from ...source import Span
+from .bindings import bindings
 from .constant_truth import unreached_statements
-from .file import PythonFile, bindings
+from .file import PythonFile
 from .guarded_nodes import guarded_nodes
 from .nodes import children_of, nodes_of, nodes_of_kind
 from .unread_types import told_types

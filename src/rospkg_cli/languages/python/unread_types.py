@@ -5,7 +5,8 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from .file import PythonFile, is_type_checking
+from .file import PythonFile
+from .import_conditions import is_type_checking
 from .nodes import children_of, functions_of, nodes_of_kind
 
 

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import Literal
 
-from ...languages.python.file import Import, PythonFile
+from ...languages.python.file import PythonFile
+from ...languages.python.imports import Import
 from ...languages.syntax_problem import SyntaxProblem
 from ...light_dataclasses import dataclass
 from ...source import Source, Span

@@ -8,7 +8,8 @@ from pathlib import PurePosixPath
 from typing import cast
 
 from ...files import PackageFiles, ReaderInput
-from ...languages.python.file import Import, PythonFile, parse_python
+from ...languages.python.file import PythonFile, parse_python
+from ...languages.python.imports import Import
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
 from ...source import Source
