@@ -41,7 +41,7 @@ FLOORS = (
         "disk_trace",
         "read_problem",
     },
-    {"tree", "absent_paths", "finding", "unreadable"},
+    {"tree", "absent_paths", "file_text", "finding", "unreadable"},
     {"fence", "files"},
     {"disk", "cache"},
     {"languages"},

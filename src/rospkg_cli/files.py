@@ -8,20 +8,14 @@ from functools import cached_property
 from typing import Generic, Protocol, TypeVar
 
 from .absent_paths import AbsentPaths
+from .file_text import read_text
 from .light_dataclasses import dataclass
-from .read_problem import ReadProblem
-from .source import Source, Span
-from .tree import EXISTING, FILES, LINKED, LeadsOutError, SkippedError, Tree
+from .source import Source
+from .tree import EXISTING, FILES, LINKED, Tree
 from .unreadable import Unreadable, UnreadableError
 
 UTF16 = (b"\xff\xfe", b"\xfe\xff")
 """The marks at the start of texts in which a letter takes two bytes."""
-
-STAND_INS = {
-    b"version https://git-lfs.github.com/spec/": ReadProblem.LFS_POINTER,
-    b"\0GITCRYPT\0": ReadProblem.GIT_CRYPT,
-}
-"""How a file begins that git holds in place of the one that people work with, who fetch or unlock that."""
 
 MAX_PAGE = 200_000
 """How many letters a page has at most that people read; what is longer is data or a log."""
@@ -127,21 +121,7 @@ class PackageFiles:
     def source(self, path: str) -> Source:
         """Return a file's text; raises UnreadableError where it has none."""
         if path not in self._sources:
-            try:
-                entry = self.tree.entry(path)
-                refuse_stand_in(path, entry.data)
-                text = entry.text.text
-            except UnicodeError as error:
-                raise undecodable(path, error) from None
-            except SkippedError as error:
-                outside = isinstance(error, LeadsOutError)
-                raise UnreadableError(
-                    path, Span(0, 0), ReadProblem.SKIPPED, str(error), skipped=True, outside=outside
-                ) from None
-            except OSError as error:
-                why = str(error.strerror or error)
-                raise UnreadableError(path, Span(0, 0), ReadProblem.NO_ACCESS, why) from None
-            self._sources[path] = Source(path, text)
+            self._sources[path] = read_text(self.tree, path)
         return self._sources[path]
 
     def readable_text(self, path: str) -> str:
@@ -186,18 +166,6 @@ def folders_of(paths: Iterable[str]) -> frozenset[str]:
                 break
             found.add(path)
     return frozenset(found)
-
-
-def refuse_stand_in(path: str, data: bytes) -> None:
-    for start, problem in STAND_INS.items():
-        if data.startswith(start):
-            raise UnreadableError(path, Span(0, 0), problem, skipped=True)
-
-
-def undecodable(path: str, error: UnicodeError) -> UnreadableError:
-    if isinstance(error, UnicodeDecodeError):
-        return UnreadableError(path, Span(0, 0), ReadProblem.ENCODING, error.encoding, str(error.start))
-    return UnreadableError(path, Span(0, 0), ReadProblem.UNDECODABLE, str(error))
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,8 @@ from typing import Literal, get_args
 from ...languages.python.branches import is_under_condition
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
-from ...languages.python.undefined_names import UndefinedName, is_in_branch, undefined_names
+from ...languages.python.place_kinds import is_in_branch
+from ...languages.python.undefined_names import UndefinedName, undefined_names
 from ...languages.python.unreached_places import is_unreached
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role, is_set_aside, role_of

@@ -10,7 +10,7 @@ from ...languages.python.called_modules import is_bound
 from ...languages.python.file import PythonFile
 from ...languages.python.guarded_nodes import guarded_nodes
 from ...languages.python.nodes import nodes_of_kind
-from ...languages.python.undefined_names import is_in_branch
+from ...languages.python.place_kinds import is_in_branch
 from ...languages.python.version_guards import guarded_by_version
 from ...light_dataclasses import dataclass
 from ...ros.module_attributes import ATTRIBUTES, BY_PLATFORM, MEANT, OPEN

@@ -11,7 +11,8 @@ from ...checks.python.module_attributes import absent_attributes
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...languages.python.file import PythonFile
-from ...languages.python.undefined_names import UndefinedName, is_in_branch, is_passed_over, undefined_names
+from ...languages.python.place_kinds import is_in_branch, is_passed_over
+from ...languages.python.undefined_names import UndefinedName, undefined_names
 from ...languages.python.unreached_functions import unreached_functions
 from ...light_dataclasses import dataclass
 from ...package.launch.launch_evaluator import ENTRIES, stops_with

@@ -9,7 +9,8 @@ from ...edits.setup_py import import_name, import_standard
 from ...example import SETUP_PY, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...languages.python.called_modules import CalledModule, called_modules
-from ...languages.python.undefined_names import UndefinedName, is_in_function, is_run, undefined_names
+from ...languages.python.place_kinds import is_in_function, is_run
+from ...languages.python.undefined_names import UndefinedName, undefined_names
 from ...light_dataclasses import replace
 from ...package.setup.setup_py import SetupPy
 from ...rule import rule

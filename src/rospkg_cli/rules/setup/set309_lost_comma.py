@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...example import SETUP_PY, Example
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...languages.python.lost_commas import joined_strings, lost_commas
-from ...languages.python.undefined_names import is_in_function
+from ...languages.python.place_kinds import is_in_function
 from ...lazy_regex import regex
 from ...package.setup.setup_py import SetupPy
 from ...rule import rule
