@@ -11,8 +11,8 @@ import pytest
 from cmaking import read
 
 from rospkg_cli import disk_trace
+from rospkg_cli.edits.brought_hits import related
 from rospkg_cli.edits.cmake_commands import guard
-from rospkg_cli.edits.undeclared_hits import related
 from rospkg_cli.engine.discovery import discover, exclusions, incomplete_workspace, listed_repositories
 from rospkg_cli.engine.fixing import remove_leftovers
 from rospkg_cli.engine.run import run_rules

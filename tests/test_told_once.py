@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 from in_process import run_here
+from rospkg_cli.report.told_once import told_once
 
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.finding import Finding, Location, Severity
-from rospkg_cli.report.told_once import told_once
 from rospkg_cli.source import Span
 
 

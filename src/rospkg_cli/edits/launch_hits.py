@@ -10,7 +10,7 @@ from ..checks.launch.package_reference import PackageReference
 from ..finding import Fix, Hit, Related, Severity
 from ..source import Span
 from .manifest import add_dependency
-from .undeclared_hits import declarations
+from .undeclared_dependency import declarations
 
 
 def described_nodes(

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Mapping
 from ..finding import Edit
 from ..languages.xml.elements import Element, XmlComment
 from ..lazy_regex import regex
-from ..package.manifest import Dependency, Manifest
+from ..package.dependency import Dependency
+from ..package.manifest import Manifest
 from ..ros.manifest import ONLY_ROS_2
 from ..source import Span
 from .dependency_lines import in_order

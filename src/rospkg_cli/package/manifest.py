@@ -12,43 +12,14 @@ from ..lazy_regex import regex
 from ..light_dataclasses import dataclass
 from ..read_problem import ReadProblem
 from ..ros.distros import Targets
-from ..ros.manifest import ATTRIBUTES_OF_3, CONDITIONAL_TAGS, DEPENDENCY_TAGS, FORMATS, NEW_IN, VERSION_LIMITS
+from ..ros.manifest import ATTRIBUTES_OF_3, CONDITIONAL_TAGS, DEPENDENCY_TAGS, FORMATS, NEW_IN
 from ..source import Source, Span
 from ..unreadable import UnreadableError
+from .dependency import Dependency
 from .schema.schema import Verdict, validate
 
-FORMAT_OF_SCHEMA = regex(r"package_format(\d)\.xsd")
 OF_AMENT = regex(r"ament_cmake\w*")
 """Build tools of packages that CMake builds."""
-SCHEMA_OF_XML = (
-    regex(r"""\bhref\s*=\s*["']\s*[^\s"']"""),
-    regex(r"""\bschematypens\s*=\s*["']http://www\.w3\.org/2001/XMLSchema["']"""),
-)
-"""What a `<?xml-model?>` line has that names a schema (ament_xmllint/main.py)."""
-
-
-@dataclass(frozen=True)
-class Dependency:
-    element: Element
-    tag: str
-    name: str
-    span: Span
-    """Of the name."""
-    condition: str | None = None
-
-    @property
-    def limits(self) -> dict[str, Attribute]:
-        """The `version_…` attributes, by name."""
-        return {name: each for name, each in self.element.attributes.items() if name in VERSION_LIMITS}
-
-    @property
-    def key(self) -> tuple[str, tuple[tuple[str, str], ...]]:
-        """The name and all attributes: what makes two dependencies of one tag equal."""
-        return self.name, tuple(sorted((name, each.value) for name, each in self.element.attributes.items()))
-
-    def active(self, targets: Targets) -> bool:
-        """Return whether the condition holds, or may hold, for one of the targets."""
-        return may_hold(self.condition, targets.environments())
 
 
 @dataclass(frozen=True)
@@ -92,7 +63,7 @@ class Manifest:
 
     @cached_property
     def features_of_3(self) -> tuple[tuple[Element, Attribute | None], ...]:
-        """What only format 3 has: the groups, and attributes with the element that carries them."""
+        """What only format 3 has: groups, and attributes with the element that has them."""
         groups = [(child, None) for child in self.all(*NEW_IN[3])]
         attributes = [
             (child, child.attributes[name])
@@ -105,18 +76,6 @@ class Manifest:
     def xml_model(self) -> Instruction | None:
         """The first `<?xml-model …?>` line."""
         return next((each for each in self.document.instructions if each.target == "xml-model"), None)
-
-    @property
-    def names_schema(self) -> bool:
-        """Whether the line names an XML schema to ament_xmllint, which reads its `href` and its `schematypens`.
-
-        The schema of another format than the manifest's is none: what it says of a place may not hold.
-        """
-        if self.xml_model is None:
-            return False
-        other = FORMAT_OF_SCHEMA.search(self.xml_model.data)
-        is_other = other is not None and int(other.group(1)) != self.format
-        return not is_other and all(pattern.search(self.xml_model.data) for pattern in SCHEMA_OF_XML)
 
     def all(self, *tags: str) -> list[Element]:
         """Return the children that have one of some tags, in order."""
@@ -172,7 +131,7 @@ class Manifest:
         )
 
     def depends_on(self, name: str, tags: Sequence[str] = ()) -> bool:
-        """Return whether a dependency of that name is there, under whatever condition."""
+        """Return whether there is a dependency of that name, under any condition."""
         return any(d.name == name and (not tags or d.tag in tags) for d in self.dependencies)
 
     @cached_property
@@ -195,7 +154,7 @@ class Manifest:
     def build_type(self, targets: Targets) -> str:
         """Return the build type for colcon; where none is given that of the build tool, else `catkin` (REP-149).
 
-        XML301 tells that none is given: what else is wrong is judged as if it were repaired.
+        XML301 reports that none is given; other rules judge the package as if that were repaired.
         """
         found = list(self.build_types(targets))
         if found:

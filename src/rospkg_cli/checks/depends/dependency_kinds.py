@@ -6,8 +6,8 @@ from collections.abc import Collection, Iterator
 from typing import Annotated, Literal
 
 from ...light_dataclasses import dataclass
+from ...package.dependency import Dependency
 from ...package.interfaces.interface_file import InterfaceFile
-from ...package.manifest import Dependency
 from ...ros.implied_dependencies import IN_LAUNCH_FILES, IN_SOURCES, implied_by
 from ...ros.manifest import BUILDS, EXPORTED, RUNS, is_buildtool
 from ...source import Span

@@ -7,7 +7,7 @@ import re
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.manifest import Dependency
+from ...package.dependency import Dependency
 from ...source import Span
 from ..repository.container_files import files_called
 from .declared_dependencies import DeclaredDependencies

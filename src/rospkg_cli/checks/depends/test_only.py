@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...light_dataclasses import dataclass
-from ...package.manifest import Dependency
+from ...package.dependency import Dependency
 from ...ros.implied_dependencies import LAUNCH
 from ...ros.imports import may_serve
 from .unused_dependencies import BUILT_IN, TOOLS, UnusedDependencies

@@ -8,7 +8,7 @@ from functools import cached_property
 from ...languages.rep149_condition import may_hold
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.manifest import Dependency
+from ...package.dependency import Dependency
 from ...package.workspace import Workspace
 from ...ros.distros import DISTROS, Distro, Targets
 from ...ros.name_suggestions import suggested_name

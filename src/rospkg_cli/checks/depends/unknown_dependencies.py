@@ -8,7 +8,7 @@ from functools import cached_property
 from ...languages.rep149_condition import evaluate_condition
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from ...package.manifest import Dependency
+from ...package.dependency import Dependency
 from ...ros.aliases import last_ros1_distro, successors
 from ...ros.distros import Targets
 from .declared_dependencies import DeclaredDependencies

@@ -11,7 +11,7 @@ from ...languages.python.imports import Import
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from ...package.manifest import Dependency
+from ...package.dependency import Dependency
 from ...package.python.python_imports import PackageImports
 from ...ros.headers import SHARED
 from ...ros.imports import may_serve

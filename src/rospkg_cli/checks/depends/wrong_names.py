@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ...light_dataclasses import dataclass
-from ...package.manifest import Dependency
+from ...package.dependency import Dependency
 from ...ros.aliases import key_for_apt, key_for_pip
 from ...ros.imports import STANDARD
 from ...ros.names import Names

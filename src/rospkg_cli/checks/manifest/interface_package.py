@@ -7,7 +7,8 @@ from functools import cached_property
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from ...package.manifest import Dependency, Manifest
+from ...package.dependency import Dependency
+from ...package.manifest import Manifest
 from ...ros.interfaces import GENERATORS, GROUP, RUNTIMES
 from ...ros.manifest import BUILDS, RUNS
 from ..depends.brought_dependencies import Bringer

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass
-from ...package.manifest import Dependency
+from ...package.dependency import Dependency
 from ..depends.unused_dependencies import UnusedDependencies
 from .manifest_inputs import ManifestAndFiles
 

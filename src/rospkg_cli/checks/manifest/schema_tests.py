@@ -8,6 +8,7 @@ from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.manifest import Manifest
+from ...package.schema_line import names_schema
 from ...ros.distros import Targets
 
 CHECKERS = ("ament_lint_common", "ament_cmake_xmllint", "ament_xmllint")
@@ -46,7 +47,7 @@ class SchemaTests:
         ament_xmllint checks the schema that an `<?xml-model …?>` line names, and without one only that the file is
         well-formed (ament_xmllint/main.py).
         """
-        return self.manifest.names_schema and self.declares_checker and self.runs_linters
+        return names_schema(self.manifest) and self.declares_checker and self.runs_linters
 
     @property
     def declares_checker(self) -> bool:
@@ -73,6 +74,6 @@ class SchemaTests:
         """What happens because the schema refuses something that colcon takes, as a clause."""
         if self.is_tested:
             return "`colcon test` fails, since it runs ament_xmllint"
-        if self.manifest.names_schema:
+        if names_schema(self.manifest):
             return "ament_xmllint and editors that know the schema refuse it"
         return "no tool checks it while no `<?xml-model?>` line names the schema"

@@ -8,7 +8,8 @@ from ...checks.depends.hand_installs import BY_PAGE
 from ...checks.depends.imports_of_tests import ImportsOfTests
 from ...checks.depends.name_source import is_unmet
 from ...checks.depends.undeclared_imports import ImportDependencies
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
+from ...edits.brought_hits import BroughtUse, left_to_others, related
+from ...edits.undeclared_dependency import advice, declaration, where_absent
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule

@@ -10,8 +10,9 @@ from ...checks.depends.nodes_in_code import nodes_in_code
 from ...checks.depends.undeclared_launch_packages import LaunchDependencies
 from ...checks.launch.absent_package import ends_with
 from ...checks.launch.package_reference import PackageReference
+from ...edits.brought_hits import BroughtUse, left_to_others, related
 from ...edits.launch_hits import described_nodes, no_launch
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
+from ...edits.undeclared_dependency import advice, declaration, where_absent
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...ros.implied_dependencies import LAUNCH
@@ -105,8 +106,7 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
         missing = launch.asked_for(tests=tests)
         if not tests and missing.keys() & LAUNCH:
             yield no_launch(launch.declared, {name: missing.pop(name) for name in sorted(missing.keys() & LAUNCH)})
-        perhaps = BroughtPrograms(missing, launch).bringers()
-        bringers = {**perhaps, **launch.declared.bringers(missing, runs=not tests)}
+        bringers = {**BroughtPrograms(missing, launch).bringers(), **launch.declared.bringers(missing, runs=not tests)}
         for name, uses in missing.items():
             bringer = bringers.get(name)
             if bringer and (bringer.is_certain or launch.unknown.intended(name) is None):

@@ -12,7 +12,8 @@ from ...checks.depends.strange_packages import StrangePackages
 from ...checks.depends.undeclared_find_package import UndeclaredFindPackage
 from ...checks.depends.undeclared_includes import IncludeDependencies
 from ...checks.depends.undeclared_test_commands import CommandsForTests
-from ...edits.undeclared_hits import BroughtUse, advice, brought_includes, declaration, left_to_others, where_absent
+from ...edits.brought_hits import BroughtUse, brought_includes, left_to_others
+from ...edits.undeclared_dependency import advice, declaration, where_absent
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...ros.manifest import is_buildtool

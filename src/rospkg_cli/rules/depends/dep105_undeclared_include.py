@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_unmet
 from ...checks.depends.undeclared_includes import IncludeDependencies
-from ...edits.undeclared_hits import advice, brought_includes, declaration, left_to_others, related, tag_of
+from ...edits.brought_hits import brought_includes, left_to_others, related, tag_of
+from ...edits.undeclared_dependency import advice, declaration
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule

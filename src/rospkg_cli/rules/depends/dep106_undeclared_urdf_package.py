@@ -8,7 +8,8 @@ from ...checks.depends.name_source import is_unmet_at_run
 from ...checks.depends.robot_use import RobotUse
 from ...checks.depends.robot_uses import RobotUses
 from ...checks.enumeration import enumerated
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
+from ...edits.brought_hits import BroughtUse, left_to_others, related
+from ...edits.undeclared_dependency import advice, declaration, where_absent
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule

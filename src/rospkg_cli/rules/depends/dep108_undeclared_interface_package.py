@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 
 from ...checks.depends.interface_types import InterfaceTypeDependencies, InterfaceTypeUse
 from ...checks.depends.name_source import is_unmet
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
+from ...edits.brought_hits import BroughtUse, left_to_others, related
+from ...edits.undeclared_dependency import advice, declaration, where_absent
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Safety, Severity
 from ...rule import rule

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ...checks.depends.handed_on_packages import HandedOnPackages
 from ...checks.depends.required_by_cmake import OF_CMAKE
-from ...edits.undeclared_hits import declaration
+from ...edits.undeclared_dependency import declaration
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...ros.manifest import is_buildtool

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.build_tools_of_cmake import ENVIRONMENT, BuildTool, BuildToolsOfCMake
-from ...edits.undeclared_hits import declaration
+from ...edits.undeclared_dependency import declaration
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from ...checks.depends.bare_libraries import BareLibraries
 from ...checks.depends.linked_libraries import LinkedLibraries
 from ...checks.depends.name_source import is_unmet
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others
+from ...edits.brought_hits import BroughtUse, left_to_others
+from ...edits.undeclared_dependency import advice, declaration
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule

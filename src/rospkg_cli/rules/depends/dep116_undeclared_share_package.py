@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from ...checks.depends.name_source import is_unmet_at_run
 from ...checks.looked_up_packages import LookedUpPackages
 from ...checks.lookups_for_users import ROUND
-from ...edits.undeclared_hits import BroughtUse, advice, declaration, left_to_others, related, where_absent
+from ...edits.brought_hits import BroughtUse, left_to_others, related
+from ...edits.undeclared_dependency import advice, declaration, where_absent
 from ...example import Example, manifest, scripts, setup_py
 from ...finding import Hit, Safety, Severity
 from ...rule import rule

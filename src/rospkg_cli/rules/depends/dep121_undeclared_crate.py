@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from ...checks.depends.cargo_needs import CARGO, CargoNeeds
 from ...checks.depends.name_source import is_unmet
-from ...edits.undeclared_hits import advice, comes_with, declaration, where_absent
+from ...edits.brought_hits import comes_with
+from ...edits.undeclared_dependency import advice, declaration, where_absent
 from ...example import Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule

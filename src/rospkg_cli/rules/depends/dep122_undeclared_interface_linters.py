@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.depends.interface_linters import ALL, FLAG, NEEDED, InterfaceLinters
-from ...edits.undeclared_hits import declaration
+from ...edits.undeclared_dependency import declaration
 from ...example import INTERFACES_BODY, INTERFACES_CMAKE, Example, manifest
 from ...finding import Hit, Safety, Severity
 from ...rule import rule

@@ -8,8 +8,8 @@ from ...checks.depends.dependency_kind_sentences import ending, usage
 from ...checks.depends.dependency_kinds import DependencyKinds, WrongKind
 from ...checks.enumeration import in_ticks
 from ...checks.launch.example_files import is_example
+from ...edits.brought_hits import comes_with
 from ...edits.manifest import add_dependencies, change_tag
-from ...edits.undeclared_hits import comes_with
 from ...example import Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
 from ...rule import rule

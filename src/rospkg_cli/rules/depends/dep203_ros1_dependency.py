@@ -8,7 +8,8 @@ from ...checks.depends.unknown_dependencies import SKIPPED, DependencyNames
 from ...edits.manifest import remove_element
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...package.manifest import Dependency, Manifest
+from ...package.dependency import Dependency
+from ...package.manifest import Manifest
 from ...ros.aliases import successors
 from ...rule import rule
 

@@ -12,6 +12,7 @@ from ...example import XMLLINT, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...languages.xml.elements import Element
 from ...package.schema.schema import misplaced
+from ...package.schema_line import names_schema
 from ...ros.manifest import ORDER, place_of
 from ...rule import rule
 from ...source import Span
@@ -70,7 +71,7 @@ def element_order(tests: SchemaTests) -> Iterator[Hit]:
     moved = set(moving)
     staying = [child for child in children if child not in moved]
     places = [place_of(child.tag) for child in staying]
-    if not manifest.names_schema:
+    if not names_schema(manifest):
         level, ends = Severity.INFO, "no tool checks it while the `<?xml-model?>` line names no schema of this format"
     elif not tests.is_tested:
         level, ends = Severity.INFO, "`ament_xmllint` and editors that know the schema refuse it"

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from ...edits.manifest import remove_element
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
-from ...package.manifest import Dependency, Manifest
+from ...package.dependency import Dependency
+from ...package.manifest import Manifest
 from ...rule import rule
 
 ONCE = manifest("  <exec_depend>rclpy</exec_depend>\n  <exec_depend>tf2_ros</exec_depend>\n")

@@ -9,7 +9,8 @@ from ...edits.manifest import remove_element
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
 from ...languages.rep149_condition import can_hold_together
-from ...package.manifest import Dependency, Manifest
+from ...package.dependency import Dependency
+from ...package.manifest import Manifest
 from ...ros.manifest import PART_OF_DEPEND
 from ...rule import rule
 

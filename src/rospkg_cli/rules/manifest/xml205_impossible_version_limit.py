@@ -8,7 +8,7 @@ from ...checks.manifest.version_limits import VersionLimits
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...languages.version_range import is_empty
-from ...package.manifest import Dependency
+from ...package.dependency import Dependency
 from ...ros.manifest import VERSION_LIMIT
 from ...rule import rule
 

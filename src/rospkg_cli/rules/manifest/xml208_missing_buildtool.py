@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from ...checks.depends.name_source import is_lacked_by_nobody
 from ...checks.manifest.build_tools import BuildTools
+from ...edits.brought_hits import comes_with
 from ...edits.manifest import add_dependency
-from ...edits.undeclared_hits import comes_with
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Safety, Severity
 from ...lazy_regex import regex

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.manifest.interface_package import InterfacePackage
+from ...edits.brought_hits import comes_with
 from ...edits.manifest import add_dependency, add_element, rename_dependency
 from ...edits.manifest_format import to_format_3
-from ...edits.undeclared_hits import comes_with
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Operation, Safety, Severity
-from ...package.manifest import Dependency
+from ...package.dependency import Dependency
 from ...ros.interfaces import GENERATORS, GROUP, RUNTIMES
 from ...ros.manifest import BUILDS
 from ...rule import rule

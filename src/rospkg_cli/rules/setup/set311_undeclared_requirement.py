@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.undeclared_requirements import UndeclaredRequirements
-from ...edits.undeclared_hits import declaration
+from ...edits.undeclared_dependency import declaration
 from ...example import Example, manifest, setup_py
 from ...finding import Hit, Safety, Severity
 from ...rule import rule
