@@ -3,43 +3,29 @@
 from __future__ import annotations
 
 from functools import cached_property
-from itertools import takewhile
-from typing import Any, Literal, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 from ..light_dataclasses import dataclass, replace
 from ..ros.config_files import is_cased
 from ..ros.distros import Distro, Targets
 from ..ros.imports import providers
-from ..ros.manifest import BUILDS
 from ..ros.names import BUILT_IN, NameKind, Names
-from ..ros.plugins import LOADED_FROM
+from .facts_by_value import FactsByValue, ValuesField
 from .launch.included_arguments import IncludedArguments
 from .launch.workspace_launch_files import WorkspaceLaunchFiles
 from .missing_repositories import is_called, may_hold
 from .package_facts import PackageFacts, Plugin
+from .package_indexes import (
+    by_build_dependency,
+    by_dependency,
+    by_header_folder,
+    loaders_by_base,
+    of_one_name,
+    shared_folders,
+)
 from .params.parameter_index import ParameterIndex
 
 IndexT = TypeVar("IndexT")
-
-Holders = dict[str | tuple[str, ...], list[PackageFacts]]
-"""By a value of one field of their facts, the packages that have it."""
-
-ValuesField = Literal[
-    "started_nodes",
-    "parsed_yaml",
-    "parsed_keys",
-    "handed_yaml",
-    "interfaces",
-    "components",
-    "cmake_targets",
-    "modules",
-    "header_files",
-    "included_headers",
-    "executables",
-    "misplaced_executables",
-    "other_markers",
-]
-"""A field of PackageFacts that is a set of strings, or of tuples of them."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +55,7 @@ class Workspace:
     """The names and folders of the plain CMake projects, which colcon builds and rosdep does not know."""
 
     nearest: tuple[PackageFacts, ...] = ()
-    """Of the names that several packages have, the package that is meant where the workspace is looked at."""
+    """Of packages with the same name, the one that is found from the package that is checked."""
 
     @cached_property
     def _by_name(self) -> dict[str, PackageFacts]:
@@ -78,7 +64,7 @@ class Workspace:
     def seen_from(self, folder: str) -> Workspace:
         """Return the workspace as the package in a folder sees it.
 
-        A repository may hold several workspaces: of packages of one name, the one that shares most folders is meant.
+        A repository may hold several workspaces: of packages with one name, the one that shares most folders is found.
         """
         if not self.repeated:
             return self
@@ -91,10 +77,7 @@ class Workspace:
     @cached_property
     def repeated(self) -> tuple[tuple[PackageFacts, ...], ...]:
         """The packages of each name that several have."""
-        found: dict[str, list[PackageFacts]] = {}
-        for facts in self.packages:
-            found.setdefault(facts.name, []).append(facts)
-        return tuple(tuple(each) for each in found.values() if len(each) > 1)
+        return of_one_name(self.packages)
 
     @cached_property
     def _views(self) -> dict[tuple[str, ...], Workspace]:
@@ -153,43 +136,16 @@ class Workspace:
         return ""
 
     @cached_property
-    def _answers(self) -> dict[tuple[str, ...], tuple[PackageFacts, ...]]:
-        return {}
-
-    @cached_property
-    def _by_value(self) -> dict[str, Holders]:
-        return {}
+    def _by_value(self) -> FactsByValue:
+        return FactsByValue(self.packages)
 
     def having(self, field: ValuesField, *value: str) -> tuple[PackageFacts, ...]:
         """Return the packages of which a field of their facts holds a value (several strings for a tuple of them)."""
-        asked = (field, *value)
-        if asked not in self._answers:
-            wanted = value[0] if len(value) == 1 else value
-            waiting = (facts for facts in self._waiting if facts.may_have(field, value))
-            found = [facts for facts in waiting if wanted in getattr(facts, field)]
-            every = (*self._holders(field).get(wanted, ()), *found)
-            self._answers[asked] = tuple(sorted(every, key=lambda facts: facts.folder))
-        return self._answers[asked]
+        return self._by_value.having(field, *value)
 
-    def _holders(self, field: ValuesField) -> Holders:
-        """Return the packages whose facts are collected, by each value of a field."""
-        if field not in self._by_value:
-            found: Holders = {}
-            for facts in self._collected:
-                for each in dict.fromkeys(getattr(facts, field)):
-                    found.setdefault(each, []).append(facts)
-            self._by_value[field] = found
-        return self._by_value[field]
-
-    @cached_property
-    def _waiting(self) -> tuple[PackageFacts, ...]:
-        """The packages of which each fact is collected when it is asked for."""
-        return tuple(facts for facts in self.packages if facts.is_on_demand)
-
-    @cached_property
-    def _collected(self) -> tuple[PackageFacts, ...]:
-        """The other packages, whose facts are all there."""
-        return tuple(facts for facts in self.packages if not facts.is_on_demand)
+    def installing(self, top: str) -> str:
+        """Return the first package that installs modules below a name without dots; "" where none does."""
+        return self._by_value.installing(top)
 
     def needing(self, name: str) -> tuple[PackageFacts, ...]:
         """Return the other packages that declare a dependency, whatever its tag."""
@@ -197,11 +153,7 @@ class Workspace:
 
     @cached_property
     def _needing(self) -> dict[str, list[PackageFacts]]:
-        found: dict[str, list[PackageFacts]] = {}
-        for facts in self.packages:
-            for name in dict.fromkeys(need.name for need in facts.dependencies):
-                found.setdefault(name, []).append(facts)
-        return found
+        return by_dependency(self.packages)
 
     def is_needed(self, name: str) -> bool:
         """Return whether another package depends on one: it may open any of its files."""
@@ -213,13 +165,7 @@ class Workspace:
 
     @cached_property
     def _builders(self) -> dict[str, set[str]]:
-        """By name, the packages that need one for their build; those of setuptools look for nothing with CMake."""
-        found: dict[str, set[str]] = {}
-        for facts in (each for each in self.packages if each.build_type != "ament_python"):
-            for need in facts.dependencies:
-                if need.tag in BUILDS:
-                    found.setdefault(need.name, set()).add(facts.name)
-        return found
+        return by_build_dependency(self.packages)
 
     def kind_of(self, name: str, targets: Targets | None = None) -> NameKind:
         """Return the kind of a name in package.xml; unknown only where no other source can provide it."""
@@ -234,7 +180,7 @@ class Workspace:
         return name in self._by_name or name in self.prefix_names
 
     def is_marked(self, name: str) -> bool:
-        """Return whether a package is found under a name that is not its own, and none has it: SET401 tells of it."""
+        """Return whether a package is found under a name that is not its own (SET401), and no other package has it."""
         return not self.is_available(name) and bool(self.having("other_markers", name))
 
     def is_cased(self, name: str) -> bool:
@@ -260,12 +206,10 @@ class Workspace:
 
     @cached_property
     def _loading(self) -> dict[str, set[str]]:
-        found = {base: {package} for base, package in LOADED_FROM.items()}
-        for facts in self.packages:
-            for package, base in facts.loaders:
-                if self.is_available(package) or self.kind_of(package) is NameKind.PACKAGE:
-                    found.setdefault(base, set()).add(package)
-        return found
+        return loaders_by_base(self.packages, self._is_package)
+
+    def _is_package(self, name: str) -> bool:
+        return self.is_available(name) or self.kind_of(name) is NameKind.PACKAGE
 
     def loaders_of(self, base: str) -> frozenset[str]:
         """Return the packages whose plugins of a base class are loaded, as far as that is known."""
@@ -280,34 +224,8 @@ class Workspace:
         return [plugin for facts in self.packages for plugin in facts.plugins if plugin.base == base]
 
     @cached_property
-    def _by_module(self) -> dict[str, str]:
-        """By the first name of their modules, the packages whose facts are collected."""
-        found: dict[str, str] = {}
-        for facts in self._collected:
-            for module in facts.modules:
-                found.setdefault(module.partition(".")[0], facts.name)
-        return found
-
-    @cached_property
-    def _installing(self) -> dict[str, str]:
-        return {}
-
-    def installing(self, top: str) -> str:
-        """Return the first package that installs modules below a name without dots; "" where none does."""
-        if top not in self._installing:
-            start = f"{top}."
-            waiting = (facts for facts in self._waiting if facts.may_have("modules", (top,)))
-            found = (each.name for each in waiting if any(f"{name}.".startswith(start) for name in each.modules))
-            self._installing[top] = self._by_module.get(top) or next(found, "")
-        return self._installing[top]
-
-    @cached_property
     def _by_headers(self) -> dict[str, set[str]]:
-        found: dict[str, set[str]] = {}
-        for facts in self.packages:
-            for folder in facts.headers:
-                found.setdefault(folder, set()).add(facts.name)
-        return found
+        return by_header_folder(self.packages)
 
     def with_header(self, header: str) -> frozenset[str]:
         """Return the packages of the workspace that have the folder of a header."""
@@ -324,9 +242,3 @@ class Workspace:
         if top in self._by_name and top not in around:
             around.append(top)
         return tuple(around) or providers(module, self.index).names
-
-
-def shared_folders(one: str, other: str) -> int:
-    """Return how many folders two paths have in common, from the outermost on."""
-    pairs = zip(one.split("/"), other.split("/"), strict=False)
-    return sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))

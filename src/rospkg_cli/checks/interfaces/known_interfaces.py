@@ -8,7 +8,8 @@ from functools import cached_property
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
-from ...package.workspace import Workspace, shared_folders
+from ...package.package_indexes import shared_folders
+from ...package.workspace import Workspace
 from ...ros import interface_fields
 from ...ros.interfaces import GENERATED_SUFFIXES, KINDS
 from ...suggest import near_names, nearest
