@@ -10,14 +10,14 @@ from ..lazy_regex import regex
 from ..light_dataclasses import replace
 
 ASIDE = regex(r"\s*\([^()]*\)")
-"""What is in parentheses: a version, or how many calls there are, by which the same thing differs between packages."""
+"""What is in parentheses (a version, a number of calls) may differ between packages."""
 
 
-def told_once(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Return the findings, sorted as they came, with each info that several packages share at its first place alone.
+def with_shared_infos(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Return the findings in their order; an info that several packages share is only at its first place.
 
-    An old `cmake_minimum_required` is written in all packages of a repository or in none: what is to be decided of it
-    is decided once. Errors and warnings are listed one by one, since each of them is to be fixed.
+    An old `cmake_minimum_required` is in all packages of a repository or in none, so that one decision settles it.
+    Errors and warnings are listed one by one, since each of them is to be fixed.
     """
     found = tuple(findings)
     same: dict[tuple[str, str], list[Finding]] = defaultdict(list)

@@ -19,7 +19,7 @@ from ...engine.run.session import Session
 from ...light_dataclasses import replace
 from ...report import Report
 from ...report.color import wants_color
-from ...report.told_once import told_once
+from ...report.shared_infos import with_shared_infos
 from ...report.wrap import terminal_width
 from ..index.age import warn_of_age
 from ..progress import progress
@@ -127,4 +127,4 @@ def nothing_found(session: Session, options: LintOptions, located: Located) -> F
 
 def once_each(results: Results) -> Results:
     """Return the results to be shown; baselines and ignore comments are made of all findings."""
-    return replace(results, findings=told_once(results.findings))
+    return replace(results, findings=with_shared_infos(results.findings))

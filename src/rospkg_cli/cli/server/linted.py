@@ -15,7 +15,7 @@ from ...engine.run.session import Session
 from ...finding import Finding
 from ...light_dataclasses import dataclass, field
 from ...package.run_events import RuleCrash
-from ...report.told_once import told_once
+from ...report.shared_infos import with_shared_infos
 from ...source import Source
 from .diagnostics import diagnostic
 from .live_lint import LintRun
@@ -32,9 +32,9 @@ class Linted:
 
     @classmethod
     def of(cls, run: LintRun, codec: PositionCodec, crashes: Iterable[RuleCrash] = ()) -> Linted:
-        """Return what a run found, with what crashed beside it."""
+        """Return what a run found, with what crashed during it."""
         found = run.scene.session.with_crashes(run.results, tuple(crashes))
-        return cls(run, told_once(found.findings), codec)
+        return cls(run, with_shared_infos(found.findings), codec)
 
     @property
     def session(self) -> Session:
