@@ -30,8 +30,8 @@ class End:
         self.heard = bodies(self.streams.heard)
 
     def tell(self, message: dict[str, Any]) -> None:
-        self.streams.told.write(framed(json.dumps(message).encode()))
-        self.streams.told.flush()
+        self.streams.sink.write(framed(json.dumps(message).encode()))
+        self.streams.sink.flush()
 
     def hear(self) -> Any:
         return json.loads(next(self.heard))
@@ -61,9 +61,9 @@ class Played:
 def played() -> Iterator[Played]:
     found = Played()
     yield found
-    found.server.streams.told.close()
+    found.server.streams.sink.close()
     found.thread.join()
-    found.editor.streams.told.close()
+    found.editor.streams.sink.close()
 
 
 def test_what_the_server_does_not_answer_is_refused_once(played: Played) -> None:
@@ -109,8 +109,8 @@ def test_an_action_comes_without_its_edit_and_the_server_hears_of_it(played: Pla
 
 def test_what_is_no_message_is_passed_on(played: Played) -> None:
     for body in (b"[" * 10_000, b"no JSON", b'["list"]'):
-        played.editor.streams.told.write(b"Content-Type: text\r\n" + framed(body))
-        played.editor.streams.told.flush()
+        played.editor.streams.sink.write(b"Content-Type: text\r\n" + framed(body))
+        played.editor.streams.sink.flush()
         assert next(played.server.heard) == body
 
 

@@ -62,7 +62,7 @@ class DiskTree:
 def read_entry(path: str | Path, *, is_plain: bool = False) -> TreeEntry:
     """Read one regular file; raises OSError. One that is larger than MAX_BYTES comes without its bytes.
 
-    `is_plain` says that a listing of its folder has told that it is no link.
+    `is_plain` says that a listing of its folder showed that it is no link.
     """
     found, data = read_limited(path)
     kind: Kind = "file" if is_plain or link_target(path) is None else "link"

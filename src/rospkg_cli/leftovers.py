@@ -24,10 +24,10 @@ BUILD_FOLDERS = {
 """Output folders of colcon and setuptools, with names in them that mark one as output."""
 
 MADE_BY_COLCON = frozenset({"colcon_build.rc", "prefix_override"})
-"""What colcon writes into the build folder of a package, beside the files that it links there."""
+"""What colcon writes into the build folder of a package, in addition to the files that it links there."""
 
 MADE_BESIDE = regex(r"(?:local_setup|package)\.(?:bash|dsv|ps1|sh|zsh)|hook|environment|ament_index")
-"""What a build installs beside a package.xml, in `share/<package>`."""
+"""What a build installs next to package.xml, in `share/<package>`."""
 
 STRAY = regex(r"\.(?P<name>.+)\.(?P<process>\d+)-\w+\.rospkg-tmp", re.DOTALL)
 """A file of ours that was being written when the process was killed."""

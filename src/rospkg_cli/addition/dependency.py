@@ -87,7 +87,7 @@ class AddedDependency:
 
     @property
     def is_of_both(self) -> bool:
-        """Whether it is for the build and for the run, under tags that nobody asked for."""
+        """Whether it is for the build and for the run, and the user named no tag."""
         return self.need == "all" and not self.tag
 
     def elements(self, manifest: Manifest, tags: set[str]) -> list[Element]:

@@ -51,5 +51,5 @@ class ScriptsFolder:
         return destination.rpartition("/")[2] == self.executable
 
     def remove(self, package: Package) -> Iterator[Operations]:
-        """Yield nothing: setup.cfg serves executables to come, and whose it is can't be told."""
+        """Yield nothing: setup.cfg also serves later executables, and it is not known for which it was added."""
         yield from ()

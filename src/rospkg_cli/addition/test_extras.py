@@ -1,4 +1,4 @@
-"""What tells colcon that a package of type ament_python is tested with pytest."""
+"""What has colcon test a package of type ament_python with pytest."""
 
 from __future__ import annotations
 

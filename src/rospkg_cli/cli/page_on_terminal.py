@@ -1,4 +1,4 @@
-"""Pages of HTML, which nobody reads on a terminal."""
+"""Pages of HTML, which are not for terminals."""
 
 from __future__ import annotations
 

@@ -13,12 +13,12 @@ OPTIONAL = "; this module is imported only where that may fail"
 
 
 def unneeded(imports: ImportDependencies, places: Iterable[ImportUse]) -> str:
-    """Return what is said of modules that nobody needs; "" for others."""
+    """Return the end of a message on modules that nothing needs; "" for others."""
     return LEFT if imports.reach.is_left(places) else OPTIONAL if imports.reach.are_optional(places) else ""
 
 
 def ros1_leftovers(imports: ImportDependencies) -> Iterator[Hit]:
-    """Yield one finding for all files that somebody meets, and one for each reason why nobody meets others."""
+    """Yield one finding for all files that are used, and one for each reason why the others are not."""
     by_reason: dict[str, list[ImportUse]] = {}
     for each in imports.ends.leftovers():
         by_reason.setdefault(why_unmet(imports, each), []).append(each)

@@ -12,7 +12,7 @@ NAMED = regex(r"`[^`]*`|\(\d+ times[^)]*\)")
 
 
 def same_infos_once(hits: Iterable[Hit], title: str) -> Iterator[Hit]:
-    """Yield hits, and of the infos of a kind the first, with the others beside it and one fix for all."""
+    """Yield hits, but of the infos of a kind only the first, with the others as related places and one fix for all."""
     kinds: dict[object, list[Hit]] = {}
     for hit in hits:
         kind = NAMED.sub("", hit.message).strip() if hit.level is Severity.INFO else hit

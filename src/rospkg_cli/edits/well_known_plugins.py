@@ -43,6 +43,6 @@ def well_known(every: Sequence[WrongPlugin]) -> Hit:
     fix = None if "" in better or None in better else Fix(f"write `{wrong.better}`", edits, Safety.UNSAFE)
     if unknown.is_guess:
         message = f"`{use.name}` is no well-known plugin: loading it fails, unless another package describes it{hint}"
-        return Hit(path, use.span, f"{message} if that is meant", Severity.INFO, places)
+        return Hit(path, use.span, f"{message} if that is intended", Severity.INFO, places)
     level = Severity.INFO if wrong.is_removed or not any(each.use.is_listed for each in every) else None
     return Hit(path, use.span, message, level, places, only_plain_names(fix, *map(str, better)) if fix else None)

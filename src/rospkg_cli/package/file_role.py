@@ -19,7 +19,7 @@ OF_OTHERS = regex(r"(?:third|3rd)[ _-]?part(?:y|ies)", re.IGNORECASE)
 """Folders for copies of what others wrote, with their own tests, which no build of the package compiles."""
 NOT_INSTALLED = frozenset({"setup.py", "conf.py"})
 UNUSED = r"un-?used|disused|not[ _-]?(?:in[ _-]?)?used?|(?:do[ _-]?not|don'?t)[ _-]?use"
-"""How people say that nothing uses what a folder or file holds; whatever stands beside the words."""
+"""Words in the name of a folder or file that say that it is not used, next to any other words."""
 LEFT_BEHIND = rf"depr[ei]cated|obsolete|archived|discarded|outdated|abandoned|wip|{UNUSED}"
 """What people write before or behind the name of a file, too, and what no robot or node is called."""
 GONE = rf"legacy|archive|attic|retired|{LEFT_BEHIND}"
@@ -34,7 +34,7 @@ LEFT = regex(
     rf"(?:{UNUSED})[ _-].*|.*[_.-](?:{UNUSED}))[_.-]*|{COPIED}",
     re.IGNORECASE,
 )
-"""Folders for what nobody uses any more; none for words that a robot's task may have (`trash`, `garbage`)."""
+"""Folders for what is no longer used; without words that the task of a robot may have (`trash`, `garbage`)."""
 LEFT_FILE = regex(
     rf".*[_.-](?:legacy|old|backup|bak|orig|copy|{LEFT_BEHIND})|(?:legacy|{LEFT_BEHIND})(?:[_.-].*)?",
     re.IGNORECASE | re.DOTALL,
@@ -57,7 +57,7 @@ def role_of(path: str) -> Role:
 
 
 def is_set_aside(path: str) -> bool:
-    """Return whether a file or folder lies in a folder for what nobody uses any more, or is a file named as such."""
+    """Return whether a file or folder is in a folder for what is no longer used, or is a file with such a name."""
     *folders, last = path.split("/")
     is_left = LEFT_FILE.fullmatch(last.partition(".")[0]) or COPY.search(last)
     return is_left is not None or any(LEFT.fullmatch(each) for each in folders)

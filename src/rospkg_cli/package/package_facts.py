@@ -57,8 +57,9 @@ class PluginUse:
     path: str
     span: Span
     is_listed: bool = True
-    """False where lists of plugins stand beside it, and none names its block, or where other controllers of the file
-    are spawned, and this one is not: nothing loads it."""
+    """False where nothing loads it: no list of plugins next to it names its block, or other controllers of the file are
+    spawned, and this one is not.
+    """
     kind: str = ""
     """What RViz loads it as, by the list of its config that it is in: `Panel`, `Display`, `Tool`, `ViewController`."""
     is_plain_type: bool = False

@@ -62,13 +62,15 @@ def read_installed_modules(reading: ReaderInput) -> Iterator[PythonFile | Unread
 
 
 def with_helpers(modules: PythonModules, tests: set[str]) -> set[str]:
-    """Return tests with the modules beside them that they import by a bare name."""
+    """Return tests with the modules next to them that they import by a bare name."""
     found = set(tests)
     for path in tests:
         file = modules.at(path)
         folder = path.rpartition("/")[0]
-        beside = {f"{folder}/{each.module}.py" for each in file.imports if not each.level} if file and folder else set()
-        found |= {helper for helper in beside if modules.files.exists(helper)}
+        next_to = (
+            {f"{folder}/{each.module}.py" for each in file.imports if not each.level} if file and folder else set()
+        )
+        found |= {helper for helper in next_to if modules.files.exists(helper)}
     return found
 
 

@@ -30,8 +30,8 @@ def uninstalled_files(reading: ReaderInput) -> frozenset[str]:
 
 
 def made_files(reading: ReaderInput) -> frozenset[str]:
-    """Return the names of the files that CMake writes, and of those that it installs and that are not here, or only
-    under a name that is near, which is told.
+    """Return the names of the files that CMake writes, and of those that it installs and that are missing (a rule
+    reports those with a similar name).
 
     `*` stands for the unknown parts of a name, and for any file of a folder.
     """

@@ -19,7 +19,7 @@ MODULES = (r"(?<![\w.-])%PART%(?=[.:]\w+)",)
 
 
 def in_setup_cfg(source: Source, renamed: RenamedPackage) -> Iterator[Span]:
-    """Yield the places in setup.cfg, pyproject.toml, MANIFEST.in and what tools of Python read beside them."""
+    """Yield the places in setup.cfg, pyproject.toml, MANIFEST.in and other files that Python tools read."""
     aside = [match.span() for each in (PROSE, URL) for match in each.finditer(source.text)]
     for match in re.finditer(rf"(?<![\w.-]){re.escape(renamed.old)}(?![\w-])", source.text):
         if any(start <= match.start() < end for start, end in aside):

@@ -1,6 +1,6 @@
 """Patterns in which a name stands.
 
-`%NAME%` is the name as a whole word, `%PART%` the name before what the pattern says, `%WORD%` one that is not meant.
+`%NAME%` is the name as a whole word, `%PART%` the name before what the pattern says, `%WORD%` another word.
 """
 
 from __future__ import annotations

@@ -13,4 +13,4 @@ SHARED = words("headers.txt", "shared")
 """Folders that several packages put headers into, or that are no package's at all."""
 
 BESIDE_INTERFACES = words("headers.txt", "beside interfaces")
-"""Packages of messages that have headers of their own beside those of their messages."""
+"""Packages of messages that have headers of their own in addition to those of their messages."""

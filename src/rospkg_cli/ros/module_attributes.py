@@ -33,7 +33,7 @@ MEANT: Mapping[str, str] = {
     "xml.etree.ElementTree.ET": "import xml.etree.ElementTree as ET",
     **{f"os.{name}": f"os.path.{name}" for name in ATTRIBUTES["os.path"] - ATTRIBUTES["os"] if name.islower()},
 }
-"""Names that no version of Python 3 that ROS 2 runs on has, and what is meant."""
+"""Names that no Python 3 of ROS 2 has, and what to write instead."""
 
 IN_FOXY = frozenset({"fractions.gcd", *(name for name in MEANT if name.startswith("collections."))})
 """Those that Python 3.8 still has, which Foxy and Galactic run on."""

@@ -19,7 +19,7 @@ MAX_TYPOS = 2
 MAX_PART = 3
 """Letters at one end of a word that make another one of it: `turtlelib` is no `turtlesim`."""
 LONG_REST = 6
-"""Letters that two names have in common beside a short word, from which that is a typo."""
+"""How many letters two names must share in addition to a short word, so that one is a typo of the other."""
 
 
 def suggested_name(name: str, names: Names, targets: Targets) -> str | None:

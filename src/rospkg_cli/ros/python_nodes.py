@@ -1,4 +1,4 @@
-"""Well-known packages whose nodes are written in Python, and what tells such a node by its name."""
+"""Well-known packages whose nodes are written in Python, and how the name of such a node is recognized."""
 
 from __future__ import annotations
 

@@ -138,9 +138,9 @@ def is_well_known(package: str) -> bool:
 
 
 def other_launch_file(package: str, path: str) -> tuple[str, str] | None:
-    """Return package and path of the launch file that a path is meant for; None where it is there, or none is near.
+    """Return package and path of the launch file that a wrong path intends; None where it exists, or none is near.
 
-    That is one of nearly this name in the package, else the only one of the very name in another one.
+    It is one with a similar name in the package, else the only one with the same name in another package.
     """
     known = sets(LAUNCH_FILES).get(package, frozenset())
     if not known or path in known or not LAUNCH_FILE.search(path):

@@ -11,7 +11,7 @@ from typing import Any
 from ..light_dataclasses import replace
 from ..resources import resources
 from . import ScaffoldError
-from .short_words import meant
+from .short_words import closest_name
 from .template import Template, TemplateFile, files_of
 
 if sys.version_info >= (3, 11):
@@ -66,7 +66,7 @@ def with_extras(
         if name in all_extras() and name not in known:
             raise ScaffoldError(f"`{name}` is for a package; leave it out of --with here: {', '.join(known)} remain")
         if name not in known:
-            raise ScaffoldError(f"--with knows no `{name}`{meant(name, known)}; known: {', '.join(known)}")
+            raise ScaffoldError(f"--with knows no `{name}`{closest_name(name, known)}; known: {', '.join(known)}")
     extra = [file for name in dict.fromkeys(asked) for file in known[name]]
     return replace(template, files=(*template.files, *extra))
 

@@ -1,4 +1,4 @@
-"""What `--with` adds beside a family: in the root of its workspace, or in the folder that holds its packages."""
+"""What `--with` adds for a family: in the root of its workspace, or in the folder that holds its packages."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ def digests(data: bytes) -> tuple[str, ...]:
 def rebuilt(written: Sequence[str], *known: bytes) -> bytes:
     """Return a text with these digests, of lines that known texts have.
 
-    Where none of them has a line, a line that nobody writes stands for it: it is gone from all of them.
+    Where no known text has a line, one that is never written takes its place: it is gone from all of them.
     """
     found = {digest(line): line for data in known for line in lines_of(data)}
     return b"\n".join(

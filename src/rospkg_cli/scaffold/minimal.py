@@ -1,4 +1,4 @@
-"""`--minimal`: what a first package needs, and nothing beside it."""
+"""`--minimal`: what a first package needs, and nothing else."""
 
 from __future__ import annotations
 

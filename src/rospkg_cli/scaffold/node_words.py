@@ -8,7 +8,7 @@ from . import ScaffoldError
 from .message import is_message
 from .node_kinds import LANGUAGES, offered_kinds
 from .qos import QOS
-from .short_words import meant
+from .short_words import closest_name
 
 TOPIC = regex(r"(?:~/|/)?[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*(?:/[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)*)*")
 """A name of a topic, service or action as rmw takes it everywhere: no `__`, no `_` at an end, no substitution."""
@@ -63,4 +63,4 @@ def check_topic(topic: str) -> None:
 
 def unknown_word(word: str, kinds: tuple[str, ...]) -> str:
     """Return what may have been intended by a word that is none of those above."""
-    return meant(word, [*kinds, *LANGUAGES, *QOS])
+    return closest_name(word, [*kinds, *LANGUAGES, *QOS])

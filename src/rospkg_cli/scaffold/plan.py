@@ -25,7 +25,7 @@ from .plugin_kinds import plugin_kinds
 from .render import RenderedFile, render, render_line
 from .resolve_request import depends_of, distro_of, license_of, requested_interfaces, version_of
 from .self_lint import lint_written
-from .short_words import meant
+from .short_words import closest_name
 from .template import WORKSPACE, Template, load_template, template_names
 from .test_level import test_level
 from .user_text import UserText, user_text
@@ -115,7 +115,9 @@ def template_of(name: str) -> Template:
     if name in known:
         return load_template(name)
     offered = (*known, WORKSPACE)
-    raise ScaffoldError(f"there is no type of package `{name}`{meant(name, offered)}; known: {', '.join(offered)}")
+    raise ScaffoldError(
+        f"there is no type of package `{name}`{closest_name(name, offered)}; known: {', '.join(offered)}"
+    )
 
 
 def answers_of(

@@ -7,7 +7,7 @@ from ..ros.plugins import BASE_HEADERS, LOADED_FROM
 from . import ScaffoldError
 from .names import check_form
 from .plugin_kinds import PluginKind, plugin_kind, plugin_kinds
-from .short_words import meant
+from .short_words import closest_name
 from .template import Template
 
 OWN_HEADER = "filter"
@@ -98,7 +98,7 @@ def plugin_of(text: str, package: str, distro: str) -> RequestedPlugin:
     name, colon, kind = text.rpartition(":")
     if kind not in plugin_kinds():
         known = ", ".join(plugin_kinds())
-        hint = meant(kind, plugin_kinds())
+        hint = closest_name(kind, plugin_kinds())
         raise ScaffoldError(f"there is no kind of plugin `{kind}`{hint}; known: {known}")
     name = name if colon else package
     check_form("plugin", name)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from ..suggest import did_you_mean
 
 
-def meant(word: str, names: Iterable[str]) -> str:
+def closest_name(word: str, names: Iterable[str]) -> str:
     """Return ` (did you mean `x`?)` for a misspelt name, or for a part that only one name has; else nothing."""
     names, small = list(names), word.lower()
     having = [name for name in names if len(small) > 1 and small in name]

@@ -12,7 +12,7 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
 from ...languages.python.own_reads import own_calls, own_nodes
 from ...languages.python.unreached_places import is_unreached
-from ...languages.python.unread_types import told_types
+from ...languages.python.unread_types import all_annotations
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role
 from ...ros.rclpy_names import OF_ROSPY, members_of_nodes, names_of_rclpy
@@ -108,7 +108,7 @@ class UnknownRclpyNames:
 
 def is_type(file: PythonFile, span: Span) -> bool:
     """Return whether a place says a type, which newer Pythons evaluate once somebody asks for it."""
-    return any(file.span(each).holds(span) for each in told_types(file))
+    return any(file.span(each).holds(span) for each in all_annotations(file))
 
 
 def name_of(node: ast.Attribute | ast.Name) -> str:

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import functions_of, last_name, nodes_of, nodes_of_kind
-from ...languages.python.unread_types import told_types
+from ...languages.python.unread_types import all_annotations
 from ...light_dataclasses import dataclass
 from ...ros.imports import STANDARD
 from ..behind_loops import is_behind_loop
@@ -63,7 +63,7 @@ class HandedNodes:
     @cached_property
     def kept(self) -> frozenset[int]:
         """The identities of the expressions that stand where nothing is handed on."""
-        found = {id(inner) for each in told_types(self.file) for inner in nodes_of(each)}
+        found = {id(inner) for each in all_annotations(self.file) for inner in nodes_of(each)}
         for node in nodes_of(self.file.tree):
             match node:
                 case ast.Attribute(value=value):

@@ -56,7 +56,7 @@ def graph(options: GraphOptions) -> int:
         found, crashes = read_graph(replace(session, reports_switched_off=False))
     sys.stdout.writelines(f"{line}\n" for line in WRITERS[options.format](chosen(found, options)))
     for name in crashes:
-        say(f"the dependencies of `{name}` are not all checked: internal error; `rospkg lint --traceback` tells more")
+        say(f"the dependencies of `{name}` are not all checked: internal error; `rospkg lint --traceback` shows more")
     return 3 if crashes else 0
 
 

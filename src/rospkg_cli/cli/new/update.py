@@ -55,7 +55,7 @@ def update(package: Path, typed: Request, dry_run: bool = False, show_diff: bool
     if not dry_run:
         tree = DiskTree(package)
         write_all(package, tree, {file.path: file.after for file in changed}, tree.fence)
-    return told(found, dry_run, wants_color(color, sys.stdout))
+    return show(found, dry_run, wants_color(color, sys.stdout))
 
 
 def name_of(package: Path) -> str:
@@ -81,7 +81,7 @@ def shown_diff(file: UpdatedFile) -> str:
         return f"Binary files a/{file.path} and b/{file.path} differ\n"
 
 
-def told(found: Sequence[UpdatedFile], dry_run: bool, color: bool) -> int:
+def show(found: Sequence[UpdatedFile], dry_run: bool, color: bool) -> int:
     lines = list(status_lines([FileStatus(file.status, file.path, file.about) for file in found], color))
     lines += ["", "Nothing was written."] if dry_run else []
     afterwards(lambda: print("\n".join(lines)), "the package is updated")

@@ -31,7 +31,7 @@ REASON = "say here why"
 
 
 KEYS = count(1)
-"""What tells each action to fix all from the others."""
+"""What distinguishes the actions that fix all."""
 
 
 def actions(linted: Linted, path: Path, asked: types.CodeActionParams) -> Iterator[types.CodeAction]:

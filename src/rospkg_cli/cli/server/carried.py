@@ -15,10 +15,10 @@ from .text_overlay import overlay
 
 
 def carried(before: Linted, texts: Mapping[Path, OpenText], changed: Set[Path], path: Path) -> Linted:
-    """Return the findings of a file in other texts than they were found in; those of other files as they were.
+    """Return the findings of a file whose text changed since they were found, and those of other files as they were.
 
-    One counts only where the lines are the same of itself, of what it tells of and of what its fix changes; with a fix
-    that touches a file which has `changed` on disk, not at all.
+    A finding is kept only where its lines, those of its related places and those that its fix changes are the same,
+    and its fix touches no file that has `changed` on disk.
     """
     run = before.run
     tree = overlay(DiskTree(before.root, run.scene.session.scope.folders), before.root, texts)

@@ -1,4 +1,4 @@
-"""The action that declares a dependency where a rule tells of one and repairs nothing."""
+"""The action that declares a dependency where a rule reports one and has no fix."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ def declarations(linted: Linted, finding: Finding) -> Iterator[Fix]:
     manifest = Package(PackageFiles(linted.session.tree.sub(folder), folder)).parts(Manifest).only
     if manifest is None:
         return
-    told = TAG.search(finding.message)
-    tag = told.group(1) if told else TAGS.get(finding.code, "depend")
+    named = TAG.search(finding.message)
+    tag = named.group(1) if named else TAGS.get(finding.code, "depend")
     declared = {each.name for each in manifest.dependencies} | {finding.package}
     for name in dict.fromkeys(NAME.findall(finding.message)):
         if name not in declared and is_known(linted, name):

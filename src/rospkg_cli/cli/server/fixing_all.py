@@ -60,7 +60,7 @@ class FixingAll:
         return found
 
     def withhold(self, key: str) -> None:
-        """Note that the editor has been told that the edit is not ready, even if it is."""
+        """Note that the editor got the answer that the edit is not ready, even if it is by now."""
         self.withheld.append(key)
         if key in self.given:
             self.given.remove(key)

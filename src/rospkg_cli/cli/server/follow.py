@@ -1,4 +1,4 @@
-"""What an editor tells: which folders and files are open, what is typed, what changes on disk."""
+"""What an editor reports: which folders and files are open, what is typed, what changes on disk."""
 
 from __future__ import annotations
 
@@ -98,4 +98,4 @@ def watch_files(server: PackageServer) -> None:
         wanted = types.DidChangeWatchedFilesRegistrationOptions([types.FileSystemWatcher("**/*")])
         each = types.Registration("files", types.WORKSPACE_DID_CHANGE_WATCHED_FILES, wanted)
         server.client_register_capability(types.RegistrationParams([each]))
-        server.is_told = True
+        server.reports_changes = True

@@ -23,7 +23,7 @@ class Streams:
     """Where messages of somebody come from, and where those for it go."""
 
     heard: BinaryIO
-    told: BinaryIO
+    sink: BinaryIO
 
 
 @dataclass
@@ -34,7 +34,7 @@ class Front:
     server: Streams
     deadlines: Deadlines = field(default_factory=Deadlines)
     queue: SimpleQueue[bytes | None] = field(default_factory=SimpleQueue)
-    """What the server is still to be told: it may be too busy to hear it."""
+    """Messages for the server, which may be too busy to read them now."""
     telling: Lock = field(default_factory=Lock)
 
     def run(self) -> None:
@@ -52,23 +52,23 @@ class Front:
         self.queue.put(None)
 
     def tell_server(self) -> None:
-        with suppress(OSError), self.server.told:
+        with suppress(OSError), self.server.sink:
             while (body := self.queue.get()) is not None:
-                self.server.told.write(framed(body))
-                self.server.told.flush()
+                self.server.sink.write(framed(body))
+                self.server.sink.flush()
 
     def refuse(self) -> None:
         while True:
             asked = self.deadlines.late()
-            if told := unanswered(asked):
-                self.queue.put(told)
+            if answer := unanswered(asked):
+                self.queue.put(answer)
             self.tell_editor(refusal(asked))
 
     def tell_editor(self, body: bytes) -> None:
         """Say something to the editor; where it has gone, the server hears so by itself."""
         with suppress(OSError), self.telling:
-            self.editor.told.write(framed(body))
-            self.editor.told.flush()
+            self.editor.sink.write(framed(body))
+            self.editor.sink.flush()
 
 
 def parsed(body: bytes) -> dict[str, Any]:

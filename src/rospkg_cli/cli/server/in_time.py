@@ -1,4 +1,4 @@
-"""Requests are answered soon or not at all: an editor asks again, and nobody waits for it."""
+"""Requests are answered soon or not at all: an editor asks again, and does not wait for it."""
 
 from __future__ import annotations
 

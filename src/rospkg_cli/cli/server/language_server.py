@@ -41,8 +41,8 @@ class PackageServer(LanguageServer):
         """Taken by what is asked while a run goes on."""
         self.limit = LIMIT
         """Seconds within which what is asked is answered or refused."""
-        self.is_told = False
-        """Whether the editor tells what changes on disk."""
+        self.reports_changes = False
+        """Whether the editor reports what changes on disk."""
         self.linting, self.looking_up = ThreadPoolExecutor(1, "lint"), ThreadPoolExecutor(1, "lookup")
 
     async def lint_all(self) -> bool:
@@ -54,9 +54,9 @@ class PackageServer(LanguageServer):
         return all(live.is_finished for live in self.workspaces)
 
     async def lint(self, live: LiveWorkspace) -> None:
-        """Lint a workspace beside what goes on, and publish."""
+        """Lint a workspace in the background, and publish the findings."""
         order, loop, codec = (
-            live.order(self.way, is_told=self.is_told),
+            live.order(self.way, is_reported=self.reports_changes),
             asyncio.get_running_loop(),
             self.workspace.position_codec,
         )
@@ -101,8 +101,8 @@ class PackageServer(LanguageServer):
         if not isinstance(error, UserError):
             said = f"rospkg: internal error, please report it: {error!r}"
             self.window_log_message(types.LogMessageParams(types.MessageType.Error, traceback.format_exc()))
-        if said != live.told:
-            live.told = said
+        if said != live.said:
+            live.said = said
             self.window_show_message(types.ShowMessageParams(types.MessageType.Error, said))
 
     def crashed(self, live: LiveWorkspace, path: Path, what: str) -> None:

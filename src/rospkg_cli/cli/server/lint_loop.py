@@ -1,4 +1,4 @@
-"""The runs that go on beside what an editor asks: soon after a change, and never two at once."""
+"""Runs in the background of what an editor asks: soon after a change, and never two at once."""
 
 from __future__ import annotations
 

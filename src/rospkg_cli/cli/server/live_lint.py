@@ -40,7 +40,7 @@ class LintOrder:
     look: SafePoint = field(default_factory=SafePoint)
     """Where the run, and what is made of it later, may be interrupted."""
     on_disk: Callable[[Path], object] | None = None
-    """Told of each file that has changed on disk, where the editor does not tell; None where it does."""
+    """Called with each file that has changed on disk, where the editor does not report that; None where it does."""
 
 
 @dataclass(frozen=True)
@@ -104,8 +104,8 @@ class LiveLint:
         changed = {*relative_to(order.changed, located.root), *self.changed_on_disk(order, located.scope)}
         self.memory.forget(changed, located.scope.folders)
         scope = session.scope
-        beside = [sorted(map(sorted, scope.repositories)), scope.folders, scope.cmake_projects]
-        given = [scope.incomplete, sorted(scope.prefix_names), beside]
+        around = [sorted(map(sorted, scope.repositories)), scope.folders, scope.cmake_projects]
+        given = [scope.incomplete, sorted(scope.prefix_names), around]
         self.memory.require(repr([given, sorted(session.codes), session.settings, session.targets, configs.root]))
         tree = DiskTree(located.root, scope.folders)
         typed = {folder: self.facts[folder] for folder in self.facts if is_typed(located.root / folder, order.texts)}
@@ -120,7 +120,7 @@ class LiveLint:
         )
 
     def changed_on_disk(self, order: LintOrder, scope: Scope) -> set[str]:
-        """Return what has changed on disk since the last run and nobody told; nothing in the first run."""
+        """Return what has changed on disk since the last run without a report; nothing in the first run."""
         if order.on_disk is None:
             return set()
         is_first, self.stamps = self.stamps is None, self.stamps or DiskStamps(self.root)

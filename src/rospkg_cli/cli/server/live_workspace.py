@@ -38,8 +38,8 @@ class LiveWorkspace:
     """Whether the last run judged all packages, or could not."""
     has_failed: bool = False
     """Whether the run over the texts as they are now came to nothing."""
-    told: str = ""
-    """Why the last run came to nothing, as the user was told."""
+    said: str = ""
+    """Why the last run failed, as it was shown to the user."""
     crashes: dict[Path, RuleCrash] = field(default_factory=dict)
     """What failed outside of the runs, by the file where it did; forgotten when that changes."""
     look: SafePoint = field(default_factory=SafePoint)
@@ -70,14 +70,14 @@ class LiveWorkspace:
         self.crashes.pop(path, None)
         self.is_current = self.has_failed = False
 
-    def order(self, way: RightOfWay, *, is_told: bool = True) -> LintOrder:
+    def order(self, way: RightOfWay, *, is_reported: bool = True) -> LintOrder:
         """Return what the next run is to see; it waits while others have the right of way.
 
-        `is_told` says that the editor tells what changes on disk.
+        `is_reported` says that the editor reports what changes on disk.
         """
         changed, self.changed, self.look = frozenset(self.changed), set(), SafePoint(way)
         self.running = changed
-        on_disk = None if is_told else self.world.written.put
+        on_disk = None if is_reported else self.world.written.put
         return LintOrder(dict(self.texts), changed, frozenset(self.wanted), self.look, on_disk)
 
     def begin(self, scene: Scene) -> None:
@@ -89,7 +89,7 @@ class LiveWorkspace:
         self.scene = linted.run.scene
         if not self.changed:
             self.linted, self.is_finished, self.running = linted, linted.run.is_finished, frozenset()
-            self.is_current, self.has_failed, self.told = True, False, ""
+            self.is_current, self.has_failed, self.said = True, False, ""
         return self.is_current
 
     def give_back(self, order: LintOrder) -> None:

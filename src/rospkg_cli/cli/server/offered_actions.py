@@ -44,8 +44,8 @@ def offer_actions(server: PackageServer) -> None:
         return action
 
     @server.feature(UNANSWERED)
-    def unanswered(told: Any) -> None:
-        fixing.withhold(str(told.key))
+    def unanswered(answer: Any) -> None:
+        fixing.withhold(str(answer.key))
 
     @server.command(FIX_ALL_COMMAND)
     def fix_all(key: str, path: str) -> None:

@@ -1,4 +1,4 @@
-"""What an editor is told instead of an answer that takes too long."""
+"""What an editor gets instead of an answer that takes too long."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ LIMIT = 0.12
 """Seconds for an answer: those of the messages to and fro come on top."""
 
 MOST = 3600.0
-"""Seconds that nobody waits longer than."""
+"""The most seconds that an editor waits for an answer."""
 
 OPTION = "answerWithin"
 """What an editor may say among its `initializationOptions`: other seconds."""
@@ -24,7 +24,7 @@ requests of other kinds, and RequestCancelled for what the editor itself has can
 RESOLVE = "codeAction/resolve"
 
 UNANSWERED = "rospkg/unanswered"
-"""Tells the server that an action was resolved without the edit that it may have made by now."""
+"""The message to the server that an action was resolved without the edit, which may be ready by now."""
 
 REFUSED = frozenset(
     {
@@ -58,7 +58,7 @@ def refusal(asked: Mapping[str, Any]) -> bytes:
 
 
 def unanswered(asked: Mapping[str, Any]) -> bytes:
-    """Return the body that tells the server of an action whose edit the editor has not got; b"" for other requests."""
+    """Return the message to the server on an action whose edit the editor did not get; b"" for other requests."""
     data = (asked.get("params") or {}).get("data") if asked["method"] == RESOLVE else None
     if not isinstance(data, dict):
         return b""

@@ -88,7 +88,7 @@ def stale(finding: Finding, changed: Set[str]) -> str:
 
 
 def read_only(tree: Tree, finding: Finding) -> str:
-    """Return which file of a fix nobody may write; "" where there is none."""
+    """Return the file of a fix that may not be written; "" where there is none."""
     for path in sorted({each.path for each in finding.fix.operations} if finding.fix else ()):
         with suppress(OSError):
             if not tree.entry(path).mode & 0o222:

@@ -9,7 +9,7 @@ from ...checks.depends.wrong_rclpy_calls import FOR_OLDER
 from ...finding import ALSO, Finding, Location, Severity
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
-from ...languages.python.unread_types import told_types
+from ...languages.python.unread_types import all_annotations
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...source import Span
@@ -60,4 +60,4 @@ def all_places(each: Finding, path: str) -> list[Location]:
 def may_pass(file: PythonFile, span: Span) -> bool:
     """Return whether a place is no error in some version of Python or distribution: a keyword or an annotation."""
     keywords = any(file.span(each).holds(span) for each in nodes_of_kind(file.tree, ast.keyword))
-    return keywords or any(file.span(each).holds(span) for each in told_types(file))
+    return keywords or any(file.span(each).holds(span) for each in all_annotations(file))

@@ -12,7 +12,7 @@ FILLS = frozenset({"append", "extend", "insert"})
 FILLED = ast.List | ast.ListComp
 """What a name is bound to that holds a list of its own."""
 ACTS = ast.NamedExpr | ast.Await | ast.Yield | ast.YieldFrom
-"""What a condition does beside its answer."""
+"""What a condition does in addition to its result."""
 
 
 def idle_tests(file: PythonFile, lost: Set[int]) -> Iterator[ast.expr]:

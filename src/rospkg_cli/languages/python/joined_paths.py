@@ -28,7 +28,7 @@ class BasedPath:
 
 
 class PathJoiner:
-    """Evaluates the expressions of a file that are paths below a base; `base_of` tells what a call is a base of."""
+    """Evaluates the expressions of a file that are paths below a base; `base_of` returns what a call is the base of."""
 
     def __init__(self, file: PythonFile, base_of: Callable[[ast.Call, PathJoiner], str]) -> None:
         self.file = file

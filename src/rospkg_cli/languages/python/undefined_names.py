@@ -11,7 +11,7 @@ from .file import PythonFile
 from .guarded_nodes import guarded_nodes
 from .name_scopes import names_unseen
 from .nodes import nodes_of, nodes_of_kind
-from .unread_types import told_types
+from .unread_types import all_annotations
 
 BROAD = frozenset({"Exception", "BaseException"})
 
@@ -55,4 +55,4 @@ def undefined_names(file: PythonFile, *, everywhere: bool = False, with_types: b
 
 def annotated(file: PythonFile) -> Iterator[int]:
     """Yield the identity of each node in an annotation."""
-    yield from (id(node) for each in told_types(file) for node in nodes_of(each))
+    yield from (id(node) for each in all_annotations(file) for node in nodes_of(each))

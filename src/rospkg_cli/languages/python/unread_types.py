@@ -13,7 +13,7 @@ from .nodes import children_of, functions_of, nodes_of_kind
 def unread_types(file: PythonFile) -> Iterator[ast.expr]:
     """Yield the annotations that stay unread: those of variables in functions, with the `__future__` import all."""
     if any(each.module == "__future__" and "annotations" in each.names for each in file.imports):
-        yield from told_types(file)
+        yield from all_annotations(file)
         return
     for function in functions_of(file.tree):
         for node in own_nodes(function):
@@ -21,7 +21,7 @@ def unread_types(file: PythonFile) -> Iterator[ast.expr]:
                 yield node.annotation
 
 
-def told_types(file: PythonFile) -> Iterator[ast.expr]:
+def all_annotations(file: PythonFile) -> Iterator[ast.expr]:
     """Yield every annotation: of parameters, variables and what functions return."""
     yield from (each.annotation for each in nodes_of_kind(file.tree, ast.arg) if each.annotation is not None)
     yield from (each.annotation for each in nodes_of_kind(file.tree, ast.AnnAssign))

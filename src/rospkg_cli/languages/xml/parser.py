@@ -32,7 +32,7 @@ BOUND = frozenset({"xml", "xmlns"})
 
 VALUE = regex(r'="[^"]*"')
 STAND_IN = "\x7f"
-"""A character of one byte, allowed in XML and in nobody's file, that takes the place of a `<`."""
+"""A character of one byte that XML allows and no file has; it takes the place of a `<`."""
 
 
 def read_xml(source: Source, *, prefixes: bool = True, takes_less_than: bool = False) -> Document:

@@ -45,7 +45,7 @@ class InstalledPython:
         return path.startswith(self.folders) or self.is_imported(path)
 
     def is_imported(self, path: str) -> bool:
-        """Return whether an import of any file names a module, which Python may find beside it."""
+        """Return whether an import of any file names a module, which Python may find in the same folder."""
         folder, _, name = path.rpartition("/")
         module = folder.rpartition("/")[2] if name == "__init__.py" else name.removesuffix(".py")
         return module in self.imported
@@ -58,7 +58,7 @@ class InstalledPython:
 
     @cached_property
     def folders(self) -> tuple[str, ...] | None:
-        """The folders of the Python packages that CMake installs; None where that can't be told."""
+        """The folders of the Python packages that CMake installs; None where that is not known."""
         found = []
         for match in PYTHON_PACKAGE.finditer(self.cmake):
             words = match.group(1).split()
