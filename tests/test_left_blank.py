@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.python.left_blank import announces, is_blank, is_to_be_replaced
+from rospkg_cli.checks.python.blank_names import is_blank, is_to_be_replaced
+from rospkg_cli.checks.python.left_blank import announces
 from rospkg_cli.example import BACKDROPS, CMAKE, existing_files, manifest, scripts, setup_py
 from rospkg_cli.testing import lint_files
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.python.left_blank import is_blank
+from rospkg_cli.checks.python.blank_names import is_blank
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.testing import lint_files
 

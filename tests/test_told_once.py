@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 from in_process import run_here
-from rospkg_cli.report.told_once import told_once
 
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.finding import Finding, Location, Severity
+from rospkg_cli.report.shared_infos import with_shared_infos
 from rospkg_cli.source import Span
 
 
@@ -79,6 +79,6 @@ def info(package: str, line: int, message: str = "old (3.5)", severity: Severity
     ],
 )
 def test_what_is_told_at_another_place(found: list[Finding], lines: dict[int, list[int]]) -> None:
-    told = told_once(found)
+    told = with_shared_infos(found)
     assert {each.location.line: [at.line for at, _ in each.related] for each in told} == lines
     assert {text for each in told for _, text in each.related} <= {"and here"}

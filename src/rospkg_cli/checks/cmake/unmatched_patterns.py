@@ -17,6 +17,7 @@ from ...package.cmake.installed_headers import HEADERS
 from ...package.workspace import Workspace
 from ...ros.share_layout import LAUNCH
 from ..share_uses import ShareUses
+from ..uninstalled_folders import UninstalledFolders
 from .consumers import Consumers
 
 FAMILIES = tuple(
@@ -69,7 +70,7 @@ class UnmatchedPatterns:
         uses = ShareUses(self.package.cmake.package_files, self.package.facts.name, self.workspace)
         names = {posixpath.basename(path) for path in found.others}
         is_started = any(LAUNCH.fullmatch(name) for name in names)
-        return is_started or uses.level(found.folder) != "info" or any(map(uses.names_file, names))
+        return is_started or UninstalledFolders(uses).level(found.folder) != "info" or any(map(uses.names_file, names))
 
 
 def unmatched_patterns(cmake: CMake) -> Iterator[UnmatchedPattern]:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from ...files import PackageFiles
 from ...package.file_role import role_of
 from ...package.launch.launch_file import LaunchFile
-from ...package.python.python_imports import own_modules
+from ...package.python.own_modules import own_modules
 from ...ros.imports import may_serve
 from ..launch.launched_programs import is_program
 from ..launch.package_reference import PackageReference

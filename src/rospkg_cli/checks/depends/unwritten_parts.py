@@ -23,7 +23,8 @@ def why_unwritten(use: UndefinedUse) -> str:
 
 def why_open(file: PythonFile, name: str, span: Span) -> str:
     """Return what is said of a use of a name that is a blank, or that a comment asks for; "" for any other."""
-    from ..python.left_blank import announces, is_asked_for, is_blank  # what few files need
+    from ..python.blank_names import is_blank  # what few files need
+    from ..python.left_blank import announces, is_asked_for
 
     text = file.source.text
     if is_blank(name):

@@ -106,7 +106,7 @@ def lacked_by_search(scope: LaunchContext, each: MissingReference) -> str:
 
 def is_template(scope: LaunchContext, each: MissingReference) -> bool:
     """Return whether people are to write another name: a comment says so, or the name does (`YOUR_ROBOT.urdf`)."""
-    from ..python.left_blank import is_blank, is_to_be_replaced  # few packages miss a file
+    from ..python.blank_names import is_blank, is_to_be_replaced  # few packages miss a file
 
     name = posixpath.basename(each.path).partition(".")[0]
     return is_blank(name) or is_to_be_replaced(scope.file.source.text, each.span.start)

@@ -41,7 +41,7 @@ def unknown_executables(started: NodeExecutables) -> Iterator[ExecutableUse]:
 
 def unless_blank(started: NodeExecutables, node: ExecutableUse) -> ExecutableUse:
     """Return a use, as an info where people are to fill its name in (`TODO`, `<your_node>`) or to replace it."""
-    from ..python.left_blank import is_blank, is_to_be_replaced  # what few launch files need
+    from ..python.blank_names import is_blank, is_to_be_replaced  # what few launch files need
 
     is_open = is_blank(node.executable) or is_to_be_replaced(started.scope.file.source.text, node.span.start)
     return replace(node, level="info", why="until people fill the name in") if is_open else node

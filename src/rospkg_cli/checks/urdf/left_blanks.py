@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...languages.xml.parser import Element
-from ..python.left_blank import is_blank
+from ..python.blank_names import is_blank
 
 STILL = "; it is still to be filled in"
 

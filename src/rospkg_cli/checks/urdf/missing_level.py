@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...light_dataclasses import replace
 from ..fault import Fault, softer
-from ..python.left_blank import is_to_be_replaced
+from ..python.blank_names import is_to_be_replaced
 from ..repository.left_to_people import UNTIL_NAMED, why_left
 from .met_robots import OPENED_WHEN_ON
 from .missing_resource import MissingResource, wrong

@@ -5,7 +5,8 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator, Mapping
 
-from ...languages.python.file import PythonFile, asked
+from ...languages.python.file import PythonFile
+from ...languages.python.import_conditions import asked
 from ...languages.python.nodes import last_name, nodes_of, nodes_of_kind
 from ...source import Span
 from .exception_guards import LOOKUPS, MISSING, catching

@@ -7,7 +7,6 @@ from collections.abc import Collection, Iterator
 
 from ...languages.python.file import PythonFile
 from ...languages.python.guarded_nodes import suppresses
-from ...languages.python.import_conditions import asked
 from ...languages.python.nodes import functions_of, last_name, nodes_of, nodes_of_kind
 from ...source import Span
 

@@ -1,11 +1,8 @@
-"""The Python of a package: what each file imports, and which modules are the package's own."""
+"""What each Python file of a package imports that is not the package's own."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
-from pathlib import PurePosixPath
-from typing import cast
 
 from ...files import PackageFiles, ReaderInput
 from ...languages.python.file import PythonFile, parse_python
@@ -22,9 +19,7 @@ from ..setup.setup_py import SetupPy
 from .installed_python import InstalledPython
 from .modules_of_tests import modules_of_tests
 from .node_calls import DescribedNode, described_nodes
-
-NO_PACKAGES = frozenset({"launch", "test", "tests", "config", "scripts"})
-"""Folders without `__init__.py` that are not imported, though Python would import them."""
+from .own_modules import OwnModules, own_modules
 
 LAUNCH_TEST = "generate_test_description"
 LAUNCH_PYTEST = "launch_pytest"
@@ -44,53 +39,10 @@ class PythonImports:
 
 @dataclass(frozen=True)
 class PackageImports:
-    """Every Python file of a package that can be read; `complete` says whether all of them could."""
+    """Every Python file of a package that can be read; `is_complete` says whether all of them could."""
 
     files: tuple[PythonImports, ...] = ()
     is_complete: bool = True
-
-
-@dataclass(frozen=True)
-class OwnModules:
-    """The modules that a package may import of itself, by their first name."""
-
-    paths: tuple[str, ...]
-
-    @cached_property
-    def everywhere(self) -> frozenset[str]:
-        """Packages at any depth (a `src/` or a vendored copy may hold them), and modules in the folder of setup.py."""
-        paths = [path.split("/") for path in self.paths if path.endswith(".py")]
-        packages = {"".join(parts[-2:-1]) for parts in paths if parts[-1] == "__init__.py"}
-        top = {parts[0] for parts in paths if len(parts) > 1} - NO_PACKAGES
-        return frozenset(packages | top | {stem_of(parts[0]) for parts in paths if len(parts) == 1})
-
-    @cached_property
-    def _beside(self) -> dict[str, set[str]]:
-        found: dict[str, set[str]] = {}
-        for path in self.paths:
-            if path.endswith((".py", ".so", ".pyi")):
-                folder, _, name = path.rpartition("/")
-                found.setdefault(folder, set()).add(name.partition(".")[0])
-                above, _, name = folder.rpartition("/")
-                found.setdefault(above, set()).add(name)
-        return found
-
-    def has(self, module: str, importer: str) -> bool:
-        """Return whether an import in the file `importer` may refer to one of these."""
-        top = module.partition(".")[0]
-        return top in self.everywhere or top in self._beside.get(importer.rpartition("/")[0], ())
-
-
-def stem_of(name: str) -> str:
-    return PurePosixPath(name).stem
-
-
-def own_modules(files: PackageFiles) -> OwnModules:
-    """Return the modules of a package, the same for all that ask."""
-    known = vars(files)
-    if "own_modules" not in known:
-        known["own_modules"] = OwnModules(files.paths)
-    return cast(OwnModules, known["own_modules"])
 
 
 def read_package_imports(reading: ReaderInput) -> Iterator[PackageImports]:
@@ -131,7 +83,7 @@ def is_launch_test(file: PythonFile) -> bool:
 
 
 def read_template(files: PackageFiles, path: str) -> PythonFile | None:
-    """Read what configure_file makes a test of, with a name in the place of every `@VARIABLE@`."""
+    """Read the template of a test for configure_file, with a name in the place of every `@VARIABLE@`."""
     try:
         return parse_python(Source(path, VARIABLE.sub(r"_\1_", files.source(path).text)))
     except UnreadableError:

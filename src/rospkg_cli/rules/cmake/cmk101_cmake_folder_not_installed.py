@@ -9,6 +9,7 @@ from ...checks.cmake.idle_packages import idle_programs
 from ...checks.cmake.launch_file_installs import LaunchFileInstalls
 from ...checks.cmake.share_folders import RuntimeFolders
 from ...checks.opened_in_share import OpenedInShare
+from ...checks.uninstalled_folders import UninstalledFolders
 from ...edits.cmake_install import install_folder
 from ...example import CMAKE, Example
 from ...finding import Fix, Hit, Safety, Severity
@@ -92,6 +93,7 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
         yield left_out(name, path, row, is_started=OpenedInShare(folders.uses).is_started(path.rpartition("/")[2]))
     if programs := idle_programs(package, folders.table):
         yield Hit(place.path, place.command.span, not_run(name, programs), Severity.INFO)
+    uses = UninstalledFolders(folders.uses)
     for folder in folders.uninstalled():
         files = folders.useful(folder)
         if folders.uses.makes(folder, files):
@@ -99,10 +101,10 @@ def cmake_folder_not_installed(folders: RuntimeFolders) -> Iterator[Hit]:
         fix = Fix(f"install {folder}/ into share/{name}/{folder}", (install_folder(package.cmake, folder),))
         message = (
             f"nothing of `{folder}/` is installed (`{files[0]}`{' and others' if files[1:] else ''}): "
-            f"{folders.uses.consequence(folder)}; add `{folder}` to an `install(DIRECTORY …)`"
+            f"{uses.consequence(folder)}; add `{folder}` to an `install(DIRECTORY …)`"
         )
-        level = folders.uses.level(folder)
-        is_left_out = CommentedInstalls(package.cmake).has_folder(folder) and not folders.uses.may_be_opened(folder)
+        level = uses.level(folder)
+        is_left_out = CommentedInstalls(package.cmake).has_folder(folder) and not uses.may_be_opened(folder)
         if level is None and is_left_out:
             level, message = "info", f"{message}; a comment of {place.path} installs it"
         yield Hit(place.path, place.command.span, message, Severity(level) if level else None, fix=fix)

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from ...checks.setup.share_files import ShareFiles, folder_of
+from ...checks.uninstalled_folders import UninstalledFolders
 from ...example import Example, setup_py
 from ...finding import Hit, Severity
 from ...lazy_regex import regex
@@ -79,7 +80,7 @@ def empty_glob(shared: ShareFiles) -> Iterator[Hit]:
         else:
             what = f"there is no folder `{folder}`" + (f" (did you mean `{near}`?)" if near else "")
         folder_named = folder if held else near
-        level = shared.uses.level(folder_named) if folder_named else "info"
+        level = UninstalledFolders(shared.uses).level(folder_named) if folder_named else "info"
         is_bare = level != "error" and all(map(PLACEHOLDER.fullmatch, held)) and not near
         level = "info" if is_bare else level
         message = f"`{glob.pattern}` matches no file: the build is green and installs nothing; {what}"

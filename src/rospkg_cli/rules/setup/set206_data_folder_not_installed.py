@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...checks.setup.uninstalled_files import UninstalledFiles
+from ...checks.uninstalled_folders import UninstalledFolders
 from ...edits.data_files import install_folder
 from ...example import SETUP_PY, Example
 from ...finding import Fix, Hit, Safety, Severity
@@ -73,6 +74,7 @@ def data_folder_not_installed(uninstalled: UninstalledFiles) -> Iterator[Hit]:
     setup = package.setup
     if not package.knows_data_files:
         return
+    uses = UninstalledFolders(shared.uses)
     for folder in uninstalled.folders:
         files = uninstalled.useful(folder)
         if shared.uses.makes(folder, files):
@@ -81,7 +83,7 @@ def data_folder_not_installed(uninstalled: UninstalledFiles) -> Iterator[Hit]:
         fix = Fix(f"install {folder}/ into share/{package.name}/{folder}", edits) if edits else None
         message = (
             f"nothing of `{folder}/` is installed (`{files[0]}`{' and others' if files[1:] else ''}): "
-            f"{shared.uses.consequence(folder)}; add it to `data_files`"
+            f"{uses.consequence(folder)}; add it to `data_files`"
         )
-        level = shared.uses.level(folder)
+        level = uses.level(folder)
         yield Hit(setup.path, setup.name_span("data_files"), message, Severity(level) if level else None, fix=fix)
