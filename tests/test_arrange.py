@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.edits.reorder import canonical_order, items_of, reorder, schema_order
+from rospkg_cli.edits.manifest_items import items_of
+from rospkg_cli.edits.reorder import canonical_order, reorder, schema_order
 from rospkg_cli.engine.fixing.apply import edited
 from rospkg_cli.package.manifest import Manifest, manifest_of
 from rospkg_cli.source import Source

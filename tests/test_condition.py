@@ -9,7 +9,8 @@ from catkin_pkg.condition import evaluate_condition
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rospkg_cli.languages.rep149_condition import can_hold_together, may_hold, parse_condition
+from rospkg_cli.languages.rep149_condition import can_hold_together, may_hold
+from rospkg_cli.languages.rep149_syntax import parse_condition
 from rospkg_cli.languages.syntax_problem import SyntaxProblemError
 from rospkg_cli.ros.distros import Targets
 

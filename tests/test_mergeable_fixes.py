@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rospkg_cli.edits.cmake_export import append_names
-from rospkg_cli.edits.cmake_install import in_block_of_package
+from rospkg_cli.edits.cmake_rule_place import in_block_of_package
 from rospkg_cli.edits.launch_file import import_name, pass_through
 from rospkg_cli.edits.manifest import add_dependency
 from rospkg_cli.engine.fixing.fix import fix_all

@@ -22,12 +22,12 @@ from rospkg_cli.ros.distros import DISTROS
 from rospkg_cli.ros.licenses import LICENSES
 from rospkg_cli.scaffold import ScaffoldError
 from rospkg_cli.scaffold.answers import Request
+from rospkg_cli.scaffold.code_filters import in_order
 from rospkg_cli.scaffold.extras import all_extras
 from rospkg_cli.scaffold.launch_format import LAUNCH_FORMATS
 from rospkg_cli.scaffold.node import known_kind
 from rospkg_cli.scaffold.node_kinds import OF, all_kinds, offered_kinds
 from rospkg_cli.scaffold.plan import Plan, make_plan
-from rospkg_cli.scaffold.render import in_order
 from rospkg_cli.scaffold.template import WORKSPACE, load_template, template_names
 from rospkg_cli.scaffold.test_level import TEST_LEVELS
 from rospkg_cli.scaffold.workspace import WorkspacePackages

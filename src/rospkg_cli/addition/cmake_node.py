@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ..edits.cmake_commands import remove
-from ..edits.cmake_install import LIBEXEC, block, install_executable, install_library
+from ..edits.cmake_install import LIBEXEC, install_executable, install_library
+from ..edits.cmake_rule_place import block
 from ..light_dataclasses import dataclass
 from ..package.cmake.cmake_facts import SEARCHES
 from ..package.cmake.cmake_project import CMake

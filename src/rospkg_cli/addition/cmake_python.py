@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 from ..change.draft import Draft
 from ..edits.cmake_commands import remove
-from ..edits.cmake_install import LIBEXEC, block, install_script
+from ..edits.cmake_install import LIBEXEC, install_script
 from ..edits.cmake_python import FINDER, install_python_package
+from ..edits.cmake_rule_place import block
 from ..finding import Create, Delete
 from ..light_dataclasses import dataclass
 from ..package.package import Package

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 
 from ..change import NotUnderstoodError, Paste
 from ..edits.cmake_commands import remove
-from ..edits.cmake_install import SHARE, block, install_folder
+from ..edits.cmake_install import SHARE, install_folder
+from ..edits.cmake_rule_place import block
 from ..edits.data_files import glob_code, share_code
 from ..edits.list_item import append_item, removals
 from ..edits.setup_py import own_arguments, quoted

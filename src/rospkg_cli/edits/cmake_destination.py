@@ -9,7 +9,8 @@ from ..package.cmake.cmake_project import CMake
 from ..package.cmake.empty_destinations import empty_destination
 from ..source import Span
 from .cmake_commands import add_after
-from .cmake_install import LIBEXEC, block
+from .cmake_install import LIBEXEC
+from .cmake_rule_place import block
 
 
 def to_libexec(cmake: CMake, astray: MisplacedExecutable) -> tuple[Edit, ...]:

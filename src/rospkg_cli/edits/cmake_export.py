@@ -9,7 +9,7 @@ from ..languages.cmake.file import CMakeFile
 from ..languages.cmake.syntax import CommandInvocation
 from ..package.cmake.cmake_project import CMake
 from .cmake_commands import add_after, add_argument, listed
-from .cmake_install import add_rule
+from .cmake_rule_place import add_rule
 
 WIDTH = 99
 """The longest line for packages; ament_lint_cmake allows more."""

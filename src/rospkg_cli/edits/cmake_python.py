@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..finding import Edit
 from ..package.cmake.cmake_project import CMake
 from .cmake_commands import add_after
-from .cmake_install import add_rule
+from .cmake_rule_place import add_rule
 
 FINDER = "ament_cmake_python"
 

@@ -7,7 +7,8 @@ import posixpath
 from ..finding import Edit
 from ..package.cmake.cmake_project import CMake
 from ..package.setup.setup_py import SetupPy
-from .cmake_install import SHARE, block, extend_or_add
+from .cmake_install import SHARE
+from .cmake_rule_place import block, extend_or_add
 from .data_files import add_data_entry, share_code
 from .plain_names import PLAIN
 from .setup_py import add_item, quoted

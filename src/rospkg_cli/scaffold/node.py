@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from . import ScaffoldError
-from .message import message_of
+from .interface_lookup import message_of
 from .names import LONGEST, check_node_name
 from .node_kinds import NodeKind, about, all_kinds, form_of, kind_of_message, named, offered_kinds, shown
 from .node_words import node_words, unknown_word

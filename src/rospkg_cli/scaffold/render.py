@@ -3,33 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import cache
 from typing import Any
 
-from jinja2 import Environment, StrictUndefined
+from jinja2 import Environment
 
 from ..light_dataclasses import dataclass
 from ..tree import TreeEntry
 from . import ScaffoldError
 from .answers import Answers
-from .bounds import MAX_FILES, BoundedEnvironment, text_of
+from .bounds import MAX_FILES, text_of
 from .template import Template, TemplateFile
 from .template_context import template_context
+from .template_environment import make_environment
 from .template_errors import in_value
-from .template_loader import SourceLoader
-from .user_text import (
-    WIDTH,
-    UnescapedError,
-    UserText,
-    comment,
-    cpp,
-    markdown,
-    plain,
-    python,
-    python_argument,
-    xml,
-    yaml,
-)
 
 LONGEST_NAME = 200
 """Bytes of a file's name; most disks take 255, and a temporary name is longer."""
@@ -49,7 +35,7 @@ class RenderedFile:
 def render(template: Template, answers: Answers, more: Mapping[str, object] | None = None) -> tuple[RenderedFile, ...]:
     """Return every file, sorted by path; raises ScaffoldError where two have one path.
 
-    `more` is what the files know besides the answers.
+    `more` are values for the files in addition to the answers.
     """
     environment = make_environment(template)
     bracketed = make_environment(template, brackets=True)
@@ -67,7 +53,7 @@ def render(template: Template, answers: Answers, more: Mapping[str, object] | No
 
 
 def items(environment: Environment, file: TemplateFile, values: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Yield what a file knows besides the answers, once for each time that it is written."""
+    """Yield the additional values of a file, once for each time that it is written."""
     singular = file.each.rpartition("_")[2].removesuffix("s")
     for extra in [{singular: item} for item in values[file.each]] if file.each else [{}]:
         with in_value(file.when):
@@ -118,80 +104,3 @@ def is_of_git(name: str) -> bool:
 def render_line(template: Template, line: str, answers: Answers) -> str:
     """Return a line of template.toml with its answers filled in."""
     return rendered(make_environment(template), line, template_context(answers))
-
-
-BRACKETS: dict[str, Any] = {
-    "variable_start_string": "[[",
-    "variable_end_string": "]]",
-    "block_start_string": "[%",
-    "block_end_string": "%]",
-    "comment_start_string": "[#",
-    "comment_end_string": "#]",
-}
-
-
-@cache
-def make_environment(template: Template, brackets: bool = False) -> Environment:
-    environment = BoundedEnvironment(  # a template may be a stranger's
-        **(BRACKETS if brackets else {}),
-        loader=SourceLoader([str(folder) for folder in template.folders]),
-        undefined=StrictUndefined,
-        autoescape=False,  # each text names the language of its file; see `told`
-        finalize=escaped_only,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
-    environment.filters.update(FILTERS)
-    return environment
-
-
-def escaped_only(value: object) -> object:
-    """Raise UnescapedError for a user's text that no filter has made safe."""
-    if isinstance(value, UserText):
-        raise UnescapedError(str(value))
-    return value
-
-
-def in_order(lines: str) -> str:
-    """Sort import lines as Google's style wants them: by module, whatever the form."""
-    imports = merged([line for line in lines.splitlines() if line.strip()])
-    return "".join(f"{line}\n" for line in sorted(imports, key=lambda line: line.split()[1].lower()))
-
-
-def merged(imports: list[str]) -> list[str]:
-    """Put what several lines import from one module into one of them."""
-    found: dict[str, list[str]] = {}
-    for line in imports:
-        module, _, names = line.partition(" import ")
-        found.setdefault(module, []).extend(names.split(", ") if names else [])
-    several = {module for module in found if sum(line.startswith(f"{module} import ") for line in imports) > 1}
-    lines = (f"{module} import {', '.join(sorted(set(found[module]), key=str.lower))}" for module in several)
-    return [*(line for line in imports if line.partition(" import ")[0] not in several), *lines]
-
-
-def includes(lines: str) -> str:
-    """Put the headers of the standard library first, then the others, each group sorted, as ament's cpplint wants."""
-    found = sorted(line for line in lines.splitlines() if line.strip())
-    standard = [line for line in found if "<" in line]
-    return "\n".join([*standard, "", *(line for line in found if line not in standard)]) + "\n"
-
-
-def long_line(line: str) -> str:
-    """Return a line of Python that can't be broken, excused where it is too long."""
-    return line if len(line) <= WIDTH else f"{line}  # noqa: E501"
-
-
-FILTERS = {
-    "comment": comment,
-    "cpp": cpp,
-    "in_order": in_order,
-    "includes": includes,
-    "long_line": long_line,
-    "markdown": markdown,
-    "plain": plain,
-    "python": python,
-    "python_argument": python_argument,
-    "xml": xml,
-    "yaml": yaml,
-}

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...checks.read_sentences import syntax_sentence
 from ...example import Example, manifest
 from ...finding import Hit, Related, Severity
-from ...languages.rep149_condition import Comparison, Operand, parse_condition
+from ...languages.rep149_syntax import Comparison, Operand, parse_condition
 from ...languages.syntax_problem import SyntaxProblemError
 from ...languages.xml.elements import Attribute
 from ...package.manifest import Manifest
