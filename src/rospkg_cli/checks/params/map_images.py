@@ -41,6 +41,6 @@ def image_faults(files: PackageFiles, package: PackageFacts, path: str, text: st
 
 def why_replaced(text: str, place: int) -> str:
     """Return that a comment next to a name asks the user to replace it; "" where none does."""
-    from ..python.left_blank import is_to_be_replaced  # few packages miss a file
+    from ..python.blank_names import is_to_be_replaced  # few packages miss a file
 
     return UNTIL_NAMED if is_to_be_replaced(text, place) else ""
