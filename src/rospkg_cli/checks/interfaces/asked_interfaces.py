@@ -1,4 +1,4 @@
-"""Whether anybody asks for an interface: code that imports or includes it, another interface, a page that sends it."""
+"""Whether an interface is used: by code that imports or includes it, by another interface, or on a page."""
 
 from __future__ import annotations
 

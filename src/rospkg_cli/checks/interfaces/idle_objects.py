@@ -27,7 +27,7 @@ class IdleObjects:
     def has(self, path: str, span: Span) -> bool:
         """Return whether a place lies in a method of a class whose objects are all bound to names that nothing reads.
 
-        The construction of one must not come to it either.
+        The construction of the object must not reach the method either.
         """
         file = self.run.modules.at(path)
         for owner, method in methods_of(file) if file is not None else ():
@@ -53,7 +53,7 @@ class IdleObjects:
         return bool(uses) and all(uses)
 
     def constructed(self, owner: ast.ClassDef, every: set[str]) -> set[str]:
-        """Return the methods that the special ones of a class come to; `every` where that is not known."""
+        """Return the methods that the special methods of a class call; `every` where that is not known."""
         methods: dict[str, list[FunctionNode]] = {}
         for base in self.with_bases(owner):
             for each in base.body:

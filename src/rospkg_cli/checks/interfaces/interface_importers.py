@@ -1,4 +1,4 @@
-"""Rule input: the Python code of a package that imports its own interfaces, and who meets these imports (IDL008)."""
+"""Rule input: the Python code of a package that imports its own interfaces, and when these imports run (IDL008)."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ REASONS = (
 
 
 def worst_first(uses: FieldUses, places: Sequence[UnknownField]) -> Sequence[tuple[UnknownField, str]]:
-    """Return some uses with why each seldom runs, "" for one that does, those first that most runs come to."""
+    """Return uses, each with why it seldom runs ("" for one that does); the ones that most runs reach come first."""
     found = [(each, why_seldom(uses, each)) for each in places]
     return sorted(found, key=lambda each: (each[1] in NEVER, bool(each[1])))
 

@@ -1,4 +1,4 @@
-"""Rule input: the license texts that package.xml names, and whether anybody releases the package (XML106, XML107)."""
+"""Rule input: the license texts that package.xml names, and whether the package is released (XML106, XML107)."""
 
 from __future__ import annotations
 

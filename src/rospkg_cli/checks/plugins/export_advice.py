@@ -1,4 +1,4 @@
-"""What helps a described plugin that no source exports, and an exported class that no description has."""
+"""Messages on described plugins that no source exports, and on exported classes that no description has."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .named_plugins import NamedPlugins
 from .plugin_package import DescribedPlugin, PluginPackage
 
 OTHER_LOADERS = regex(r"\bclass_loader::(?:MultiLibrary)?ClassLoader\b")
-"""What loads a library by its path, and the classes in it by what the macro has."""
+"""A loader that takes a library by its path, and its classes by the names in the macros."""
 NAME = regex(r"[A-Za-z_]\w{0,200}")
 
 
@@ -29,14 +29,14 @@ class PluginExports:
     named: NamedPlugins
 
     def weighed(self, message: str, level: Level, plugins: Sequence[PluginClass]) -> tuple[str, Level]:
-        """Return a message and its level, which is lower where nothing loads any of some plugins by its name."""
+        """Return a message and its level, which is lower where nothing loads any of the plugins by its name."""
         most, why = self.named.worst(plugins)
         return f"{message}{why}", max(level, most, key=WORST_FIRST.index)
 
     def advice(self, entry: DescribedPlugin) -> tuple[str, Level]:
         """Return the message and the level of a class that no source exports.
 
-        It may lack the macro, or be in a source that nothing compiles, and so was never loaded.
+        It may lack the macro, or be in a source that nothing compiles.
         """
         start = f"no source exports `{entry.type}`: loading the plugin `{entry.plugin.lookup_name}` fails"
         macro = f"add `PLUGINLIB_EXPORT_CLASS({entry.type}, {entry.plugin.base.value})`"
@@ -65,7 +65,7 @@ class PluginExports:
     def undefined(self, entries: Sequence[DescribedPlugin]) -> tuple[str, Level]:
         """Return the message and the level of entries whose classes the package does not have.
 
-        Those of a library of a package that it depends on may be there once the process has loaded that too.
+        A library of a package that it depends on may have them, once the process has loaded that library.
         """
         types, names = in_ticks(each.type for each in entries), in_ticks(each.plugin.lookup_name for each in entries)
         plugins, classes, them = ("plugins", "the classes", "them") if entries[1:] else ("plugin", "the class", "it")
@@ -113,7 +113,7 @@ class PluginExports:
         return any(plugin.type == exported.type for facts in others for plugin in facts.plugins)
 
     def lost(self, exported: ExportedClass) -> tuple[Level, str]:
-        """Return how grave it is that no description has an exported class, and why it is no more than an info."""
+        """Return the level of an exported class that no description has, and why it is an info, if it is one."""
         if any(OTHER_LOADERS.search(file.source.text) for file in self.package.sources):
             return "info", "; class_loader, which this package uses, needs no description"
         names = (exported.type, f"{self.package.facts.name}/{tail(exported.type)}")

@@ -1,4 +1,4 @@
-"""Rule input: whether anything here loads a plugin of the package by its name, so that somebody meets its fault."""
+"""Rule input: whether anything here loads a plugin of the package by its name, so that its faults matter."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ class NamedPlugins:
         )
 
     def worst(self, plugins: Iterable[PluginClass]) -> tuple[Level, str]:
-        """Return the gravest level of some plugins that have one fault."""
+        """Return the highest level of some plugins that share a fault."""
         found = [self.level(each.names, each.base.value) for each in plugins]
         level, why = min(found, key=lambda each: WORST_FIRST.index(each[0]))
         return level, why.replace("names it", "names them") if found[1:] else why

@@ -16,7 +16,7 @@ SEPARATOR = regex(r"/|::")
 
 
 def plain(name: str) -> str:
-    """Return the class of a name, without what people forget: blanks, underscores, capitals."""
+    """Return the class of a name for comparison: in lower case, without blanks and underscores."""
     return re.sub(r"[\s_]", "", tail(name)).lower()
 
 

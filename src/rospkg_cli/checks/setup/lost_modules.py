@@ -1,4 +1,4 @@
-"""Rule input: modules of a package that no build installs, and whether anybody misses them."""
+"""Rule input: modules of a package that no build installs, and whether a program needs them."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ class LostModules:
     programs: StartedEntryPoints
 
     def left(self, package: str) -> str:
-        """Return that nothing starts the programs whose start needs a Python package; "" where one may be."""
+        """Return that nothing starts the programs that import a package at their start; "" where something may."""
         return LEFT if self.programs.left_all(self.tree.started.starting(package)) else ""
 
     def why_found(self, package: str) -> str:
-        """Return why Python finds a Python package where its source lies; "" where nothing is known to have it so."""
-        from ..found_in_source import why_found  # what findings alone need
+        """Return why Python finds a package in its source folder, as by PYTHONPATH; "" where it is not known to."""
+        from ..found_in_source import why_found  # imported for findings alone
 
         top = self.tree.setup.folder_of(package.partition(".")[0])
         return why_found(self.tree.package.files, top.rpartition("/")[0])

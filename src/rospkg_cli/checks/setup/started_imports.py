@@ -1,4 +1,4 @@
-"""The modules that Python imports at the start of a package's entry points, and those that these lead to later."""
+"""The modules that the entry points of a package import: at their start, and at any time."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ class StartedImports:
 
     @cached_property
     def names(self) -> frozenset[str]:
-        """The dotted names of all that is imported, modules and what is taken out of them alike.
+        """The dotted names of all modules, and of the objects in them, that a start imports.
 
-        Nothing that is imported under a `try`, for typing or in a function: a start need not end there.
+        Imports under a `try`, for typing or in a function are left out: a start need not fail there.
         """
         return self.all_from_entries(at_once=True)
 
     @cached_property
     def names_at_some_time(self) -> frozenset[str]:
-        """The same with what is imported in functions, or may fail and has nothing in its place."""
+        """The same names, and those imported in functions or under a `try` without a replacement."""
         return self.all_from_entries(at_once=False)
 
     def all_from_entries(self, *, at_once: bool) -> frozenset[str]:
@@ -70,7 +70,7 @@ class StartedImports:
         return is_among(package, self.names)
 
     def may_reach(self, package: str) -> bool:
-        """Return whether a program may come to import it, or the package has no program that would."""
+        """Return whether a program may import it at some time, or the package has no program."""
         return not self.package.setup.entry_points or is_among(package, self.names_at_some_time)
 
 

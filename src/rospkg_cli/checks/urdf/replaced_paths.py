@@ -1,4 +1,4 @@
-"""Rule input: paths in a robot that the launch files which open it replace in its text, before anybody reads them."""
+"""Rule input: paths in a robot that all launch files which open it replace before they pass the text on."""
 
 from __future__ import annotations
 

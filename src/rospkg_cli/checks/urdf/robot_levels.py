@@ -45,7 +45,7 @@ class RobotLevels:
     def at_its_level(self, fault: Fault, robot: str) -> Fault:
         """Return a fault as an error where a launch file certainly opens a robot that meets it, else as an info.
 
-        There is no warning: what xacro and urdfdom skip, or meet in some runs only, is hardly ever noticed.
+        There is no warning: what xacro and urdfdom skip, or meet in some runs only, is seldom noticed.
         """
         is_launched = self.launched.has(robot)
         if fault.level == "info":

@@ -1,4 +1,4 @@
-"""Defaults of xacro that no robot of a package comes to need, with the values that its arguments have or are given."""
+"""Defaults of xacro that no robot of a package uses, for the values that its arguments have or are given."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ READS = r"\barg\s+{0}\b|\barg\(\s*[\"']{0}[\"']"
 
 
 def why_unread(ways: WaysIntoRobots, path: str, root: Element, place: Span) -> str:
-    """Return why xacro needs no default that a place is in, as the end of a sentence; "" where it may, or is in none.
+    """Return why xacro never uses the default that a place is in, as the end of a sentence; "" where it may.
 
-    A path that only stands there stops nothing: what reads it does.
+    A path in a default does no harm by itself, only where something reads it.
     """
     around = [each for each in ancestors(root, place) if each.tag in ("xacro:arg", "xacro:property")]
     if not around or (why := ways.why_unmet(path, root, place)):

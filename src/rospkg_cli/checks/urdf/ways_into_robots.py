@@ -26,9 +26,9 @@ GIVEN = (
     r"|\bname=\"{0}\"\s+(?:default|value)=\"([^\"]*)\""
 )
 """How Python, a command and XML give an argument a literal value, or declare one of its name with it."""
-SWITCHED_OFF = "; xacro comes to it only where an argument asks for it"
+SWITCHED_OFF = "; xacro reaches it only where an argument asks for it"
 REPLACED = "; each launch file here gives `{}`, and xacro does not read its default"
-FIRST = "; another file gives `{}` its default before xacro comes to this one"
+FIRST = "; another file gives `{}` its default before xacro reaches this one"
 UNREAD = "; xacro fills it in where `{}` is read, which nothing does"
 
 

@@ -20,7 +20,7 @@ from .setup_py import SetupPy
 LEFT_TO_SETUP = regex(r"\ndynamic\s*=\s*\[[^\]]*['\"](?:scripts|entry-points)['\"]")
 """Where pyproject.toml says that setup.py has the entry points."""
 ASKS_WHERE = regex(r"__file__|cwd|path\b.*\(|resolve|absolute")
-"""What code holds that may come to the name of its folder."""
+"""Parts of code that may read the path of its own folder, and so its name."""
 
 
 def read_setup_py(reading: ReaderInput) -> Iterator[SetupPy]:

@@ -89,7 +89,7 @@ def unknown_field(uses: FieldUses) -> Iterator[Hit]:
     fetches, and of others, unless the name is near a field or was one in ROS 1; for messages to whose class a module of
     the package adds attributes (`Point.norm = norm`); under a condition that is for ROS 1 (`ROS_VERSION == 1`); in
     files that nothing installs. A field that a comment or a page has people add is an info. A method of an object that
-    is bound to a name which nothing reads is an info, unless its construction comes to it, as is one of a class that is
+    is bound to a name which nothing reads is an info, unless its construction reaches it, as is one of a class that is
     defined again below. A use in a function whose callers catch what it raises, and in a test is a warning; one in an
     `except` branch, in what a `raise` or an assertion says, or of what an annotation alone calls a message, in a
     function that a thread or another file calls, is an info. A module that no entry point and no other file of the

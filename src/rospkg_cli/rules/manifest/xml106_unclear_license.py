@@ -48,7 +48,7 @@ def unclear_license(package: LicenseFiles) -> Iterator[Hit]:
     ## When it is quiet
     Expressions of SPDX that leave a choice or make an exception (`MIT OR Apache-2.0`) are one license, and a name that
     merely differs from SPDX's is left to XML110. Only who releases a package reads the names: where no file of bloom,
-    no job and no CHANGELOG.rst of its own shows that somebody does, it is an info.
+    no job and no CHANGELOG.rst of its own shows a release, it is an info.
 
     ## References
     - [REP-149, license](https://ros.org/reps/rep-0149.html): "only include the license name in this tag. For multiple

@@ -96,7 +96,7 @@ def made_elsewhere(maker: str) -> tuple[Severity, str]:
 
 
 def consequence(package: ManifestAndCMake) -> tuple[Severity, str]:
-    """Return how grave it is, and what happens: colcon-ros 0.5, task/catkin/build.py, sets no AMENT_PREFIX_PATH."""
+    """Return the level, and what happens: colcon-ros 0.5, task/catkin/build.py, sets no AMENT_PREFIX_PATH."""
     if not package.files.exists("CMakeLists.txt"):
         level = Severity.INFO if package.is_mark else Severity.ERROR
         return level, " and does not build it: it has no CMakeLists.txt"

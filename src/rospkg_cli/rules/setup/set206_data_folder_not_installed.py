@@ -61,7 +61,7 @@ def data_folder_not_installed(uninstalled: UninstalledFiles) -> Iterator[Hit]:
     Where `data_files` can't be evaluated, or setup.py may write files, where a glob names the folder, where git ignores
     its files, where `launch/` holds nothing that launch can load (a program, files for ROS 1), and where a launch file
     or module makes the folder in the share directory and writes them there. Where the README opens them in the source
-    folder (`--params-file src/…/config/a.yaml`), code does so there or in somebody's home, or pages and scripts start
+    folder (`--params-file src/…/config/a.yaml`), code does so there or in a user's home, or pages and scripts start
     launch files by their paths alone (`ros2 launch src/…/a.launch.py`), it is an info. It is one, too, where neither
     the package nor another one of the workspace that names it seems to open the folder or a file in it: they may be
     leftovers, or notes, or copies (`config/a.yaml` opens none in `maps/`). So is a folder that only actions of launch

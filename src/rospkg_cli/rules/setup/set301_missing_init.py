@@ -98,13 +98,13 @@ def missing_init(lost: LostModules) -> Iterator[Hit]:
 
 
 def level_of(lost: LostModules, folder: str, inside: list[str]) -> tuple[Severity | None, str]:
-    """Return how grave it is that a folder is not installed, and why it is no more; None where a program stops."""
+    """Return the level of a folder that is not installed, None where a program stops, and why it is lower."""
     tree, name = lost.tree, lost.tree.names.dotted(folder)
     is_listed = name in tree.setup.package_names
     imported = tree.names.imports_from(folder) and not is_listed
-    is_for_nobody = is_listed or tree.is_set_aside(folder) or are_scripts(inside, tree.package.files)
+    is_unused = is_listed or tree.is_set_aside(folder) or are_scripts(inside, tree.package.files)
     may_matter = imported and tree.started.may_reach(name)
-    if not may_matter and (is_for_nobody or not tree.may_be_for_others(folder)):
+    if not may_matter and (is_unused or not tree.may_be_for_others(folder)):
         return Severity.INFO, ""
     if why := lost.why_found(name):
         return Severity.INFO, why

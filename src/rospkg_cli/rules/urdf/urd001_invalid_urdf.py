@@ -107,7 +107,7 @@ def invalid_urdf(judged: JudgedRobot) -> Iterator[Hit]:
     where a launch file of the workspace, one that is installed or named, names a robot in which xacro meets it: its
     folder and those of includes count, and calls of macros. Where code, a command of a page, an action that is off by
     default or nothing opens the robot (a launch file that puts its name together only may), it is an info; so it is in
-    a folder such as `old/`, in a macro that nothing calls, where urdfdom or xacro pass over it, or meet it for some,
+    a folder such as `old/`, in a macro that nothing calls, where urdfdom or xacro skip it, or meet it in some runs,
     and in a `<ros2_control>` where no package here names, needs or starts a controller manager or a simulator. Joints
     of a `<ros2_control>` that the robot lacks are one where pages and scripts name Humble or older ones alone and no
     plugin for Gazebo moves them, and an argument that is its own default where no launch file is known to leave it out.

@@ -75,4 +75,4 @@ class Expansion:
     certain: set[str] = field(default_factory=set)
     """Those of them that xacro certainly reads."""
     ways: dict[tuple[str, Span], bool] = field(default_factory=dict)
-    """Conditions and arguments that xacro comes to, by path and place: whether it may go in, or take the default."""
+    """Conditions and arguments that xacro reaches, by path and place: whether it may enter, or use the default."""
