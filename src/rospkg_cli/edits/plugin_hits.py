@@ -1,4 +1,4 @@
-"""What PLG002 says of classes that no source exports, and of several classes of one cause at once."""
+"""Hits of PLG002 on classes that no source exports, or no description has; classes of one cause share a hit."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from ..checks.fault import Level
 from ..checks.plugins.export_advice import PluginExports
 from ..checks.plugins.exported_classes import ExportedClass
 from ..checks.plugins.plugin_package import DescribedPlugin
+from ..checks.plugins.undescribed_classes import UndescribedClasses
 from ..finding import Edit, Fix, Hit, Related, Safety, Severity
 from .plain_names import only_plain_names
 
@@ -25,15 +26,16 @@ def undefined_classes(exports: PluginExports) -> Iterator[Hit]:
 def undescribed_classes(exports: PluginExports) -> Iterator[Hit]:
     """Yield one hit for all exported classes that no description has, by level, and one for each base of another."""
     lost: dict[tuple[Level, str], list[ExportedClass]] = {}
+    classes = UndescribedClasses(exports.package, exports.workspace, exports.named)
     for each in exports.package.undescribed():
-        if derived := exports.derived(each):
-            yield Hit(each.path, each.span, exports.base_alone(each, derived), Severity.INFO)
-        elif not exports.is_described_elsewhere(each):
-            lost.setdefault(exports.lost(each), []).append(each)
+        if derived := classes.derived(each):
+            yield Hit(each.path, each.span, classes.message_of_base(each, derived), Severity.INFO)
+        elif not classes.is_described_elsewhere(each):
+            lost.setdefault(classes.level(each), []).append(each)
     for (level, why), every in lost.items():
         first, *others = every
         again = tuple(Related(each.path, each.span, f"`{each.type}`") for each in others)
-        yield Hit(first.path, first.span, exports.undescribed(every) + why, Severity(level), again)
+        yield Hit(first.path, first.span, classes.message(every) + why, Severity(level), again)
 
 
 def without_source(exports: PluginExports, entry: DescribedPlugin) -> Hit:

@@ -1,4 +1,4 @@
-"""Messages on described plugins that no source exports, and on exported classes that no description has."""
+"""Levels and messages of described plugins that no source exports (PLG002)."""
 
 from __future__ import annotations
 
@@ -17,8 +17,6 @@ from .exported_classes import ExportedClass, tail
 from .named_plugins import NamedPlugins
 from .plugin_package import DescribedPlugin, PluginPackage
 
-OTHER_LOADERS = regex(r"\bclass_loader::(?:MultiLibrary)?ClassLoader\b")
-"""A loader that takes a library by its path, and its classes by the names in the macros."""
 NAME = regex(r"[A-Za-z_]\w{0,200}")
 
 
@@ -107,51 +105,8 @@ class PluginExports:
         every = (plugin for facts in others for plugin in facts.plugins)
         return [plugin.name for plugin in every if tail(plugin.type) == tail(entry.type)]
 
-    def is_described_elsewhere(self, exported: ExportedClass) -> bool:
-        """Return whether another package of the workspace describes a class, for a process that has loaded this one."""
-        others = (facts for facts in self.workspace.packages if facts.folder != self.package.facts.folder)
-        return any(plugin.type == exported.type for facts in others for plugin in facts.plugins)
-
-    def lost(self, exported: ExportedClass) -> tuple[Level, str]:
-        """Return the level of an exported class that no description has, and why it is an info, if it is one."""
-        if any(OTHER_LOADERS.search(file.source.text) for file in self.package.sources):
-            return "info", "; class_loader, which this package uses, needs no description"
-        names = (exported.type, f"{self.package.facts.name}/{tail(exported.type)}")
-        level, why = self.named.level(names, exported.base)
-        return ("info", why) if level == "info" else ("warning", "")
-
-    def undescribed(self, exported: Sequence[ExportedClass]) -> str:
-        """Return the message of exported classes that no description has."""
-        first, *others = exported
-        are, they, them = ("are", "they", "them") if others else ("is", "it", "it")
-        types = in_ticks(each.type for each in exported)
-        line = f'<class type="{first.type}" base_class_type="{first.base}">'
-        return (
-            f"{types} {are} exported here, and no plugin description has {them}: {they} can't be loaded by name; add "
-            f"`{line}` to one, or remove the macro"
-        )
-
-    def base_alone(self, exported: ExportedClass, derived: str) -> str:
-        """Return the message of an exported class that no description has, and another one derives from."""
-        return (
-            f"`{exported.type}` is exported here, and no plugin description has it: it can't be loaded by name; "
-            f"remove the macro, if it is only there as the base of `{derived}`"
-        )
-
-    def derived(self, exported: ExportedClass) -> str:
-        """Return another exported class that derives from one; "" where none does."""
-        base = tail(exported.type)
-        others = (each.type for each in self.package.exported if each.type != exported.type)
-        return next((each for each in others if any(derives(f, tail(each), base) for f in self.package.sources)), "")
-
 
 def defines(file: CppFile, name: str) -> bool:
     """Return whether a file has the class, or members of it."""
     pattern = rf"\b(?:class|struct)\s+(?:\w+\s+)?{name}\b|\b{name}::"
     return bool(NAME.fullmatch(name)) and re.search(pattern, file.source.text) is not None
-
-
-def derives(file: CppFile, name: str, base: str) -> bool:
-    named = NAME.fullmatch(name) and NAME.fullmatch(base)
-    head = rf"\b(?:class|struct)\s+(?:\w+\s+)?{name}\b[^{{;]{{0,500}}:[^{{;]{{0,500}}\b{base}\b"
-    return bool(named) and re.search(head, file.source.text) is not None
