@@ -152,6 +152,79 @@ def test_what_a_node_of_the_package_writes_is_missing_until_it_ran() -> None:
     assert told("LCH003", **{**files, "launch__b_DOT_launch_DOT_xml": reader}) == [*WRITTEN, *WRITTEN]
 
 
+CPP_SAVER = """\
+Saver() : Node("saver")
+{
+  pose_file_ = declare_parameter<std::string>("pose_file", "");
+}
+void save()
+{
+  std::string path = pose_file_;
+  this->get_parameter("pose_file", path);
+  std::ofstream out(path);
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("code", "expected"),
+    [
+        (CPP_SAVER, ["info: , until `src/saver.cpp` has written it; add it, or correct the path"]),
+        (CPP_SAVER.replace("out(path)", "out(other)").replace("ofstream out", "ifstream in"), LOUD),
+        (CPP_SAVER.replace("std::of", "// std::of"), LOUD),
+        (CPP_SAVER.replace('"pose_file"', '"other_file"'), LOUD),
+    ],
+)
+def test_what_a_node_in_cpp_writes_is_missing_until_it_ran(code: str, expected: list[str]) -> None:
+    files = {"launch__a_DOT_launch_DOT_xml": SAVES.replace("saver.py", "saver"), "src__saver_DOT_cpp": code}
+    assert told("LCH003", **files) == expected
+
+
+STAGED = """\
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+SHARE = get_package_share_directory('my_pkg')
+
+
+def stage(context, saved, loaded):
+    saver = Node(package='my_pkg', executable='saver', parameters=[{'pose_file': str(saved.perform(context))}])
+    walker = Node(package='my_pkg', executable='walker', parameters=[{'route': str(loaded.perform(context))}])
+    return [saver, walker]
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('save_path', default_value=SHARE + '/config/pose.json'),
+        DeclareLaunchArgument('load_path', default_value=SHARE + '/config/pose.json'),
+        OpaqueFunction(function=stage, args=[LaunchConfiguration('save_path'), LaunchConfiguration('load_path')]),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("launch", "code", "level"),
+    [
+        (STAGED, CPP_SAVER, "info"),
+        (STAGED.replace("save_path", "poses_path"), CPP_SAVER, "warning"),
+        (STAGED.replace("'saver'", "'docker'"), CPP_SAVER, "warning"),
+        (STAGED.replace("str(saved.perform(context))", "'/tmp/pose.json'"), CPP_SAVER, "warning"),
+        (STAGED.replace("'save_path', default_value=SHARE + '/config/pose", "'save_path', default_value='/tmp/pose"),
+         CPP_SAVER, "warning"),
+        (STAGED, CPP_SAVER.replace("ofstream", "ifstream"), "warning"),
+    ],
+)  # fmt: skip
+def test_the_default_of_an_argument_for_what_a_node_saves(launch: str, code: str, level: str) -> None:
+    """Also where another file has a similar name, and where another node reads it."""
+    files = {**PACKAGE, "launch/a.launch.py": launch, "src/saver.cpp": code, "config/pose_template.json": "{}"}
+    (found,) = lint_files(files, ["LCH003"]).findings
+    assert found.severity.value == level
+    assert ("until `src/saver.cpp` has written it" in found.message) is (level == "info")
+
+
 WALKS = """\
 from setuptools import setup
 

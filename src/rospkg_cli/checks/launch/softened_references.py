@@ -22,7 +22,7 @@ from .undeclared_files import undeclared_for
 from .unmet_lookups import package_lacked
 from .unread_values import UnreadValues
 from .who_meets import ENDS_BEFORE
-from .written_by_nodes import written_for
+from .written_by_nodes import saved_for, written_for
 
 LEVELS: tuple[Level | None, ...] = (None, "warning", "info")
 """From the worst to the mildest; None is the rule's own."""
@@ -38,7 +38,7 @@ def softened(scope: LaunchContext, each: MissingReference) -> tuple[Level | None
     lacked = package_lacked(scope.file, each.span, scope.workspace) if softer != "info" else ""
     if lacked and lacked != each.package:
         softer, why = "info", ENDS_BEFORE.format(lacked)
-    if softer != "info" and (left := left_to_people(scope, each) or written_by_program(scope, each)):
+    if softer != "info" and (left := left_to_people(scope, each) or written_here(scope, each)):
         softer, why = "info", left
     if softer != "info" and (none := lacked_by_search(scope, each)):
         softer, why = "info", none
@@ -110,6 +110,12 @@ def is_template(scope: LaunchContext, each: MissingReference) -> bool:
 
     name = posixpath.basename(each.path).partition(".")[0]
     return is_blank(name) or is_to_be_replaced(scope.file.source.text, each.span.start)
+
+
+def written_here(scope: LaunchContext, each: MissingReference) -> str:
+    """Return that a program writes a missing file: by its own code, or to where an argument for its output leads."""
+    saved = saved_for(scope, each) if each.state == "absent" and each.use == "default" else ""
+    return saved or written_by_program(scope, each)
 
 
 def written_by_program(scope: LaunchContext, each: MissingReference) -> str:

@@ -108,8 +108,8 @@ def missing_launch_reference(scope: LaunchContext) -> Iterator[Hit]:
     - where people bring the file and launch does not include it: a page or a script fetches, saves or copies it there
       by its name; its folder has only a README, or a `.gitkeep` where people fill it (`maps`); the launch file prints
       the name; or git ignores a folder that the build installs as a whole (`resource/`);
-    - where a program writes it: code puts the name together (`'modified_' + a`), or it is called like
-      `octomap_saver_node`;
+    - where a program writes it: code puts the name together (`'modified_' + a`) or gets it by a parameter it writes
+      to, also from an argument for an output (`save_path`), or the program is called like `octomap_saver_node`;
     - where the name is to be replaced (`YOUR_ROBOT.urdf`, `# use your map`), or is used only where a `glob` found none.
     """
     for each in (*missing_references(scope), *references_missed_silently(scope)):
