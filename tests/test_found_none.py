@@ -1,4 +1,4 @@
-"""A file that a launch file names only where a search finds none like it, and then says so, is an info (LCH003)."""
+"""A file that a launch file names only where a search finds no such file, which it prints, is an info (LCH003)."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ PACKAGE = {
 SEARCH = "found = sorted(glob.glob(os.path.join(folder, 'run_*.bin')))"
 LAST = "os.path.join(folder, 'run_last.bin')"
 SAYS = "print('no runs in', folder, '- record one first')"
-WHY = "but only where a search finds none like it, as the launch then says"
+WHY = "but only where a search finds no such file, which the launch then prints"
 
 
 def told(*lines: str) -> list[str]:

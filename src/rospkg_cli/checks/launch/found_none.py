@@ -13,7 +13,7 @@ from ...source import Span
 from ..paths.logged_texts import is_log
 from .searched_folders import Names, parts_of, searched_in
 
-FOUND_NONE = "but only where a search finds none like it, as the launch then says"
+FOUND_NONE = "but only where a search finds no such file, which the launch then prints"
 COUNTS: Mapping[tuple[type[ast.cmpop], int], bool] = {
     (ast.Eq, 0): True, (ast.LtE, 0): True, (ast.Lt, 1): True,
     (ast.NotEq, 0): False, (ast.Gt, 0): False, (ast.GtE, 1): False,

@@ -12,7 +12,7 @@ HARM: dict[ReferenceKind, str] = {
     "open": "the launch stops there, as the file can't be opened",
     "default": "what opens it fails unless another one is given",
     "file": "what opens it finds nothing there",
-    "caught": "what opens it goes on with nothing, and does not say so",
+    "caught": "what opens it goes on without it, and prints no warning",
 }
 WITHOUT_PARAMETERS = "launch warns, and the node starts with its defaults"
 WITHOUT_SOME = "launch warns, and the node starts without what it sets"

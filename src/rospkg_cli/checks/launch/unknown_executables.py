@@ -44,7 +44,7 @@ def unless_blank(started: NodeExecutables, node: ExecutableUse) -> ExecutableUse
     from ..python.blank_names import is_blank, is_to_be_replaced  # what few launch files need
 
     is_open = is_blank(node.executable) or is_to_be_replaced(started.scope.file.source.text, node.span.start)
-    return replace(node, level="info", why="until people fill the name in") if is_open else node
+    return replace(node, level="info", why="until the name is filled in") if is_open else node
 
 
 def entry_of(started: NodeExecutables, node: ExecutableUse) -> str:

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from .opened_maps import OpenedMaps
 
 UNOPENED = "as soon as something here opens this file"
-UNTAKEN = "and what names the map here asks for other keys of it alone"
+UNTAKEN = "and what names the map here reads only other keys of it"
 UNREAD = "and neither code here nor a well-known node is shown to read it by this key"
 PARAMETERS = "ros__parameters"
 SHARED = regex(

@@ -41,7 +41,7 @@ class SureBlocks:
             return ""
         if any(self.may_hold(each, key) for each in given):
             return ", unless its program makes one of that name as well"
-        return "" if self.is_alone(file, given) else ", unless somebody starts one of that name"
+        return "" if self.is_alone(file, given) else ", unless a node of that name is started elsewhere"
 
     def is_coded(self, key: str, nodes: Iterable[NodeArguments]) -> bool:
         """Return whether code gives the name to another node than those, which may be started."""

@@ -69,9 +69,9 @@ class UnknownParameters:
         if read.unless:
             return "info", f"{undeclared(read)}{read.unless}"
         if read.is_dropped:
-            return "info", f"{undeclared(read)}; nothing reads what it is got into"
+            return "info", f"{undeclared(read)}; nothing reads the variable that gets it"
         if self.is_unmet(read):
-            return "info", f"{undeclared(read)}; nothing here leads to this place"
+            return "info", f"{undeclared(read)}; nothing here reaches this place"
         is_error = read.throws and read.suggestion and not read.on_request
         is_error = is_error and not self.unmet.is_seldom(read.path, read.span, self.reads.cpp)
         return "error" if is_error else "warning", undeclared(read)

@@ -8,7 +8,7 @@ from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...source import Source, Span
 
-BASE, ASKED = "; unless its base class does", "; unless others do, for which it asks first"
+BASE, ASKED = "; unless its base class does", "; unless other code does, as `has_parameter` is asked first"
 MILD = regex(r"\bcatch\b|\bhas_parameter\b|\bexcept\s*(?::|.*\b(?:Base)?Exception\b|.*\bParameter)")
 """What may catch the exception, or ask before."""
 
