@@ -75,19 +75,19 @@ def unknown_parameter_node(scope: NodeBlocks) -> Iterator[Hit]:
     """
     ## What it does
     Finds parameters for a node that no launch file starts, where a similar node lacks them.
-    The block belongs to no node that the launch files here start, and a node that is given the file, and has no block
-    in it, has a similar name; or the file goes to no other node, and has this block alone or one whose parameters the
-    node's package declares. A node that the launch file gives no name has that of its code, where this has one literal
-    name alone; one whose name is an argument has its default, and that is an info. So it is where nothing names the
-    file, and the package has one node with another name, and declares all that the block sets; and so is one block for
-    several nodes, none of which reads it.
+    The block is for no node that the launch files here start, while a node that is given the file has a similar name
+    and no block in it; or the file goes to no other node, and has only this block, or one whose parameters the node's
+    package declares. Where the launch file gives a node no name, the one literal name in its code counts; where the
+    name is an argument, its default does, and the finding is an info. It is an info, too, where nothing names the file,
+    and the package has one node, of another name, and declares all that the block sets; and for one block for several
+    nodes, none of which reads it.
 
-    It also finds blocks that have nearly the name of a controller that the same file gives `controller_manager`, or of
-    a well-known node (`controller_manager`, those of nav2), and that has no block there; blocks with the name
-    of an executable that is started under another name; and blocks of a node that is started in another namespace:
-    `talker` is `/talker` alone; and controllers that are spawned under nearly the name of one that has a type. The
-    costmaps of nav2 are in namespaces that have their names: `local_costmap` alone is no node, if the file has the
-    block of the server that makes it.
+    It also finds blocks with nearly the name of a controller that the same file gives `controller_manager`, or of a
+    well-known node (`controller_manager`, those of nav2) that has no block there; blocks with the name of an executable
+    that is started under another name; blocks of a node that is started in another namespace (`talker` is `/talker`
+    alone); and controllers that are spawned under nearly the name of one that has a type. The costmaps of nav2 are in
+    namespaces of their own names: `local_costmap` alone is no node, if the file has the block of the server that makes
+    it.
 
     ## Why is this bad?
     rcl goes by the node's name, as the launch file gives it, and ignores all other blocks without a warning: the node
