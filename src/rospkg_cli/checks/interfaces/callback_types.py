@@ -1,4 +1,4 @@
-"""The messages that callbacks are called with, by what they are registered for."""
+"""The messages that callbacks receive, by the subscription, service or action they are registered for."""
 
 from __future__ import annotations
 

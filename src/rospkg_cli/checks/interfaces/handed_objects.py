@@ -1,4 +1,4 @@
-"""The functions that rclpy calls with objects of its own, whatever their annotations say."""
+"""Functions that rclpy calls with objects of its own (goal handles, futures), whatever their annotations say."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SUBSCRIBES, RECEIVES = "create_subscription", (2, ("callback",))
 
 
 def handed_objects(file: PythonFile) -> frozenset[str]:
-    """Return the names of the functions that a file has rclpy call with an object of its own."""
+    """Return the names of the functions that a file registers for rclpy to call with an object of rclpy."""
     if not any(name in file.source.text for name in (*OBJECTS, "raw")):
         return frozenset()
     calls = nodes_of_kind(file.tree, ast.Call)
@@ -38,7 +38,7 @@ def handed_objects(file: PythonFile) -> frozenset[str]:
 
 
 def callbacks(call: ast.Call) -> Iterator[ast.expr]:
-    """Yield the arguments of a call that rclpy will call with an object of its own."""
+    """Yield the arguments of a call that rclpy will call with an object of rclpy."""
     name = last_name(call.func)
     position, names = OBJECTS.get(name, (len(call.args), ()))
     if name == SUBSCRIBES and any(each.arg == "raw" and is_set(each.value) for each in call.keywords):

@@ -1,4 +1,4 @@
-"""Methods of objects that a package makes and never uses: nothing calls what their own construction does not."""
+"""Methods of objects that a package creates and never uses: only their own construction may call them."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class IdleObjects:
     run: RunImports
 
     def has(self, path: str, span: Span) -> bool:
-        """Return whether a place lies in a method of a class whose objects are all bound to names that nothing reads.
+        """Return whether a place is in a method of a class whose objects are all bound to names that nothing reads.
 
         The construction of the object must not reach the method either.
         """

@@ -77,7 +77,7 @@ class InterfaceImports:
             yield from found
 
     def of_package(self, file: PythonFile, each: Import, package: str, rest: str) -> Iterator[WrongInterfaceImport]:
-        """Yield what is taken out of a package itself, and is an interface of it: these are in its modules."""
+        """Yield interfaces that are imported from a package itself, not from its module `msg`, `srv` or `action`."""
         known = self.known.of(package)
         for name in (each.names if not rest else () if each.names else (rest,)) if known else ():
             kinds = [kind for kind in KINDS if known and name in known.get(kind, ())]

@@ -132,7 +132,7 @@ def changed(file: PythonFile) -> Iterator[ast.expr]:
 
 
 def changed_messages(file: PythonFile) -> frozenset[str]:
-    """Return the messages whose classes a file changes, which have other fields for all who import them."""
+    """Return the messages whose classes a file changes: they have other fields in all modules that import them."""
     imported = {name: found for name, found in bound_names(file) if found}
     classes = MessageClasses(file)
     named = (imported.get(each.id, "") if isinstance(each, ast.Name) else classes.named(each) for each in changed(file))

@@ -64,7 +64,7 @@ class MessageScopes:
         return {}
 
     def bindings(self, function: FunctionNode) -> Bindings:
-        """Return what a function binds, worked out once: its variables, its class's, and its uses are looked for."""
+        """Return the variables that a function binds; computed once, as several checks ask for them."""
         if id(function) not in self._bindings:
             self._bindings[id(function)] = Bindings(function.body)
         return self._bindings[id(function)]
@@ -84,10 +84,10 @@ class Signatures:
         self.called = {last_name(node.func) for node in nodes_of_kind(file.tree, ast.Call)}
 
     def parameters(self, function: FunctionNode, owner: str) -> dict[str, str]:
-        """Return the parameters that hold a message: by what the function is registered for, or by annotation.
+        """Return the parameters that hold a message, by the registration as a callback, or by annotation.
 
-        What registers it decides: rclpy calls with its own objects what it is given for these, whatever an annotation
-        says. Annotations count where the file does not call the function: a caller may pass what they don't say.
+        A registration takes precedence: rclpy passes its own objects, whatever an annotation says. Annotations count
+        only where the file does not call the function, as a caller may pass other objects.
         """
         if function.name in self.handed:
             return {}

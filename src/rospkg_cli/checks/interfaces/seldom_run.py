@@ -12,7 +12,7 @@ from ...source import Span
 
 
 def is_in_handler(file: PythonFile, span: Span) -> bool:
-    """Return whether a place is in an `except` branch, or in what a `raise` or an assertion ends with."""
+    """Return whether a place is in an `except` branch, or in the exception or message of a `raise` or an assertion."""
     raised = [each.exc for each in nodes_of_kind(file.tree, ast.Raise)]
     raised += [each.msg for each in nodes_of_kind(file.tree, ast.Assert)]
     handlers = map(file.span, nodes_of_kind(file.tree, ast.ExceptHandler))
@@ -20,7 +20,7 @@ def is_in_handler(file: PythonFile, span: Span) -> bool:
 
 
 def is_called_with_care(file: PythonFile, span: Span, errors: Collection[str]) -> bool:
-    """Return whether a place is in a function that only stands in a `try` which catches one of some exceptions."""
+    """Return whether a place is in a function whose every use is in a `try` that catches one of some exceptions."""
     around = [each for each in nodes_of(file.tree) if isinstance(each, FunctionNode) and file.span(each).holds(span)]
     names = {each.name for each in around}
     uses = [each for each in nodes_of_kind(file.tree, ast.Attribute) if each.attr in names]

@@ -25,7 +25,7 @@ class UncalledMethods:
     run: RunImports
 
     def has(self, path: str, span: Span) -> bool:
-        """Return whether a place lies in a method of a plain node whose name stands nowhere else in the code."""
+        """Return whether a place is in a method of a plain node whose name occurs nowhere else in the code."""
         file = self.run.modules.at(path)
         found = methods(file) if file is not None else ()
         return any(
@@ -34,7 +34,7 @@ class UncalledMethods:
         )
 
     def is_named(self, owner: str, name: str) -> bool:
-        """Return whether code names a method of a class; `self.name` does where it stands in one of its family."""
+        """Return whether code names a method of a class; `self.name` does within its class hierarchy."""
         return name in self.named or (self.families.get(owner, ""), name) in self.named_of_self
 
     @cached_property

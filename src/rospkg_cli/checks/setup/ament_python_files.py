@@ -1,4 +1,4 @@
-"""Rule input: whether what ament_python needs is there at all."""
+"""Rule input: whether the files that ament_python needs exist at all."""
 
 from __future__ import annotations
 

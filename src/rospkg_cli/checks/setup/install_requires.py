@@ -1,4 +1,4 @@
-"""Rule input: what install_requires names, against the packages around."""
+"""Rule input: packages of ROS among the requirements in install_requires."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class InstallRequires:
 
     @property
     def ros_requirements(self) -> tuple[tuple[SetupText, str], ...]:
-        """The requirements that no Python distribution fulfils: interfaces, and what CMake builds without Python."""
+        """The requirements that no Python distribution satisfies: interfaces, and CMake packages without Python."""
         found = []
         for requirement in self.package.setup.texts("install_requires"):
             match = REQUIREMENT.match(requirement.text)

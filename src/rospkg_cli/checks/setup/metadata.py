@@ -1,4 +1,4 @@
-"""Rule input: what setup.py and package.xml both say."""
+"""Rule input: metadata that setup.py and package.xml both have."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rule input: the folders of Python modules of a package, against what is installed of them."""
+"""Rule input: the Python packages and modules of a package that setup.py does not install."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rule input: a setup.cfg with what says whether setuptools ever reads it."""
+"""Rule input: a setup.cfg, and whether setuptools ever reads it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rule input: the entry points of setup.py, with who starts the programs that are made of them."""
+"""Rule input: the entry points of setup.py, and what starts their programs."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SETUPTOOLS = regex(r"(?m)^.*\bpip3?\b.*\binstall\b.*\bsetuptools\b.*$")
 PINNED = regex(r"\bsetuptools[\"']?\s*(?P<sign>[=<>~]=|<)\s*(?P<major>\d+)")
 UPGRADED = regex(r"\s(?:-U|--upgrade)\b")
 NEWER = 60
-"""The setuptools that stops at what the one of Humble takes."""
+"""The first version of setuptools that refuses what the one of Humble (59) accepts."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class StartedEntryPoints:
 
 @dataclass(frozen=True)
 class EntryPointTree:
-    """Rule input: the folders of modules of a package, and who starts its entry points."""
+    """Rule input: the folders of modules of a package, and what starts its entry points."""
 
     tree: ModuleTree
     started: StartedEntryPoints

@@ -1,4 +1,4 @@
-"""Rule input: what install_requires asks pip for, against what package.xml declares (SET311)."""
+"""Rule input: requirements in install_requires that package.xml does not declare (SET311)."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from .python_package import PythonPackage
 from .unregistered_nodes import UnregisteredNodes, starts_itself
 
 FOLDERS = ("", "bin", "nodes", "scripts", "src")
-"""Where programs lie next to the Python package; below others lies what only developers run."""
+"""Folders for programs next to the Python package; programs in other folders are for developers."""
 
 
 @dataclass(frozen=True)

@@ -22,9 +22,9 @@ from .python_package import PythonPackage
 
 SCRIPTS = "console_scripts"
 ASIDE = regex(r"(?:^|_)(?:tests?|demos?|examples?|utils?|tools?|old|backup|bak|copy)(?:_|\d*$)|^_")
-"""What modules are called that are there for import, or for their developers."""
+"""Names of modules that are for import, or for developers."""
 TRIED = regex(r"(?:^|_)(?:tests?|demos?|examples?)(?:_|\d*$)")
-"""Of these, what nodes are called that a package is for, where it has no other."""
+"""Those of these names that the main node of a package may have, if it has no other."""
 TESTS = regex(r"^(?:def test_|(?:import|from) (?:unittest|pytest)\b)", re.MULTILINE)
 
 RUNS = tuple(".md .rst .txt .sh .bash .py .xml .yaml .yml .cfg .toml .service Makefile Dockerfile".split())
@@ -87,14 +87,14 @@ class UnregisteredNodes:
         return file.functions.get("main") if file is not None and self.package.is_node(module) else None
 
     def is_used(self, module: str) -> bool:
-        """Return whether a module is there for import or for its developers, or a file names its file."""
+        """Return whether a module is for import or for developers, or another file names it."""
         path = self.package.setup.modules[module]
         if module in self.imported or (ASIDE.search(module.rpartition(".")[2]) and not self.is_all(module, path)):
             return True
         return any(posixpath.basename(path) in text for text in self.texts)
 
     def is_all(self, module: str, path: str) -> bool:
-        """Return whether a node that is called like a test, and holds none, is what a package without others is for."""
+        """Return whether a node that is named like a test, and holds no test, is the only purpose of a package."""
         rest, count = TRIED.subn("x", module.rpartition(".")[2])
         is_tried = self.starts_nothing and count > 0 and not ASIDE.search(rest)
         return is_tried and not TESTS.search(self.files.readable_text(path))

@@ -16,12 +16,12 @@ ROBOT = frozenset(
     "robot onboard rpi rpi4 rpi5 pi raspi raspberry raspberrypi jetson nano orin car rover drone vehicle real hardware"
     " hw physical board".split()
 )
-"""Words for the machine that drives, or for what is no simulation."""
+"""Words in folder names for the robot's own computer, or for the real robot."""
 OPERATOR = frozenset(
     "pc laptop desktop remote host offboard station basestation workstation operator sim simulation simulated simulator"
     " gazebo gz webots isaac unity".split()
 )
-"""Words for the machine of those who watch, or for what replaces the robot."""
+"""Words in folder names for the operator's computer, or for a simulation."""
 WORDS = regex(r"[a-z]+[0-9]*")
 
 

@@ -13,7 +13,7 @@ CARRIES = regex(r"\b(?:ln|cp|mv|rsync|robocopy|xcopy|COPY|ADD)\s+([^\n#;&|]*)")
 LISTED = regex(r"\bcolcon\s[^\n#;&|]{0,200}?--(?:base-)?paths\s+([^\n#;&|]*)")
 """The folders that `--paths` or `--base-paths` of colcon lists."""
 BASES = regex(r"\bbase-paths[\"']?\s*:((?:\s*-\s*[^\s-]\S*)+|\s*\[[^\]]*\])")
-"""The same in the defaults of colcon, or in what a workflow hands to it."""
+"""The same in the defaults of colcon, or in the options that a workflow passes to it."""
 MOUNTS = regex(r"([^\s\"':=,]{0,200}[\w}./~)]):/[\w./$-]|\b(?:source|src)=([^,\s\"']+)")
 """A folder of the host that a container sees in another place."""
 CONTINUED = regex(r"\\\n\s*")

@@ -16,7 +16,7 @@ from ...ros.read_table import words
 TAKES_NAMES = ("add_executable", "add_library", "target_sources", "target_include_directories")
 """Commands whose first word is a target, and whose others may be paths."""
 NO_BUILDS = ("install", "message", "ament_package", "ament_auto_package", "project")
-"""Commands to which a path says nothing about a build: what is installed is data."""
+"""Commands whose paths show no build: what they install is data."""
 
 
 def named_folders(cmake: CMake | None) -> frozenset[str]:

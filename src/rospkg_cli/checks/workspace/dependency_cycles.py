@@ -18,7 +18,7 @@ from ...package.workspace import Workspace
 from ...ros.manifest import NOT_ORDERED
 
 Edges = Mapping[str, Mapping[str, ActiveDependency]]
-"""Package → the packages that it needs → the first dependency that says so."""
+"""By package, the packages that it depends on, each with the first such dependency."""
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,7 @@ def is_built_by_hand(texts: tuple[str, ...], folder: str) -> bool:
 
 
 def places_in(text: str) -> Iterator[str]:
-    """Yield the folders in which a text builds something, or that it gives to what builds, as far as it names them."""
+    """Yield the folders in which commands of a text build, or that they pass to a build tool, if literal."""
     here = ""
     for step in STEP.finditer(text):
         if step["to"]:
