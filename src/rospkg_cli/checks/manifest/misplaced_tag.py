@@ -14,7 +14,7 @@ RENAMED = {"run_depend": "exec_depend"}
 
 
 def intended_tag(manifest: Manifest, element: Element) -> str | None:
-    """Return the only tag of package.xml that an unknown one may stand for; None for one that is out of place."""
+    """Return the tag of package.xml that an unknown one probably is; None for a known one in a wrong place."""
     if element not in manifest.root.children or element.tag in (*INSIDE_EXPORT, *NEW_IN[2]):
         return None
     return RENAMED.get(element.tag) or nearest(element.tag, TAGS)

@@ -25,7 +25,7 @@ def has_run_programs(cmake: CMake, files: PackageFiles, package: str) -> bool:
 
 
 def is_for_tests(program: Target) -> bool:
-    """Return whether a command for tests makes a program, or it lies in a folder of tests."""
+    """Return whether a command for tests builds a program, or it is in a folder of tests."""
     return program.call.name in COMPILED or bool(parts_of(program) & TESTS)
 
 

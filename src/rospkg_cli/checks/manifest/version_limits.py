@@ -1,4 +1,4 @@
-"""Rule input: the version limits of package.xml, and who holds the package to them (XML205)."""
+"""Rule input: the version limits of package.xml, and which tools enforce them (XML205)."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ def is_relative(found: Collection[tuple[Span, str]]) -> bool:
 
 
 def without_scheme(found: dict[tuple[Span, str], str], *, is_shown: bool) -> tuple[str, str]:
-    """Return what is said of such meshes, and what to do."""
+    """Return the message on such meshes, and the advice."""
     (_, path), url = next(iter(found.items()))
     them = f"`{path}` and {len(found) - 1} more are no URLs" if len(found) > 1 else f"`{path}` is no URL"
     when = "" if is_shown else ", as soon as one of them shows this robot"

@@ -1,4 +1,4 @@
-"""Whether a launch file that names a robot hands it to what reads meshes by their URLs, or to Gazebo alone (URD002)."""
+"""Whether a launch file passes a robot to nodes that read meshes by their URLs, or to Gazebo alone (URD002)."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from ...light_dataclasses import replace
 from ...package.package_facts import PackageFacts
 
 READERS = regex(r"(?i)robot_state_publisher|move_?it|move_?group|\brviz2?\b")
-"""Who publishes a robot for RViz, and who reads it themselves."""
+"""Programs that publish a robot for RViz, and programs that read it themselves."""
 NAMED_SO = regex(r"(?i)description|rsp|state_pub|urdf")
-"""What launch files of packages that are not here are called where they publish the robot which they are given."""
+"""In the names of launch files of other packages that publish the robot they are given."""
 PUBLISHERS = frozenset({"robot_state_publisher", "rviz2", "move_group", "moveit_ros_move_group"})
 SPAWNERS = frozenset({"ros_gz_sim", "ros_ign_gazebo", "gazebo_ros", "spawn_entity"})
 

@@ -14,7 +14,7 @@ PREFIX = regex(r"\$\{[^{}]+\}")
 """What is not known of a name, as it is written."""
 UNLESS = ", unless the prefix of "
 UNLESS_EMPTY, EMPTY = " is empty: ", " is empty, as it is in each call here: "
-"""What is said of a prefix that may be empty, and of one that is."""
+"""Parts of the message on a prefix that may be empty, and on one that is."""
 
 
 def lost_prefix(given: ExpandedAttribute, names: frozenset[str], taken: frozenset[str]) -> str:

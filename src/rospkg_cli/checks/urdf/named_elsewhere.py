@@ -50,7 +50,7 @@ class NamedElsewhere:
         return is_other or path in self.package.uninstalled
 
     def folders_of(self, path: str) -> frozenset[str]:
-        """Return the names of the folders that a file lies in: in the source, and where it is installed."""
+        """Return the names of the folders of a file: in the source, and where it is installed."""
         folder, name = posixpath.split(path)
         places = (place for owner, place in self.installed.get(name, ()) if owner == self.package.name)
         return frozenset(posixpath.basename(each) or self.package.name for each in (folder, *places))

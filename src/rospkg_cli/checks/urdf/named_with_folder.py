@@ -33,7 +33,7 @@ class NamedWithFolder:
         return found
 
     def has(self, path: str) -> bool:
-        """Return whether a text, of this package or another, names a file together with the folder it lies in."""
+        """Return whether a text, of this package or another, names a file together with its folder."""
         if path not in self._answers:
             self._answers[path] = self.look_for(path)
         return self._answers[path]

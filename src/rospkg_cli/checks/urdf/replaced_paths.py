@@ -18,7 +18,7 @@ REPLACED = regex(
 )
 """What a launch file replaces in a text: of `re.sub` and `sed`, a pattern that is mostly written as the text."""
 SHORT = 4
-"""Fewer letters stand in too many paths."""
+"""Shorter texts are part of too many paths."""
 
 
 @dataclass(frozen=True)

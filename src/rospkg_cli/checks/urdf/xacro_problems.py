@@ -26,7 +26,7 @@ SENTENCES = {
 }
 LACKING = regex(r"the macro `([^`]*)` needs its parameter (.*)")
 UNPREFIXED = {XacroProblem.NAME: "property", XacroProblem.MACRO: "macro"}
-"""What old files define by an element without the prefix; xacro 2.1.1 passes over it."""
+"""Elements that old files write without the prefix `xacro:`; xacro 2.1.1 ignores those."""
 
 WITHOUT_PREFIX = (
     "the `<{0}>` that defines this lacks its `xacro:`: xacro passes over it and stops here; write `<xacro:{0}>`"

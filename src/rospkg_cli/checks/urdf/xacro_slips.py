@@ -65,7 +65,7 @@ def surplus_braces(element: Element) -> Iterator[Fault]:
 
 
 def lost_signs(macro: Element) -> Iterator[Fault]:
-    """Yield each attribute in which a parameter of the macro stands in braces, and no `$` right before them."""
+    """Yield each attribute that has a parameter of the macro in braces without a `$` before them."""
     names = {each.name.lstrip("*") for each in parameters_of(macro.get("params") or "")}
     for element in macro.walk():
         for attribute in element.attributes.values() if element is not macro else ():
@@ -77,7 +77,7 @@ def lost_signs(macro: Element) -> Iterator[Fault]:
 
 
 def unread_names(root: Element) -> Iterator[Fault]:
-    """Yield each value in which a property, an argument or pi stands in braces, and no `$` right before them.
+    """Yield each value that has a property, an argument or pi in braces without a `$` before them.
 
     Parameters of macros are left to `lost_signs`. A value with other braces may be text in another language.
     """

@@ -1,4 +1,4 @@
-"""Exports of plugin descriptions that are no call of pluginlib's: by ament_index itself, or a macro of one's own."""
+"""Exports of plugin descriptions without the macro of pluginlib: by ament_index itself, or by another macro."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def is_registered(cmake: CMake) -> bool:
 
 
 def may_export(cmake: CMake, file: str) -> bool:
-    """Return whether CMake registers a description otherwise, or hands it to a macro of another package."""
+    """Return whether CMake registers a description in another way, or passes it to a macro of another package."""
     from ..cmake.foreign_commands import foreign_commands  # few descriptions are not exported by pluginlib's call
 
     if is_registered(cmake):

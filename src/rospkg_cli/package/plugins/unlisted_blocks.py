@@ -22,7 +22,7 @@ class Key:
     indent: int
     name: str
     value: str
-    """What stands behind it on its line."""
+    """The rest of its line."""
 
 
 def is_unlisted(text: str, at: int) -> bool:

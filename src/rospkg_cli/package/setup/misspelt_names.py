@@ -29,7 +29,7 @@ def intended_group(group: str) -> str:
 
 
 def misspelt_arguments(arguments: Iterable[Argument]) -> Iterator[MisspeltArgument]:
-    """Yield the arguments of setup() that setuptools does not know and that stand for one that is not given."""
+    """Yield the arguments of setup() that are misspellings of a known one that is not given."""
     every = list(arguments)
     free = KEYWORDS - {each.name for each in every}
     for each in every:

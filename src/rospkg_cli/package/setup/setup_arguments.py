@@ -77,7 +77,7 @@ class SetupArguments:
 
     @cached_property
     def misspelt_arguments(self) -> tuple[MisspeltArgument, ...]:
-        """The arguments that setuptools passes over and that stand for one that is not given."""
+        """The arguments that setuptools ignores and that are misspellings of one that is not given."""
         return tuple(misspelt_arguments(self.call.arguments)) if self.call else ()
 
     def setup_text(self, name: str) -> SetupText | None:

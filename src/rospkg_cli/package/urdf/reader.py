@@ -37,7 +37,7 @@ def read_robot_files(reading: ReaderInput) -> Iterator[RobotFile | Unreadable]:
 
 
 def is_of_web(reading: ReaderInput, path: str) -> bool:
-    """Return whether a file belongs to a web page: npm's package.json lies in a folder above it, in the package."""
+    """Return whether a file belongs to a web page: a folder above it in the package holds a package.json of npm."""
     folders = path.split("/")[:-1]
     return any(
         "/".join([*folders[:depth], "package.json"]) in reading.files.paths for depth in range(1, len(folders) + 1)

@@ -39,7 +39,7 @@ class XacroBlock:
     element: Element
     scope: XacroScope
     source: Source
-    """The file that they stand in."""
+    """The file that they are in."""
     content_only: bool
 
 
