@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ..checks.cmake.ament_target_dependencies import RemovedCommand, ReplacedArgument, Replacement
+from ..checks.cmake.removed_command import RemovedCommand, ReplacedArgument, Replacement
 from ..finding import Edit
 from ..languages.cmake.file import CMakeFile
 from ..package.line_width import AMENT_WIDTH

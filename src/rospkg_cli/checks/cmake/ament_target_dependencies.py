@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import Literal
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
-from ...languages.cmake.file import CMakeFile
-from ...languages.cmake.syntax import CommandArgument, CommandInvocation
+from ...languages.cmake.syntax import CommandArgument
 from ...languages.cmake.values import UNKNOWN, Word
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
@@ -17,47 +15,11 @@ from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...ros.link_targets import LinkTargets, link_targets
 from .distro_guards import guarded_commands
+from .link_keywords import KEYWORDS, Signature, signatures
+from .removed_command import RemovedCommand, ReplacedArgument, Replacement
 
 REMOVED = "ament_target_dependencies"
-KEYWORDS = ("PUBLIC", "PRIVATE", "INTERFACE")
-LINK_KEYWORDS = (*KEYWORDS, "LINK_PUBLIC", "LINK_PRIVATE", "LINK_INTERFACE_LIBRARIES")
-LINK_PLAINLY = ("ament_add_gtest", "ament_add_gmock", "ament_add_gtest_executable", "ament_add_gmock_executable",
-                "ament_add_google_benchmark", "ament_auto_add_gtest", "ament_auto_add_library",
-                "ament_auto_add_executable", "ament_add_ros_isolated_gtest",
-                "ament_add_ros_isolated_gmock")  # fmt: skip
-"""Commands that link their target without a keyword: CMake then refuses keywords in other calls."""
-
 LIBRARIES = regex(r"\$\{\w+_(LIBRARIES|LIBS|TARGETS)\}")
-
-Signature = Literal["plain", "keyword"]
-
-
-@dataclass(frozen=True)
-class RemovedCommand:
-    """One place where the command is written, with every run of it."""
-
-    file: CMakeFile
-    command: CommandInvocation
-    calls: tuple[EvaluatedCommand, ...]
-
-
-@dataclass(frozen=True)
-class ReplacedArgument:
-    """An argument, and what to write for it: None leaves it, nothing takes it out."""
-
-    argument: CommandArgument
-    texts: tuple[str, ...] | None = None
-
-
-@dataclass(frozen=True)
-class Replacement:
-    parts: tuple[ReplacedArgument, ...]
-    signature: Signature
-    keyword: str
-    """The keyword that the command has; "" where it has none."""
-    includes: tuple[str, ...]
-    guessed: tuple[str, ...]
-    """Packages of which it is unknown whether they export targets."""
 
 
 @dataclass(frozen=True)
@@ -67,8 +29,8 @@ class AmentTargetDependencies:
     targets: Targets
 
     def removed(self) -> Iterator[RemovedCommand]:
-        """Yield every place where the command is written, also where nothing runs it, but not what asks for the
-        distribution first."""
+        """Yield every place where the command is written, also where it is never run; not below a check of the
+        distribution."""
         cmake = self.package.cmake
         runs: dict[tuple[str, int], list[EvaluatedCommand]] = {}
         unreached = [call for call in cmake.unreachable if call.name == REMOVED]
@@ -121,6 +83,7 @@ class AmentTargetDependencies:
         return first
 
     def link_targets(self, name: str) -> LinkTargets:
+        """Return the targets to link for a package, or its variables where it has none."""
         facts = self.workspace.named(name)
         if facts is None:
             return link_targets(name)
@@ -131,19 +94,13 @@ class AmentTargetDependencies:
         return LinkTargets((f"${{{name}_LIBRARIES}}",), (f"${{{name}_INCLUDE_DIRS}}",))
 
     def signature(self, call: EvaluatedCommand) -> Signature:
-        """Return how the call's target is linked elsewhere: CMake refuses to mix the two."""
+        """Return how the call's target is linked elsewhere."""
         target = call.texts[0] if call.texts else UNKNOWN
         return self.signatures.get(target, "keyword")
 
     @cached_property
     def signatures(self) -> dict[str, Signature]:
-        cmake = self.package.cmake
-        found: dict[str, Signature] = {}
-        for call in cmake.named("target_link_libraries"):
-            if len(call.texts) > 1:
-                found.setdefault(call.texts[0], "keyword" if call.texts[1] in LINK_KEYWORDS else "plain")
-        plain = [target.name for target in cmake.targets if target.call.name in LINK_PLAINLY]
-        return {**found, **dict.fromkeys(plain, "plain")}
+        return signatures(self.package.cmake)
 
 
 def is_kept(argument: CommandArgument) -> bool:

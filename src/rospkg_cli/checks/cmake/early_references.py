@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from .target_references import TargetReference, TargetReferences
+from .named_targets import TargetReference, target_references
+from .target_references import TargetReferences
 
 
 @dataclass(frozen=True)
@@ -31,7 +32,7 @@ class EarlyReferences:
             made.setdefault(target.name, places.get(id(target.call), -1))
         foreign = {text for call in references.foreign for text in call.texts if call.name not in OF_TARGETS}
         seen: set[str] = set()
-        for each in references.all():
+        for each in target_references(self.cmake):
             name, place = each.word.text, places.get(id(each.call), -1)
             is_certain = each.kind == "target" and each.word.is_known and not (each.word.maybe or each.call.maybe)
             if is_certain and 0 <= place < made.get(name, -1) and name not in foreign | seen:

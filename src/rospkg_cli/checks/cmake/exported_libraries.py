@@ -9,7 +9,7 @@ from ...languages.cmake.values import Word
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from .consumers import Consumers
-from .mistyped_links import is_clear_slip, nearest
+from .name_slips import is_clear_slip, nearest
 from .target_references import TargetReferences
 
 NO_FILE = frozenset({"INTERFACE", "OBJECT"})

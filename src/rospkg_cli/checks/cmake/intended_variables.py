@@ -12,7 +12,7 @@ from ...package.cmake.set_variables import SetVariables
 from ...package.workspace import Workspace
 from ...suggest import near_names
 from .given_variables import given_variables
-from .mistyped_links import digits
+from .name_slips import digits
 from .package_variables import PackageVariables
 from .set_by_cmake import SET_BY_CMAKE, near_variable_of_cmake
 

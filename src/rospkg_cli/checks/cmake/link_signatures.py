@@ -12,8 +12,9 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.workspace import Workspace
 from ...ros.link_targets import link_targets
-from .ament_target_dependencies import KEYWORDS, LINK_KEYWORDS, LINK_PLAINLY, REMOVED
+from .ament_target_dependencies import REMOVED
 from .dead_branches import DeadBranches
+from .link_keywords import KEYWORDS, LINK_KEYWORDS, LINK_PLAINLY
 from .switched_off import SwitchedOff
 from .unmade_targets import UnmadeTargets
 

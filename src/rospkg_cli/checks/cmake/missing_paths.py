@@ -15,7 +15,7 @@ from ...suggest import near_names
 from .branch_names import names_around
 from .distro_guards import guarded_commands
 from .install_arguments import FOREIGN
-from .mistyped_links import differ_in_long_words, digits
+from .name_slips import differ_in_long_words, digits
 from .switched_off import SwitchedOff
 
 ASKED_FOR = regex(r"EXISTS|IS_DIRECTORY|ROS_VERSION|ROS1|CATKIN|catkin|ROS_DISTRO")

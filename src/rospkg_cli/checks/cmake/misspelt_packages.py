@@ -6,8 +6,8 @@ from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.values import Word
 from ...light_dataclasses import replace
 from ...suggest import slips
-from .mistyped_links import are_swapped, is_likely_slip, nearest
 from .mistyped_package import MistypedPackage
+from .name_slips import are_swapped, is_likely_slip, nearest
 from .package_names import PackageNames
 
 

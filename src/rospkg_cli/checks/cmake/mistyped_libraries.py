@@ -11,7 +11,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.cmake.target_links import TargetLinks
 from ...suggest import near_names
-from .mistyped_links import digits, is_clear_slip
+from .name_slips import digits, is_clear_slip
 from .target_references import TargetReferences
 
 PLAIN = regex(r"[A-Za-z_][\w-]*")

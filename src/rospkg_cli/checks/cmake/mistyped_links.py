@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
@@ -11,13 +11,7 @@ from ...package.cmake.target_links import TargetLink, TargetLinks
 from ...package.workspace import Workspace
 from ...ros.link_targets import ROS_NAME, link_targets
 from ...ros.names import NameKind
-from ...suggest import distance, near_names
-
-LONG, LONG_WORD = 8, 4
-"""Letters of a name, and of a word in it, from which it is a slip of another one, whatever is not known."""
-
-LEAST = 5
-"""Letters of a name of which another one is one letter off, and no name of its own."""
+from .name_slips import is_likely_slip, nearest
 
 SHORTEST = 8
 """Letters of a package's name from which its target may be one letter off."""
@@ -114,37 +108,3 @@ def is_nearly(target: str, package: str) -> bool:
         return False
     is_alike = len(package) >= SHORTEST and ROS_NAME.fullmatch(package) is not None
     return sorted(target) == sorted(package) or (is_alike and nearest(target, {package}, 1) is not None)
-
-
-def nearest(text: str, names: frozenset[str] | set[str], limit: int) -> str | None:
-    """Return the nearest name with the same digits: `Eigen` may be there along with `Eigen3`."""
-    own = digits(text)
-    near = near_names(text, (name for name in names if digits(name) == own), limit)
-    return near[0] if near else None
-
-
-def is_clear_slip(text: str, near: str) -> bool:
-    """Return whether a long name is a slip of another one, whatever is not known."""
-    return len(text) >= LONG and differ_in_long_words(text, near)
-
-
-def is_likely_slip(text: str, near: str) -> bool:
-    """Return whether a name is one letter off another one, or is a clear slip of it; short names have neighbours."""
-    is_near = len(text) >= LEAST and distance(text, near, 1) <= 1
-    return is_near or are_swapped(text, near) or is_clear_slip(text, near)
-
-
-def are_swapped(text: str, near: str) -> bool:
-    """Return whether only two letters stand in the other order: no two things have such names."""
-    return sorted(text) == sorted(near) and distance(text, near, 1) == 1
-
-
-def differ_in_long_words(text: str, near: str) -> bool:
-    """Return whether two names differ in words of some letters: `arm_x` and `arm_y` are two things."""
-    alike = zip(text.split("_"), near.split("_"), strict=False)
-    return all(a == b or min(len(a), len(b)) >= LONG_WORD for a, b in alike)
-
-
-@lru_cache(maxsize=10_000)
-def digits(text: str) -> str:
-    return "".join(filter(str.isdecimal, text))

@@ -12,7 +12,7 @@ from ...ros.link_targets import MESSAGES, ROS_NAME
 from ...ros.names import NameKind
 from ...ros.read_table import rows
 from ...suggest import near_names
-from .mistyped_links import digits
+from .name_slips import digits
 
 OF_PACKAGE = regex(r"(\w+)_(INCLUDE_DIRS?|INCLUDES|LIBRARY|LIBRARIES|LIBS|TARGETS?|DEFINITIONS)")
 CERTAIN = regex(r"rclcpp\w*|tf2\w*|Boost|OpenCV")

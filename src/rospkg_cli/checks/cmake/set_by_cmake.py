@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...suggest import near_names
-from .mistyped_links import digits
+from .name_slips import digits
 
 SET_BY_CMAKE = frozenset("""
     PROJECT_NAME PROJECT_SOURCE_DIR PROJECT_BINARY_DIR PROJECT_VERSION CMAKE_PROJECT_NAME CMAKE_SOURCE_DIR

@@ -4,36 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 from functools import cached_property
-from itertools import takewhile
-from typing import Literal
 
 from ...languages.cmake.evaluated_command import EvaluatedCommand
 from ...languages.cmake.targets import MAKERS
-from ...languages.cmake.values import UNKNOWN, Word
+from ...languages.cmake.values import UNKNOWN
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from .built_for_ros1 import is_built_for_ros1
 from .dead_branches import DeadBranches
-from .mistyped_links import is_clear_slip, nearest
-
-FIRST_IS_TARGET = (
-    "target_link_libraries", "target_include_directories", "target_compile_definitions", "target_compile_features",
-    "target_compile_options", "target_sources", "target_link_options", "ament_target_dependencies",
-    "rosidl_target_interfaces", "add_dependencies",
-)  # fmt: skip
-OF_INTERFACES = ("rosidl_get_typesupport_target", "rosidl_target_interfaces")
-"""Commands whose second argument is what rosidl_generate_interfaces() was given."""
-EXPORTS = ("ament_export_targets", "ament_export_interfaces")
+from .name_slips import is_clear_slip, nearest
+from .named_targets import OF_INTERFACES, TargetReference, target_references
 
 OF_TESTS = ("gtest", "gtest_main", "gmock", "gmock_main")
 """What `ament_find_gtest()` and `ament_add_gtest()` make."""
-
-
-@dataclass(frozen=True)
-class TargetReference:
-    word: Word
-    call: EvaluatedCommand
-    kind: Literal["target", "export"] = "target"
 
 
 @dataclass(frozen=True)
@@ -48,7 +31,7 @@ class TargetReferences:
         if not self.cmake.is_complete:
             return
         seen: set[tuple[str, int, str]] = set()
-        for reference in self.all():
+        for reference in target_references(self.cmake):
             word = reference.word
             key = (word.path, word.span.start, word.text)
             if word.is_known and key not in seen and not self.is_made(reference):
@@ -83,28 +66,8 @@ class TargetReferences:
                 if word.is_known and text not in names and found is not None:
                     yield TargetReference(word, call), *found
 
-    def all(self) -> Iterator[TargetReference]:
-        for call in self.cmake.named(*FIRST_IS_TARGET):
-            yield from (TargetReference(word, call) for word in call.words[:1])
-        for call in self.cmake.named("set_target_properties"):
-            end = call.texts.index("PROPERTIES") if "PROPERTIES" in call.texts else 0
-            yield from (TargetReference(word, call) for word in call.words[:end])
-        for call in self.cmake.named("set_property"):
-            named = call.words[1:] if call.texts[:1] == ("TARGET",) else ()
-            yield from (TargetReference(word, call) for word in takewhile(is_no_keyword, named))
-        for call in self.cmake.named("add_custom_command"):
-            named = call.words[1:2] if call.texts[:1] == ("TARGET",) else ()
-            yield from (TargetReference(word, call) for word in named)
-        for call in self.cmake.named(*OF_INTERFACES):
-            yield from (TargetReference(word, call) for word in call.words[1:2])
-        for rule in self.cmake.installs:
-            if rule.kind == "TARGETS":
-                yield from (TargetReference(word, rule.call) for word in rule.items)
-        for call in self.cmake.named(*EXPORTS):
-            names = [w for w in call.words if w.text not in ("HAS_LIBRARY_TARGET", "NAMESPACE") and "::" not in w.text]
-            yield from (TargetReference(word, call, "export") for word in names)
-
     def is_made(self, reference: TargetReference) -> bool:
+        """Return whether the target or the export exists, or belongs to another package (`rclcpp::rclcpp`)."""
         if reference.kind == "export":
             return reference.word.text in self.exports
         return reference.word.text in self.names or "::" in reference.word.text
@@ -136,15 +99,3 @@ class TargetReferences:
 
         known = {*COMMANDS, *MAKERS, *OF_INTERFACES, *self.cmake.functions}
         return [call for call in self.cmake.calls if call.name not in known]
-
-
-def is_no_keyword(word: Word) -> bool:
-    return word.text not in ("APPEND", "APPEND_STRING", "PROPERTY")
-
-
-def by_name(references: Iterable[TargetReference]) -> Iterable[list[TargetReference]]:
-    """Return the references to each name together, in the order of the first ones: they have one cause."""
-    found: dict[tuple[str, str], list[TargetReference]] = {}
-    for each in references:
-        found.setdefault((each.kind, each.word.text), []).append(each)
-    return found.values()

@@ -6,7 +6,7 @@ from ...package.cmake.cmake_project import CMake
 from .early_references import EarlyReference
 from .met_here import by_whom
 from .mistyped_links import MistypedLink
-from .target_references import TargetReference
+from .named_targets import TargetReference
 
 STOPS = {
     "install": "given target … which does not exist",

@@ -18,7 +18,8 @@ from ...package.cmake.needed_files import PARAMETERS
 from ...package.plugins.description import PluginDescription
 from ...unreadable import READABLE
 from .missing_export_dependencies import REGISTERS
-from .target_references import EXPORTS, TargetReferences
+from .named_targets import EXPORTS
+from .target_references import TargetReferences
 
 LOADED = regex(r"ADD_PLUGIN|REGISTER_\w*PLUGIN|EXPORT_\w*CLASS|REGISTER_\w*CLASS|REGISTER_NODE|PYBIND11_MODULE")
 """Macros that make a plugin, which nothing links, of a library."""

@@ -6,21 +6,17 @@ import posixpath
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
-from ...languages.cmake.evaluated_command import EvaluatedCommand, path_in_package
 from ...languages.python.imports import Import
 from ...light_dataclasses import dataclass
-from ...package.cmake.artifacts import PYTHON_MODULES
 from ...package.cmake.cmake_package import CMakePackage
-from ...package.cmake.foreign_commands import foreign_commands
 from ...package.cmake.referenced_paths import ReferencedPaths
 from ...package.file_role import role_of
 from ...package.install_table import PYTHON, InstalledFile, InstallTable
 from ...package.python_modules import PythonModules
 from ...source import Span
 from ..reached_definitions import ReachedDefinitions
+from .python_path_hooks import may_set_python_path
 from .unmet_imports import UnmetImports
-
-SETS = "PYTHONPATH"
 
 
 @dataclass(frozen=True)
@@ -72,7 +68,7 @@ class PythonPackages:
     def importing(self) -> Iterator[UninstalledPythonPackage]:
         """Yield each import of such a package in an installed file."""
         cmake = self.package.cmake
-        if not self.table.knows("module") or not cmake.is_complete or any(map(self.may_set_path, cmake.calls)):
+        if not self.table.knows("module") or not cmake.is_complete or may_set_python_path(cmake):
             return
         if self.names_no_folder:
             return
@@ -119,42 +115,11 @@ class PythonPackages:
         able = (file for file in files if file is not None and "sys.path" in file.source.text)
         return {each.module.partition(".")[0] for file in able for each in file.imports if not each.level}
 
-    def forgotten(self) -> str:
-        """Return the folder of the Python package called like the package, where nothing of it is installed though
-        CMake looks for ament_cmake_python; "" where something is, or a script or launch file imports it."""
-        cmake, name = self.package.cmake, self.package.facts.name
-        found = any(each.name == "ament_cmake_python" and not each.call.maybe for each in cmake.packages)
-        is_known = self.table.knows("module") and cmake.is_complete and not cmake.reads_unknown_files
-        folder = self.folders.get(name, name)
-        others = (row for row in self.table.rows if row.what != "executable")
-        is_used = any(row.source.startswith(f"{folder}/") for row in others)
-        programs = {row.source for row in self.table.rows}
-        files = [path for path in cmake.package_files.below(folder) if path.endswith(".py") and path not in programs]
-        if not found or not is_known or is_used or self.has_other_ways or name not in self.folders or not files[1:]:
-            return ""
-        is_reported = self.names_no_folder or any(each.folder == name for each in self.uninstalled())
-        return "" if is_reported else name
-
     @cached_property
     def names_no_folder(self) -> bool:
         """Whether `ament_python_install_package()` is given a folder that is not there, which CMK102 reports."""
         missing = ReferencedPaths(self.package.cmake).missing()
         return any(each.call.name == "ament_python_install_package" for each in missing)
-
-    @property
-    def has_other_ways(self) -> bool:
-        """Whether the build may put modules where Python looks by other means."""
-        cmake = self.package.cmake
-        hooks = cmake.named("generate_parameter_module") or any(map(self.may_set_path, cmake.calls))
-        bindings = any(target.call.name in PYTHON_MODULES for target in cmake.targets)
-        return bool(cmake.interface_targets or hooks) or bindings or next(foreign_commands(cmake), None) is not None
-
-    def may_set_path(self, call: EvaluatedCommand) -> bool:
-        """Return whether a call is one of environment hooks that may set PYTHONPATH: those of the package are read."""
-        if call.name != "ament_environment_hooks":
-            return False
-        files, paths = self.package.cmake.package_files, [path_in_package(each, call.folder) for each in call.texts]
-        return any(path is None or not files.exists(path) or SETS in files.readable_text(path) for path in paths)
 
     def is_own(self, what: Import) -> bool:
         """Return whether an import refers to a module of the package, and not to one that rosidl generates."""

@@ -12,7 +12,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...ros.read_table import words
 from ...suggest import distance, near_names, same_words
-from .mistyped_links import digits
+from .name_slips import digits
 
 SHORTEST = 6
 """Letters; a shorter name that is unknown may be anybody's."""

@@ -11,7 +11,7 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...source import Span
 from ...suggest import near_names
-from .mistyped_links import digits
+from .name_slips import digits
 
 NAME = regex(r"[A-Za-z_]\w{7,}")
 """A name that is long enough to differ from others on purpose."""

@@ -19,7 +19,7 @@ from ...source import Span
 from ...suggest import distance
 from .intended_variables import IntendedVariables
 from .known_packages import are_all_known
-from .mistyped_links import are_swapped
+from .name_slips import are_swapped
 from .set_by_cmake import SET_BY_CMAKE
 from .unset_variable import UnsetVariable
 

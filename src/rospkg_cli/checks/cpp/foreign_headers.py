@@ -10,22 +10,14 @@ from typing import Literal
 from ...languages.cpp.file import CppFile, IncludeDirective
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from ...package.cmake.made_headers import HEADERS
-from ...ros.headers import LIBRARIES, SHARED
-from ...ros.interfaces import KINDS, header_name
-from ...ros.names import NameKind
 from ...source import Span
-from ...suggest import near_names
-from ..cmake.mistyped_links import digits
+from ..cmake.name_slips import digits
 from ..depends.compiled_sources import compiled_sources
 from ..depends.ros1_sources import Ros1Use
 from ..fault import Level
-from ..interfaces.known_interfaces import KnownInterfaces
 from .missing_headers import MissingHeaders
+from .near_header_folders import NearHeaderFolders
 
-FOLDER = regex(r"[a-z][a-z0-9_]{4,}")
-SHORT = 8
-"""Letters of a folder's name from which two may be wrong."""
 PREFIX = regex(r"/opt/ros/(?:hydro|indigo|jade|kinetic|lunar|melodic|noetic)\b")
 ROS_1 = frozenset({"catkin", "roscpp"})
 
@@ -57,7 +49,7 @@ class ForeignHeaders:
         CMake looks for ROS 1 itself, and package.xml declares it, they are intended.
         """
         package = self.headers.package
-        if not package.is_ament or (self.is_for_both and not ROS_1.isdisjoint(self.declared)):
+        if not package.is_ament or (self.is_for_both and not ROS_1.isdisjoint(self.folders.declared)):
             return
         found = self.in_files()
         yield from islice((each for each in found if each.kind == "both"), 1) if self.is_for_both else found
@@ -94,69 +86,17 @@ class ForeignHeaders:
             kind = kind if old.is_certain else "unsure"
             yield ForeignHeader(source.path, each.span, each.path, kind, old.meant, level if kind == "ros1" else "info")
             return
-        near = self.headers.ros1.headers.with_kind(each.path) or self.in_right_folder(each.path)
+        near = self.headers.ros1.headers.with_kind(each.path) or self.folders.in_right_folder(each.path)
         if near:
             is_other = digits(folder_of(near)) != digits(folder_of(each.path))
             level = "warning" if is_other and level == "error" else level
             behind = self.headers.ros1.stopping_all([source.path])
             yield ForeignHeader(source.path, each.span, each.path, "folder", near, level, behind)
 
-    def in_right_folder(self, header: str) -> str | None:
-        """Return the header in the folder of the one package that is near and has it; None where there is none."""
-        folder, _, rest = header.partition("/")
-        if not FOLDER.fullmatch(folder) or folder in self.folders:
-            return None
-        if self.headers.workspace.kind_of(folder) in (NameKind.PACKAGE, NameKind.KEY):
-            return None
-        alike = (each for each in self.packages if digits(each) == digits(folder))
-        near = near_names(folder, alike, 1 if len(folder) < SHORT else 2)
-        found = [f"{each}/{rest}" for each in near if self.has(each, rest)] or self.with_other_digits(folder, rest)
-        return found[0] if len(found) == 1 and not self.is_of_others(folder) else None
-
-    def with_other_digits(self, folder: str, rest: str) -> list[str]:
-        """Return the headers, with any ending, of packages of the workspace whose name has a digit more or less."""
-        stem, name = rest.rpartition(".")[0], folder.rstrip("0123456789_")
-        near = [facts for facts in self.headers.workspace.packages if facts.name.rstrip("0123456789_") == name]
-        wanted = {f"{facts.name}/{stem}{ending}" for facts in near for ending in HEADERS}
-        return sorted({each for facts in near for each in facts.header_files if each in wanted}) if stem else []
-
-    def is_of_others(self, folder: str) -> bool:
-        """Return whether another package of the workspace has headers in a folder."""
-        headers = (each for facts in self.headers.workspace.packages for each in facts.header_files)
-        return any(each.startswith(f"{folder}/") for each in headers)
-
-    def has(self, package: str, rest: str) -> bool:
-        """Return whether a package certainly has a header in the folder of its name."""
-        kind, _, name = rest.partition("/")
-        if kind in KINDS and (known := self.interfaces.of(package)) is not None:
-            return name.partition(".")[0] in map(header_name, known.get(kind, ()))
-        return self.headers.known.is_there(f"{package}/{rest}") or package in self.used
-
     @cached_property
-    def packages(self) -> frozenset[str]:
-        """The packages whose headers the package may include."""
-        return frozenset({*self.headers.workspace.names, *self.declared, self.headers.package.facts.name})
-
-    @cached_property
-    def declared(self) -> frozenset[str]:
-        return frozenset(each.name for each in self.headers.package.manifest.dependencies)
-
-    @cached_property
-    def used(self) -> frozenset[str]:
-        """The folders from which more than one header is included: those of packages that are declared and not here."""
-        outside = self.declared.difference(self.headers.workspace.names)
-        named = [each.path.partition("/")[0] for source in self.headers.sources for each in source.includes]
-        return frozenset(name for name in outside if named.count(name) > 1)
-
-    @cached_property
-    def folders(self) -> frozenset[str]:
-        """The folders of the package and of libraries, and the packages that are here or declared."""
-        own = (part for path in self.headers.package.cmake.package_files.paths for part in path.split("/")[:-1])
-        return frozenset({*own, *LIBRARIES, *SHARED, *self.packages})
-
-    @cached_property
-    def interfaces(self) -> KnownInterfaces:
-        return KnownInterfaces(self.headers.package.facts, self.headers.workspace)
+    def folders(self) -> NearHeaderFolders:
+        headers = self.headers
+        return NearHeaderFolders(headers.package, headers.sources, headers.workspace, headers.known)
 
 
 def folder_of(header: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Iterator
 from functools import cached_property
 
 from ...files import PackageFiles
@@ -13,14 +13,13 @@ from ...light_dataclasses import dataclass, replace
 from ...package.cmake.cmake_project import CMake
 from ...package.interfaces.generated_types import generated_types
 from ...ros.interfaces import header_name
-from ...ros.link_targets import MESSAGES
 from ...source import Span
 from ...suggest import near_names
 from ..depends.compiled_sources import compiled_sources, harm_in
 from ..depends.conditional_includes import only_under_conditions
 from ..fault import Level
 from ..interfaces.known_interfaces import KnownInterfaces, base_name
-from .installed_headers import is_installed_header
+from .interface_names import InterfaceNames
 
 HEADER = regex(r"([a-z]\w*)/(msg|srv|action)/(?!rosidl_)(\w+)\.(?:hpp|h)")
 """Of one interface; those of rosidl itself, which begin with its name, are left out."""
@@ -73,75 +72,40 @@ class InterfacesInCpp:
                     yield each
 
     def headers(self, source: CppFile) -> Iterator[WrongInterface]:
+        """Yield the includes of headers that no interface has."""
         for each in source.includes:
             found = HEADER.fullmatch(each.path)
             if found is None or each.is_conditional:
                 continue
             package, kind, name = found.groups()
-            names, lowered = self.names(package, kind), self.lowered(package, kind)
-            if self.known.is_unlisted(package, kind, lowered.get(name, "")) and not self.is_there(each.path):
+            names, lowered = self.interfaces.names(package, kind), self.interfaces.lowered(package, kind)
+            if self.known.is_unlisted(package, kind, lowered.get(name, "")) and not self.interfaces.is_there(each.path):
                 yield replace(self.hit(source, each.span, each.path, package, kind, ""), is_unlisted=True)
-            near = self.as_generated(package, name, lowered, each.path)
-            if (not names and not near) or name in lowered or self.is_there(each.path):
+            near = self.interfaces.as_generated(package, name, lowered, each.path)
+            if (not names and not near) or name in lowered or self.interfaces.is_there(each.path):
                 continue
             near = near or near_names(name, lowered, 2 if self.known.is_here(package) else 1)
             if near or self.known.is_here(package):
                 header = f"{package}/{kind}/{near[0]}.{each.path.rpartition('.')[2]}" if near else ""
                 yield self.hit(source, each.span, each.path, package, kind, header)
 
-    @cached_property
-    def _lowered(self) -> dict[tuple[str, str], Mapping[str, str]]:
-        return {}
-
-    def lowered(self, package: str, kind: str) -> Mapping[str, str]:
-        """Return the interfaces of a kind that a package has, by the names of their headers."""
-        if (package, kind) not in self._lowered:
-            self._lowered[package, kind] = {header_name(known): known for known in self.names(package, kind)}
-        return self._lowered[package, kind]
-
-    def as_generated(self, package: str, name: str, lowered: Mapping[str, str], path: str) -> list[str]:
-        """Return the header of a class by whose own name it is included: rosidl writes no capital letter."""
-        header = header_name(name)
-        if header == name:
-            return []
-        is_of_messages = MESSAGES.fullmatch(package) is not None and not self.known.is_here(package)
-        is_generated = header in lowered if lowered else is_of_messages and path.endswith(".hpp")
-        return [header] if is_generated else []
-
     def types(self, source: CppFile) -> Iterator[WrongInterface]:
+        """Yield the types that no interface has."""
         named = {(each.package, each.kind, each.name) for each in generated_types(source.source)}
-        if not any(self.may_lack(*each) for each in named):
+        if not any(self.interfaces.may_lack(*each) for each in named):
             return  # before the comments are found, which takes longer
         for found in TYPE.finditer(code_text(source.source.text)):
             package, kind, name = found.groups()
             name = name.rstrip("_")
-            names = self.names(package, kind)
+            names = self.interfaces.names(package, kind)
             if not names or base_name(name) in names or self.is_defined(package, name):
                 continue
-            if self.has_own_headers(package, kind):
+            if self.interfaces.has_own_headers(package, kind):
                 continue
             if self.known.lacks(package, kind, name):
                 full_name = (self.known.intended(package, kind, name) or "").replace(".", "::")
                 span = Span(found.start(), found.start(3) + len(name))
                 yield self.hit(source, span, f"{package}::{kind}::{name}", package, kind, full_name)
-
-    def may_lack(self, package: str, kind: str, name: str) -> bool:
-        names = self.names(package, kind)
-        return bool(names) and base_name(name.rstrip("_")) not in names
-
-    def names(self, package: str, kind: str) -> Set[str]:
-        """Return the interfaces of a kind that a package has; none where they are unknown."""
-        return (self.known.of(package) or {}).get(kind, frozenset())
-
-    def is_there(self, header: str) -> bool:
-        """Return whether the package has a header of that path, wherever, or another one among its generated ones."""
-        is_own = any(f"/{path}".endswith(f"/{header}") for path in self.files.paths)
-        return is_own or is_installed_header(header, self.known.workspace)
-
-    def has_own_headers(self, package: str, kind: str) -> bool:
-        """Return whether a package has headers of its own among the generated ones, and so types in their namespace."""
-        facts = self.known.workspace.named(package)
-        return facts is not None and any(each.startswith(f"{package}/{kind}/") for each in facts.header_files)
 
     def is_defined(self, package: str, name: str) -> bool:
         """Return whether a file of this package seems to define a class of a name in the namespace of messages.
@@ -155,6 +119,10 @@ class InterfacesInCpp:
         own = package == self.known.package.name
         texts = (each.source.text for each in self.sources)
         return any(pattern.search(text) and (own or opened.search(text)) for text in texts)
+
+    @cached_property
+    def interfaces(self) -> InterfaceNames:
+        return InterfaceNames(self.known, self.files)
 
     def hit(self, source: CppFile, span: Span, text: str, package: str, kind: str, near: str) -> WrongInterface:
         level = harm_in(self.cmake, self.sources, source.path)

@@ -20,7 +20,7 @@ from ...ros.private_links import KEPT_FROM_JAZZY
 from ...source import Span
 from ...suggest import near_names
 from ..cmake.exported_names import BY_MACRO
-from ..cmake.mistyped_links import LEAST
+from ..cmake.name_slips import LEAST
 from ..cmake.unknown_commands import UnknownCommands
 from ..repository.older_distribution import OlderDistribution
 from .brought_by_links import BEFORE_JAZZY, SOMEWHERE, BroughtByLinks, is_of_interfaces

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ...checks.cmake.ament_target_dependencies import AmentTargetDependencies, RemovedCommand, Replacement
+from ...checks.cmake.ament_target_dependencies import AmentTargetDependencies
+from ...checks.cmake.removed_command import RemovedCommand, Replacement
 from ...edits.cmake_link import use_target_link_libraries
 from ...example import CMAKE, Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity

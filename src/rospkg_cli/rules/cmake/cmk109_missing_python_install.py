@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...checks.cmake.forgotten_python import ForgottenPython
 from ...checks.cmake.modules_next_to_scripts import LeftModule, modules_left_behind
 from ...checks.cmake.uninstalled_python import PythonPackages
 from ...edits.cmake_install import install_script
@@ -100,7 +101,7 @@ def missing_python_install(packages: PythonPackages) -> Iterator[Hit]:
         level = Severity.INFO if each.why_unmet else None if is_certain else Severity.WARNING
         fix = installing(packages, each.folder)
         yield Hit(place.path, place.command.span, message, level, (related,), fix)
-    if name := packages.forgotten():
+    if name := ForgottenPython(packages).name():
         start = f"the Python package `{name}` is not installed, though CMake looks for ament_cmake_python"
         message = f"{start}: nothing can import it; {repair(packages, name)}"
         fix = installing(packages, name)

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from ...checks.cmake.early_references import EarlyReferences
 from ...checks.cmake.message_targets import MessageTargets
 from ...checks.cmake.mistyped_libraries import MistypedLibraries
-from ...checks.cmake.target_references import TargetReferences, by_name
+from ...checks.cmake.named_targets import by_name
+from ...checks.cmake.target_references import TargetReferences
 from ...checks.cmake.target_sentences import made_below, mistyped, run_together, said, stops
 from ...example import CMAKE, Example, manifest
 from ...finding import Hit, Related, Severity

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.ament_target_dependencies import KEYWORDS, REMOVED
+from ...checks.cmake.ament_target_dependencies import REMOVED
+from ...checks.cmake.link_keywords import KEYWORDS
 from ...checks.cmake.link_signatures import LinkSignatures, MixedLink
 from ...example import CMAKE, Example, manifest
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
