@@ -1,4 +1,4 @@
-"""Paths that CMake reads or installs, and that people bring before they build, as a page or a list says (CMK102)."""
+"""Missing paths that a page or a list of repositories says to create or fetch before the build (CMK102)."""
 
 from __future__ import annotations
 

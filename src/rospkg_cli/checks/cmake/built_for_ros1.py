@@ -1,4 +1,4 @@
-"""Packages whose sources are of ROS 1, with a branch for ament that nothing can be built by."""
+"""Packages whose sources are all for ROS 1, so that their branch for ament can build nothing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is said of components that no source registers, or whose target does not exist."""
+"""Messages on components that no source registers, or whose target does not exist."""
 
 from __future__ import annotations
 

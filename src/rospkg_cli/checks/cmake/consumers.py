@@ -79,7 +79,7 @@ class Consumers:
         return any(not each.isdisjoint((*names, ANY)) for each in sought)
 
     def lack_any(self, names: Collection[str]) -> bool:
-        """Return whether one of them lacks a package that this one does not hand on."""
+        """Return whether a package that includes a header lacks one of `names`, which this one does not export."""
         return any(True for name in names for _ in self.lacking(name))
 
     @cached_property

@@ -1,4 +1,4 @@
-"""Libraries that are not installed as the name of another one stands twice in the list of those that are."""
+"""Libraries that are not installed, where a list of targets to install has the name of another one twice."""
 
 from __future__ import annotations
 

@@ -25,8 +25,8 @@ class UnaskedComponent:
     """Whether the target is linked by its name, and nothing else that is exported may ask for it."""
 
 
-def components_not_handed_on(exported: ExportedDependencies) -> Iterator[UnaskedComponent]:
-    """Yield the first component that a target hands on where Boost is exported: that makes none for its users.
+def unexported_components(exported: ExportedDependencies) -> Iterator[UnaskedComponent]:
+    """Yield the first component that an exported target links, where Boost is exported without components.
 
     A file of CONFIG_EXTRAS may ask for it.
     """

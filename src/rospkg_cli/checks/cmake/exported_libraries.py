@@ -1,4 +1,4 @@
-"""What `ament_export_libraries()` promises to users of a package, and what has no file that they could link."""
+"""Names that `ament_export_libraries()` exports, and for which there is no library to link."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ class ExportedLibraries:
     def is_called_like(self, name: str, libraries: set[str]) -> bool:
         """Return whether a name begins like one of the package: with its own, or with that of a library of it.
 
-        One of another package, as `moveit_core` has for `moveit_core_plugins`, may be handed on.
+        One of another package, as `moveit_core` has for `moveit_core_plugins`, may be exported.
         """
         found = {each.name for each in self.package.cmake.packages}
         starts = (name.startswith((f"{each}-", f"{each}_")) for each in (*libraries, self.package.facts.name))

@@ -1,4 +1,4 @@
-"""What CMake finds along with some packages: what they hand on, directly or through others."""
+"""What CMake finds along with some packages: what they export, directly or through others."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ TABLES = ("exported_dependencies", "runtime_dependencies")
 
 
 def found_with(names: Collection[str], workspace: Workspace) -> tuple[frozenset[str], bool]:
-    """Return some packages with all that they hand on, and whether that is known of all ROS packages among the first.
+    """Return some packages with all that they export, and whether that is known of all ROS packages among the first.
 
     Packages of the workspace are known by their manifests, others by tables.
     """

@@ -1,4 +1,4 @@
-"""Programs in Python of a package that installs other things, and no file of their folder (CMK112)."""
+"""Python programs in a folder of which nothing is installed, in a package that installs other files (CMK112)."""
 
 from __future__ import annotations
 

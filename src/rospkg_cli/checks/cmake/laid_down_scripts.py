@@ -1,4 +1,4 @@
-"""Scripts whose install rule stands in a comment, so that nothing installs them, and that no text has anybody start."""
+"""Scripts whose install rule is commented out, and that no page, script or launch file starts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is linked of the packages of messages that ROS has, and that they do not export (CMK110)."""
+"""Targets of released message packages that something is linked with, and that they do not export (CMK110)."""
 
 from __future__ import annotations
 

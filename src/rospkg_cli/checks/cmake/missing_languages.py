@@ -1,4 +1,4 @@
-"""Languages that no `project()` enables, and that the targets of a package are written in."""
+"""Languages of the sources of targets that no `project()` enables."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Paths that CMake installs or compiles and that nothing provides, and for whom the build stops."""
+"""Paths that CMake installs or compiles and that do not exist, and whether the build stops for everyone."""
 
 from __future__ import annotations
 
@@ -44,8 +44,11 @@ class MissingPaths:
             yield each, not perhaps and not (each.use != "source" and named.made.is_worked_in)
 
     def is_judged(self, named: ReferencedPath) -> bool:
-        """Return whether a path under a condition is: a source is, of the rest what is nearly called like a file or a
-        folder; of what is installed, and may be made until then, what is a letter or two off."""
+        """Return whether a missing path under a condition is reported.
+
+        A source is; of others a path that is near to a file or a folder, and of those that are installed, and may be
+        made until then, one that is a letter or two off.
+        """
         if named.use == "source":
             return True
         near = intended_path(self.cmake, named)

@@ -1,4 +1,4 @@
-"""Whether the build needs a place that a CMake command names: it finds what lies there nowhere else."""
+"""Whether the build needs a folder that a CMake command names: it finds the files in it nowhere else."""
 
 from __future__ import annotations
 

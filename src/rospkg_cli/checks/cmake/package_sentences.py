@@ -1,4 +1,4 @@
-"""What CMK117 says of names that are no packages."""
+"""Messages on names that are no packages (CMK117)."""
 
 from __future__ import annotations
 

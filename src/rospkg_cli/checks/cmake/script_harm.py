@@ -20,7 +20,7 @@ MILD = ("directory", "neither")
 
 
 def harm(scripts: InstalledScripts, script: BrokenScript) -> Harm:
-    """Return an error where the script is started, or where `ros2 run` never finds a node, whoever builds it."""
+    """Return "error" where the script is started, or is a node that `ros2 run` never finds; else what is milder."""
     if is_module(scripts, script) or is_swept_along(scripts, script) or why_mild(scripts, script):
         return "info"
     is_started = scripts.starts.is_wanted(script.copy.source)
@@ -29,7 +29,7 @@ def harm(scripts: InstalledScripts, script: BrokenScript) -> Harm:
 
 
 def why_mild(scripts: InstalledScripts, script: BrokenScript) -> str:
-    """Return what is said of a script that nothing of the repository starts as a program; "" for others."""
+    """Return what the message adds for a script that nothing here starts as a program; "" for others."""
     path, files = script.copy.source, scripts.package.cmake.package_files
     if scripts.starts.is_wanted(path):
         return ""

@@ -1,4 +1,4 @@
-"""What is said of scripts that can't be executed where they are installed (CMK105)."""
+"""Messages on scripts that can't be executed where they are installed (CMK105)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is said of targets and exports that do not exist (CMK110)."""
+"""Messages on targets and exports that do not exist (CMK110)."""
 
 from __future__ import annotations
 

@@ -70,7 +70,7 @@ class UnexportedLibraries:
     def is_missed(self, found: UnexportedSet) -> bool:
         """Return whether a package of the workspace includes a header of this one, for which it needs the set."""
         has_all = not found.is_built and exports_any_folder(self.headers.package.cmake)
-        return self.exported.are_needed and not (found.is_handed_on or has_all)
+        return self.exported.are_needed and not (found.is_exported_otherwise or has_all)
 
     @property
     def is_needed(self) -> bool:

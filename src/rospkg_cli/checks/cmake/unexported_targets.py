@@ -1,4 +1,4 @@
-"""Sets of targets that `install(TARGETS … EXPORT set)` fills and that nothing hands on to other packages."""
+"""Sets of targets that `install(TARGETS … EXPORT set)` fills and that nothing exports to other packages."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ class UnexportedSet:
     """The name of the set, where it is first filled."""
     library: str
     """The first library in it, as others would link it."""
-    is_handed_on: bool
-    """Whether libraries are handed on without targets, by `ament_export_libraries`."""
+    is_exported_otherwise: bool
+    """Whether libraries are exported without targets, by `ament_export_libraries`."""
     is_built: bool
     """Whether one of them has code; one of headers alone is not missed where the include directory is exported."""
 
@@ -60,8 +60,8 @@ class UnexportedTargets:
                 first = (linked or [each for _, each in words])[0]
                 project = self.project_around(words[0][0].path)
                 shown = f"{project}::{cmake.export_names.get(first.name, first.name)}"
-                handed_on = bool(cmake.named("ament_export_libraries"))
-                yield UnexportedSet(words[0][0], shown, handed_on, any(each.is_built for _, each in words))
+                otherwise = bool(cmake.named("ament_export_libraries"))
+                yield UnexportedSet(words[0][0], shown, otherwise, any(each.is_built for _, each in words))
 
     def project_around(self, path: str) -> str:
         """Return the name of the project that a CMakeLists.txt is part of: its own, or the one around it."""

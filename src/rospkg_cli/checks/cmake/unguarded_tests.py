@@ -55,7 +55,7 @@ class UnguardedTests:
         return unguarded(self.package)
 
     def are_met(self, found: Iterable[UnguardedTest]) -> bool:
-        """Return whether somebody builds without tests, or what is looked for is neither declared nor there anyway.
+        """Return whether tests are left out anywhere, or a searched package is neither declared nor part of ros_core.
 
         `rosdep install` installs test dependencies, too, and colcon builds tests unless an option says otherwise.
         """

@@ -1,4 +1,4 @@
-"""What CMK103 says of targets that are built and not installed."""
+"""Messages on targets that are built and not installed (CMK103)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Commands that no one defines and that are one or two letters off a command that everybody has."""
+"""Commands that nothing defines and that are one or two letters off a command of CMake or ament."""
 
 from __future__ import annotations
 

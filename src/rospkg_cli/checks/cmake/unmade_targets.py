@@ -1,4 +1,4 @@
-"""Branches that ask for a target (`if(TARGET plugins)`) which is made in branches alone that are never taken."""
+"""Branches that ask for a target (`if(TARGET plugins)`) that is made only in branches that are never taken."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Components that are registered of a library without their class, which another one has (CMK108)."""
+"""Components that CMake registers for a library, and whose class is in another one (CMK108)."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class ComponentElsewhere:
 
 
 def components_elsewhere(registration: ComponentRegistration) -> Iterator[ComponentElsewhere]:
-    """Yield them where all sources of the library, and of those that it is linked with, are known."""
+    """Yield each such component; only where all sources of the library and of what it links are known."""
     cmake = registration.package.cmake
     if (
         has_own_macro(registration.sources)

@@ -1,4 +1,4 @@
-"""Libraries that the linker leaves out of a program, as no code of it may call them: `--as-needed` is Ubuntu's way."""
+"""Libraries that the linker may leave out of a program that calls nothing of them (`--as-needed`, as on Ubuntu)."""
 
 from __future__ import annotations
 

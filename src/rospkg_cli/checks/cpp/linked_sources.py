@@ -1,4 +1,4 @@
-"""Sources that the package's own build certainly compiles and links: there the linker misses what is not defined."""
+"""Sources that the build certainly compiles and links: the linker stops where they use what is not defined."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rule input: the components of a package, and who misses one that can't be loaded by its name (CMK108)."""
+"""Rule input: the components of a package, and what loads one of them by its name (CMK108)."""
 
 from __future__ import annotations
 

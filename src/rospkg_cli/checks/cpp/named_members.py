@@ -1,4 +1,4 @@
-"""What C++ may name of messages, at a quick look: whether a text is worth that its variables are followed."""
+"""Members of messages that C++ may name, found quickly: whether its variables need to be followed at all."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Functions outside of classes that a compiled file calls and that only a file defines that no target has (CMK202)."""
+"""Functions that a compiled file calls and that only a file in no target defines, outside of classes (CMK202)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""C++ files that no target compiles and whose header, of the same name, one that is compiled includes (CMK202)."""
+"""C++ files that no target compiles, while a compiled file includes the header of the same name (CMK202)."""
 
 from __future__ import annotations
 

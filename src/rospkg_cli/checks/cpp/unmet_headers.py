@@ -1,4 +1,4 @@
-"""Headers of a library that nothing here compiles, and names of classes that a header declares (CMK201)."""
+"""Headers that nothing here compiles, and whether a header declares classes that a file uses (CMK201)."""
 
 from __future__ import annotations
 

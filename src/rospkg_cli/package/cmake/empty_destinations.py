@@ -1,4 +1,4 @@
-"""`DESTINATION` of install rules with nothing behind it: CMake takes its own places, without a word."""
+"""`DESTINATION` of install rules with nothing behind it: CMake installs to its defaults, without a message."""
 
 from __future__ import annotations
 

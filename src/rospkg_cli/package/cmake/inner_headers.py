@@ -13,9 +13,9 @@ PLACE = "/include/"
 
 
 def inner_headers(cmake: CMake) -> frozenset[str]:
-    """Return the headers that no file of the package itself is, and that its own build finds all the same.
+    """Return the headers in packages inside of this one that its own build finds.
 
-    colcon does not build what lies inside of a package, so another one of that name is not where they come from.
+    colcon does not build what lies inside of a package, so they can come from no other place.
     """
     inner = frozenset(cmake.package_files.every).difference(cmake.package_files.paths)
     if not inner:

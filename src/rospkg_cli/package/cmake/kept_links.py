@@ -1,4 +1,4 @@
-"""Packages that a package's CMake finds for itself alone: no target hands them on."""
+"""Packages that a package's CMake finds for itself alone: no target passes them on."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ from .target_links import TargetLink, TargetLinks
 
 NAMED = regex(r"\$\{([\w.+-]+?)_(?:TARGETS|LIBRARIES|LIBS|INCLUDE_DIRS?)\}")
 MACROS = ("generate_parameter_library", "ament_auto_package", "autoware_ament_auto_package", "ament_vendor")
-"""Commands that hand packages on by themselves."""
+"""Commands that export packages by themselves."""
 
 
 def kept_links(reading: ReaderInput) -> frozenset[str]:
-    """Return what is found and not handed on; nothing where anything of that is unknown."""
+    """Return the packages that CMake finds and does not export; nothing where any of that is unknown."""
     cmake = reading.parts(CMake).only
     if cmake is None or not cmake.is_complete or cmake.reads_unknown_files or not cmake.ends_a_package:
         return frozenset()
     extras = any("CONFIG_EXTRAS" in text for call in cmake.calls for text in call.texts)
     if extras or cmake.named(*MACROS) or next(foreign_commands(cmake), None) is not None:
         return frozenset()
-    passed = handed_on(cmake)
+    passed = passed_on(cmake)
     return frozenset() if UNKNOWN in passed else frozenset(each.name for each in cmake.packages) - passed
 
 
-def handed_on(cmake: CMake) -> set[str]:
+def passed_on(cmake: CMake) -> set[str]:
     """Return the packages that exports, public links and folders name; UNKNOWN among them for any."""
     found: set[str] = set()
     for link in TargetLinks(cmake).all:

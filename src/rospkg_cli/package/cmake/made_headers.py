@@ -1,4 +1,4 @@
-"""Headers that a package has for others, and those that its build may make."""
+"""Headers that a package has for other packages, and those that its build may make."""
 
 from __future__ import annotations
 

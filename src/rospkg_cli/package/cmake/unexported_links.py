@@ -1,4 +1,4 @@
-"""Targets that exported ones are linked with, and that no export holds: `install(EXPORT)` stops CMake at them."""
+"""Targets that exported ones are linked with and that are not exported, at which `install(EXPORT)` stops CMake."""
 
 from __future__ import annotations
 

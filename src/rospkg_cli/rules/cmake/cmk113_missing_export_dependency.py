@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.cmake.exported_components import components_not_handed_on
+from ...checks.cmake.exported_components import unexported_components
 from ...checks.cmake.met_here import by_whom
 from ...checks.cmake.missing_export_dependencies import ExportedDependencies
 from ...edits.cmake_export import export_dependencies
@@ -114,7 +114,7 @@ def missing_export_dependency(exported: ExportedDependencies) -> Iterator[Hit]:
 
 def unasked(exported: ExportedDependencies) -> Iterator[Hit]:
     """Yield the component that users of a target do not find."""
-    for each in components_not_handed_on(exported):
+    for each in unexported_components(exported):
         start = f"`{each.target}` is exported and passes `{each.name}` on, and exporting `{each.package}` asks for no"
         end = "component: linking it stops because this target was not found; find it in a file of CONFIG_EXTRAS"
         is_met = each.is_certain and exported.consumers.lack_any([each.package])

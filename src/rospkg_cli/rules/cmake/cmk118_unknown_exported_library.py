@@ -39,7 +39,7 @@ def cmake(lines: str) -> str:
     levels={
         Severity.ERROR: "it has no library, and a package of the workspace is built with this one",
         Severity.INFO: "no package of the workspace looks for this one and, for a name that nothing makes, includes a "
-        "header of it; or no library, or one that is handed on otherwise, is near to such a name",
+        "header of it; or no library, or one that is exported otherwise, is near to such a name",
     },
     examples=(
         Example(
@@ -70,7 +70,7 @@ def unknown_exported_library(exported: ExportedLibraries) -> Iterator[Hit]:
     For other names, which may be libraries of the system, for those that a command of another package is given, and
     where a file that can't be read is included. Under a condition that can't be evaluated. It is an info where no
     package of the workspace looks for this one to be built. A name that nothing makes only warns there: it is more than
-    an info where it is a slip of a library of the package which is handed on in no other way, and a package of the
+    an info where it is a slip of a library of the package which is exported in no other way, and a package of the
     workspace includes a header of this one.
 
     ## Fix safety
