@@ -45,9 +45,9 @@ class ModuleMentions:
         """The scripts that only a commented line of CMake installs, and that nothing names: they are never run."""
         if self.cmake is None:
             return frozenset()
-        from .cmake.laid_down_scripts import laid_down_scripts  # what few packages have
+        from .cmake.scripts_in_comments import scripts_in_comments  # what few packages have
 
-        return laid_down_scripts(self.cmake, self.installed.files, [each.path for each in self.run.python.files])
+        return scripts_in_comments(self.cmake, self.installed.files, [each.path for each in self.run.python.files])
 
     def naming(self, path: str) -> Iterator[str]:
         """Yield the files that name a module by its file or its dotted name."""

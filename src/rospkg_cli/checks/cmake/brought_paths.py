@@ -13,7 +13,7 @@ from ...package.cmake.referenced_paths import Use
 from ..repository.left_to_people import UNTIL_MADE
 from ..repository.pages_and_scripts import FetchedFiles, pages_and_scripts
 from ..repository.script_outputs import ScriptOutputs
-from .folders_of_people import FoldersOfPeople
+from .hand_made_folders import HandMadeFolders
 
 LISTS = (".repos", ".rosinstall")
 CLONES = r"(?im)\bgit[ \t]+(?:clone|submodule[ \t]+add)\b[^\n]*[/ \t]{0}(?:\.git)?/?(?![\w.-])"
@@ -38,7 +38,7 @@ class BroughtPaths:
         if ScriptOutputs(self.files, self.names).has(path, is_folder=use in ("folder", "matching", "subdirectory")):
             return True
         if use in ("folder", "matching"):
-            return FoldersOfPeople(self.files, self.names).is_left(path)
+            return HandMadeFolders(self.files, self.names).is_left(path)
         return self.is_cloned(path) or (use == "install" and FetchedFiles(self.files).has_itself(path))
 
     def is_cloned(self, path: str) -> bool:

@@ -10,7 +10,7 @@ from .broken_scripts import BrokenScript, is_module, is_tool
 from .installed_scripts import InstalledScripts
 from .left_out_nodes import is_node
 from .script_sentences import BY_PATH, KEPT, LOST
-from .swept_scripts import is_swept_along
+from .scripts_of_folders import comes_with_folder
 
 Harm = Literal["error", "warning", "info"]
 ONLY_THE_BIT = ("no bit", "directory, no bit")
@@ -21,7 +21,7 @@ MILD = ("directory", "neither")
 
 def harm(scripts: InstalledScripts, script: BrokenScript) -> Harm:
     """Return "error" where the script is started, or is a node that `ros2 run` never finds; else what is milder."""
-    if is_module(scripts, script) or is_swept_along(scripts, script) or why_mild(scripts, script):
+    if is_module(scripts, script) or comes_with_folder(scripts, script) or why_mild(scripts, script):
         return "info"
     is_started = scripts.starts.is_wanted(script.copy.source)
     is_mild = script.wrong == "no bit" or (script.wrong in MILD and scripts.uses_programs) or is_tool(scripts, script)

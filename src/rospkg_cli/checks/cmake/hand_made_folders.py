@@ -1,4 +1,4 @@
-"""Folders that CMake installs, that git does not hold, and that a page or a script has people make (CMK102)."""
+"""Folders that CMake installs, that are not in git, and that a page or a script says to create (CMK102)."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ RUN = (".sh", ".bash", ".yml", ".yaml", ".json", "Makefile", "Dockerfile", "just
 
 
 @dataclass(frozen=True)
-class FoldersOfPeople:
+class HandMadeFolders:
     files: PackageFiles
     names: frozenset[str]
-    """How pages outside may call the folder of the package."""
+    """Names by which pages outside may call the folder of the package."""
 
     def is_left(self, path: str) -> bool:
-        """Return whether a script makes or fills a folder, or a page has people do so with one of theirs."""
+        """Return whether a script makes or fills a folder, or a page says to do so with one that users fill."""
         if self.is_in(self.scripts, path, (MAKES, BRINGS)):
             return True
         return is_of_people(path) and self.is_in(self.pages, path, (MAKES, BRINGS, SAYS))

@@ -21,7 +21,7 @@ NAMES = regex(r"[^\s\"]+\.py\b")
 STARTING = (".json", ".service", ".desktop", ".conf")
 
 
-def laid_down_scripts(cmake: CMake, files: PackageFiles, scripts: Iterable[str]) -> frozenset[str]:
+def scripts_in_comments(cmake: CMake, files: PackageFiles, scripts: Iterable[str]) -> frozenset[str]:
     """Return those of some scripts that a comment alone installs; one that another file names may be started."""
     names = {posixpath.basename(each) for each in commented(cmake)}
     found = [path for path in scripts if posixpath.basename(path) in names]

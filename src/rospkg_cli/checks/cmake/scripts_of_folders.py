@@ -14,7 +14,7 @@ COMMENT = r"^[ \t]*#[^\n]*(?<![\w.-])"
 """The start of a comment that goes on to a word."""
 
 
-def is_swept_along(scripts: InstalledScripts, script: BrokenScript) -> bool:
+def comes_with_folder(scripts: InstalledScripts, script: BrokenScript) -> bool:
     """Return whether a script only came with its folder, or by a pattern (`file(GLOB …)`).
 
     It is imported, has no word of ROS, or a comment names it. What a launch file, a README or a rule names by itself
