@@ -9,7 +9,6 @@ from ..package.cmake.cmake_project import CMake
 from ..package.package_facts import PackageFacts
 from ..package.setup.setup_py import SetupPy
 from ..package.workspace import Workspace
-from .cmake.launch_file_installs import LaunchFileInstalls
 from .cmake.share_folders import RuntimeFolders
 from .setup.data_destinations import DataDestinations
 from .setup.left_out_files import left_out
@@ -64,6 +63,8 @@ class InstallFaults:
     def reported_files(self) -> frozenset[str]:
         """The files next to those that a glob finds or that are listed, and all in the folders next to them."""
         if self.folders is not None and self.cmake is not None:
+            from .cmake.launch_file_installs import LaunchFileInstalls  # few packages are built with CMake
+
             return frozenset(path for path, _ in LaunchFileInstalls(self.folders).left_out())
         if self.setup is None or self.uninstalled is None:
             return frozenset()

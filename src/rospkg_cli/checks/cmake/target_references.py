@@ -13,7 +13,7 @@ from ...package.cmake.cmake_project import CMake
 from .built_for_ros1 import is_built_for_ros1
 from .dead_branches import DeadBranches
 from .name_slips import is_clear_slip, nearest
-from .named_targets import OF_INTERFACES, TargetReference, target_references
+from .named_targets import OF_INTERFACES, TargetReference, by_name, target_references
 
 OF_TESTS = ("gtest", "gtest_main", "gmock", "gmock_main")
 """What `ament_find_gtest()` and `ament_add_gtest()` make."""
@@ -38,6 +38,10 @@ class TargetReferences:
                 seen.add(key)
                 if self.is_certain(reference) or self.is_slip(reference):
                     yield reference
+
+    def broken_by_name(self) -> Iterable[list[TargetReference]]:
+        """Return them, those to each name together."""
+        return by_name(self.broken())
 
     def is_certain(self, reference: TargetReference) -> bool:
         """Return whether nothing that is not known may make it, and CMake certainly gets there."""

@@ -7,7 +7,6 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
-from ...package.cmake.named_files import mentions_file
 from ...package.file_role import role_of
 from ...package.install_table import InstallTable
 from ...package.launch.launch_file import LaunchFile
@@ -42,6 +41,8 @@ class LaunchContext:
     @cached_property
     def is_unused_test(self) -> bool:
         """Whether it is a test that CMake, which is all known, does not run."""
+        from ...package.cmake.named_files import mentions_file  # few launch files are tests
+
         test = role_of(self.file.path) == "test"
         is_known = self.cmake is not None and self.cmake.is_complete
         return test and is_known and self.cmake is not None and not mentions_file(self.cmake, self.file.path)

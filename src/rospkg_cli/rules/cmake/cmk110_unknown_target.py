@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from ...checks.cmake.early_references import EarlyReferences
 from ...checks.cmake.message_targets import MessageTargets
 from ...checks.cmake.mistyped_libraries import MistypedLibraries
-from ...checks.cmake.named_targets import by_name
 from ...checks.cmake.target_references import TargetReferences
 from ...checks.cmake.target_sentences import made_below, mistyped, run_together, said, stops
 from ...example import CMAKE, Example, manifest
@@ -121,7 +120,7 @@ def unknown_target(messages: MessageTargets) -> Iterator[Hit]:
     for each in messages.links.all():
         yield Hit(each.link.word.path, each.link.word.span, mistyped(each), None if each.is_certain else Severity.INFO)
     references = TargetReferences(package.cmake)
-    for reference, *others in by_name(references.broken()):
+    for reference, *others in references.broken_by_name():
         known = references.targets if reference.kind == "target" else references.exports
         near = did_you_mean(reference.word.text, known)
         message = f"{said(package.cmake, reference)}{near}: CMake stops with {stops(reference)}"
