@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..checks.plugins.base_classes import UnmatchedLoader
+from ..checks.plugins.unmatched_loaders import UnmatchedLoader
 from ..finding import Edit, Fix, Hit, Safety
 from .plain_names import only_plain_names
 

@@ -11,13 +11,14 @@ from collections.abc import Iterator
 from ...light_dataclasses import dataclass
 from ...package.package_facts import PackageFacts
 from ...package.plugins.description import DescriptionExport, PluginClass, PluginDescription
-from ...package.plugins.loaders import PluginLoader, PluginLoaders
+from ...package.plugins.loaders import PluginLoaders
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
-from ...suggest import near_names, nearest
+from ...suggest import near_names
 from .exported_classes import spaceless
 from .named_plugins import NamedPlugins
 from .plugin_package import PluginPackage
+from .unmatched_loaders import UnmatchedLoader, unmatched_loaders
 
 
 @dataclass(frozen=True)
@@ -41,14 +42,6 @@ class WrongBaseClass:
     suggestion: str
     is_of_macro: bool = False
     """Whether the macro of the class has the other base."""
-
-
-@dataclass(frozen=True)
-class UnmatchedLoader:
-    """A ClassLoader that looks for plugins of a package that does not exist."""
-
-    loader: PluginLoader
-    suggestion: str | None
 
 
 @dataclass(frozen=True)
@@ -126,16 +119,8 @@ class PluginBases:
         return {each.base for each in exported if spaceless(each.type) == spaceless(plugin.type.value)}
 
     def unmatched_loaders(self) -> Iterator[UnmatchedLoader]:
-        for loader in self.loaders.loaders if self.facts.is_ament else ():
-            package, base = loader.names
-            known = self.workspace.kind_of(package)
-            is_around = self.workspace.is_available(package) or self.workspace.is_listed(package)
-            if known is NameKind.PACKAGE or is_around or package == self.facts.name:
-                continue
-            served = {each for plugin in self.workspace.plugins_of(base) for each in plugin.packages}
-            if package not in served and (served or known is NameKind.UNKNOWN):
-                suggestion = served.pop() if len(served) == 1 else nearest(package, self.workspace.names)
-                yield UnmatchedLoader(loader, suggestion)
+        """Yield the class loaders of the package that name a package which does not exist."""
+        return unmatched_loaders(self.loaders, self.facts, self.workspace)
 
 
 def last_word(arguments: str) -> str:
