@@ -7,8 +7,9 @@ import pytest
 from rospkg_cli.engine.reuse.answer_digests import METHODS, AnswerDigests
 from rospkg_cli.engine.reuse.recorded_facts import Question
 from rospkg_cli.engine.reuse.recorded_workspace import RecordedWorkspace
-from rospkg_cli.package.package_facts import ActiveDependency, PackageFacts, Plugin
+from rospkg_cli.package.package_facts import ActiveDependency, PackageFacts
 from rospkg_cli.package.params.declared_parameter import DeclaredParameter
+from rospkg_cli.package.plugin import Plugin
 from rospkg_cli.package.workspace import Workspace
 
 ARM = PackageFacts("arm", "src/arm", loaders=frozenset({("arm", "arm::Tool")}))

@@ -14,7 +14,7 @@ from .facts_by_value import FactsByValue, ValuesField
 from .launch.included_arguments import IncludedArguments
 from .launch.workspace_launch_files import WorkspaceLaunchFiles
 from .missing_repositories import is_called, may_hold
-from .package_facts import PackageFacts, Plugin
+from .package_facts import PackageFacts
 from .package_indexes import (
     by_build_dependency,
     by_dependency,
@@ -24,6 +24,7 @@ from .package_indexes import (
     shared_folders,
 )
 from .params.parameter_index import ParameterIndex
+from .plugin import Plugin
 
 IndexT = TypeVar("IndexT")
 

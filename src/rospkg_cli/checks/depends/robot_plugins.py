@@ -9,7 +9,7 @@ from functools import cached_property
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.file_role import role_of
-from ...package.package_facts import PluginUse
+from ...package.plugin import PluginUse
 from ...ros.implied_dependencies import IN_PARAMETERS, implied_by
 from ...ros.names import NameKind
 from ...ros.plugins import PLUGIN_PACKAGES, TOOLS

@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import cached_property
 
 from ...light_dataclasses import dataclass
-from ...package.package_facts import PackageFacts, Plugin
+from ...package.package_facts import PackageFacts
+from ...package.plugin import Plugin
 from ...package.workspace import Workspace
 from .exported_classes import tail
 from .plugin_names import SEPARATOR

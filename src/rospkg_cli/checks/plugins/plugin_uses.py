@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator
 
 from ...light_dataclasses import replace
 from ...package.file_role import role_of
-from ...package.package_facts import PackageFacts, PluginUse
+from ...package.package_facts import PackageFacts
+from ...package.plugin import PluginUse
 from ...package.urdf.robot_words import may_be_made
 from ...package.workspace import Workspace
 from ..yaml_elsewhere import is_named_yaml

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from functools import cached_property
 
 from ...light_dataclasses import dataclass
-from ...package.package_facts import PackageFacts, Plugin, PluginUse
+from ...package.package_facts import PackageFacts
+from ...package.plugin import Plugin, PluginUse
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
 from ...suggest import near_names

@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterator
 
 from ...light_dataclasses import dataclass, replace
-from ...package.package_facts import PackageFacts, PluginUse
+from ...package.package_facts import PackageFacts
+from ...package.plugin import PluginUse
 from ...package.workspace import Workspace
 from ...ros.names import NameKind
 from ...ros.rviz_plugins import kind_of

@@ -23,7 +23,7 @@ from ..complete import (
 )
 
 if TYPE_CHECKING:
-    from ...scaffold.answers import Request
+    pass
 
 EPILOG = "Examples:  rospkg new my_robot_nav  ·  rospkg new my_robot_nav --node planner --depends nav_msgs"
 WHO, WHAT, WHERE = "Who and what for", "What is in it", "Where"
@@ -148,6 +148,7 @@ def new(
     from ...light_dataclasses import replace
     from ...scaffold.answers import Request
     from ...scaffold.extras import without_none
+    from .asked import ask_all, update_at
     from .check_together import check_together
     from .place import named_place
     from .run import new as write_new
@@ -179,28 +180,3 @@ def new(
         return new_family(request, into, dry_run, color, interactive, record)
     existing = "force" if force else "skip" if skip else ""
     return write_new(request, into, dry_run, color, existing, diff, interactive, record)
-
-
-def update_at(package: Path, request: Request, dry_run: bool, diff: bool, color: str, others: bool) -> int:
-    """Update a package; raises UsageError for options that are for new ones (`others`)."""
-    from .update import update
-
-    if request.name:
-        raise UsageError(f"--update keeps the name of the package; leave `{request.name}` out")
-    if others or request.minimal:
-        raise UsageError(
-            "--update goes with --dry-run, --diff and the answers; leave --force, --skip, --family, --minimal, "
-            "--no-record and -i out"
-        )
-    return update(package, request, dry_run, diff, color)
-
-
-def ask_all(request: Request, into: Path) -> Request:
-    """Ask for what was not typed, and show the command that needs no questions."""
-    from ..streams import say
-    from .interactive import ask, command_of
-    from .run import defaults
-
-    request = ask(request, into, defaults(into))
-    say(f"the same without questions: {command_of(request)}")
-    return request

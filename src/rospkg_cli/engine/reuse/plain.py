@@ -22,8 +22,9 @@ from ...light_dataclasses import field_names
 from ...package.interfaces.message_fields import MessageFields
 from ...package.launch.configuration_events import ConfigurationSummary
 from ...package.launch.launch_signature import LaunchSignature
-from ...package.package_facts import ActiveDependency, PackageFacts, Plugin, PluginUse
+from ...package.package_facts import ActiveDependency, PackageFacts
 from ...package.params.declared_parameter import DeclaredParameter, NodeCode, NodeName
+from ...package.plugin import Plugin, PluginUse
 from ...source import Span
 from ..suppression.comments import Suppression
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from ...package.facts_by_value import ValuesField
 from ...package.launch.included_arguments import IncludedArguments
 from ...package.launch.workspace_launch_files import WorkspaceLaunchFiles
-from ...package.package_facts import PackageFacts, Plugin
+from ...package.package_facts import PackageFacts
 from ...package.params.parameter_index import ParameterIndex
+from ...package.plugin import Plugin
 from ...package.workspace import Workspace
 from ...ros.distros import Targets
 from ...ros.names import NameKind

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...files import ReaderInput
 from ..cmake.cmake_project import CMake
-from ..package_facts import Plugin
+from ..plugin import Plugin
 from .description import PluginDescription
 from .loaders import PluginLoaders
 from .read_descriptions import EXPORT, by_cmake

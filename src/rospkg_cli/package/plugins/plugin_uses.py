@@ -15,7 +15,7 @@ from ...ros.rviz_plugins import LISTS
 from ...source import Span
 from ...unreadable import UnreadableError
 from ..file_role import role_of
-from ..package_facts import PluginUse
+from ..plugin import PluginUse
 from .nested_blocks import reading_of
 from .unlisted_blocks import is_unlisted
 from .unspawned_controllers import SpawnedNames, is_of_something
