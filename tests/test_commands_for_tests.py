@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rospkg_cli.checks.depends.undeclared_find_package import OF_COMMANDS
+from rospkg_cli.checks.depends.needed_find_packages import OF_COMMANDS
 from rospkg_cli.example import CMAKE, manifest
 from rospkg_cli.testing import lint_files
 

@@ -13,7 +13,7 @@ from rospkg_cli.checks.cmake.node_programs import MAX_DEPTH, NodePrograms
 from rospkg_cli.checks.depends import transitive_dependencies
 from rospkg_cli.checks.depends.compiled_sources import compiled_sources
 from rospkg_cli.checks.depends.header_providers import HeaderProviders
-from rospkg_cli.checks.depends.undeclared_find_package import FindPackageDependencies
+from rospkg_cli.checks.depends.needed_find_packages import NeededFindPackages
 from rospkg_cli.checks.launch.entity_values import substitution_faults
 from rospkg_cli.checks.manifest.manifest_inputs import ManifestAndFiles
 from rospkg_cli.checks.plugins.plugin_names import is_something_else
@@ -41,8 +41,8 @@ def test_where_the_sources_of_a_target_are_unknown_every_file_counts() -> None:
 )
 def test_packages_that_a_target_certainly_needs(text: str, needed: set[str]) -> None:
     model: Any = SimpleNamespace(cmake=read(f"add_library(a a.cpp)\n{text}"))
-    model.handed_to_ament = FindPackageDependencies.handed_to_ament.func(model)
-    assert FindPackageDependencies.needed_names.func(model) & {"rclcpp", "tf2"} == needed
+    model.handed_to_ament = NeededFindPackages.handed_to_ament.func(model)
+    assert NeededFindPackages.names.func(model) & {"rclcpp", "tf2"} == needed
 
 
 @pytest.mark.parametrize(

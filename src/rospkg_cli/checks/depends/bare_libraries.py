@@ -51,7 +51,7 @@ class BareLibraries:
                 yield BareLibrary(key, f"{key}-dev", each.name, each.testing, each.path, each.span, bringer is not None)
 
     def is_bare(self, key: str) -> bool:
-        return key not in UNSURE and self.libraries.includes.find_packages.is_for_run_time(key)
+        return key not in UNSURE and self.libraries.includes.find_packages.provided.is_for_run_time(key)
 
     def used(self) -> Iterator[LinkedLibrary]:
         """Yield what CMake needs for certain, and what is included under no condition, for tests last."""

@@ -29,7 +29,7 @@ class BroughtByCMake:
         """Return the package or library that CMake stops without and that brings one of some names; None for none."""
         found = [one for one in self.cmake.packages if one.is_required and not one.call.maybe]
         named = {one.name for one in found if in_tests or not one.call.testing}
-        wanted = {key for name in named for key in (name, *self.find_packages.providers(name)[:1])}
+        wanted = {key for name in named for key in (name, *self.find_packages.provided.of(name)[:1])}
         there = brought_by(sorted(wanted), self.workspace)
         by_package = next((Bringer(there[name]) for name in names if name in there), None)
         return by_package or self.module_bringer(names, in_tests)

@@ -4,15 +4,11 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Mapping
-from functools import cache
 
 from ...light_dataclasses import dataclass
 from ...package.workspace import Workspace
-from ...ros.manifest import BUILDS, EXPORTED, RUNS
-from ...ros.read_table import rows
-
-PASSED_ON = RUNS | EXPORTED
-"""Tags whose packages are installed with the one that declares them; bloom makes the Depends of Debian of them."""
+from ...ros.manifest import BUILDS
+from .passed_on_dependencies import PassedOnIndex, is_in_table
 
 COLCON = "colcon"
 WITH_COLCON = {"python3-pytest": COLCON}
@@ -23,10 +19,6 @@ WITH_ROSDEP = dict.fromkeys((
     "python3-rosdistro-modules", "python3-rospkg", "python3-rospkg-modules",
 ), ROSDEP)  # fmt: skip
 """What is installed wherever `rosdep install` can run, which every other dependency needs."""
-
-RUNTIME, EXPORTS, DEBIAN = "runtime_dependencies.txt", "exported_dependencies.txt", "debian_dependencies.txt"
-PERHAPS = "?"
-"""Begins a name in the table that comes with a package on some distributions alone."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,9 +37,9 @@ class Brought:
     perhaps: Mapping[str, str]
     """What comes with them on some distributions, or under a condition."""
     unknown: tuple[str, ...]
-    """Packages among them whose own dependencies no one here knows: anything may come with them."""
+    """Packages among them whose own dependencies are unknown: anything may come with them."""
     unknown_keys: tuple[str, ...]
-    """Keys of rosdep among them, likewise: a package of the system, or of PyPI, brings no package of ROS."""
+    """Keys of rosdep among them, whose dependencies are unknown as well: they bring no ROS package."""
 
     def may_bring(self, name: str, workspace: Workspace) -> str:
         """Return what may bring a package or a key; "" where it certainly does not come."""
@@ -58,15 +50,6 @@ class Brought:
         is_package = workspace.is_available(name) or workspace.index.is_package(name)
         alike = (key for key in self.unknown_keys if is_python(key) == is_python(name))
         return next(alike, "") if workspace.index.is_key(name) and not is_package else ""
-
-
-@dataclass(frozen=True, slots=True)
-class PassedOn:
-    """What is installed with one package, for certain and perhaps, and whether that is known."""
-
-    certain: tuple[str, ...]
-    perhaps: tuple[str, ...]
-    is_known: bool
 
 
 def is_python(key: str) -> bool:
@@ -114,10 +97,10 @@ def brought_by(first: Iterable[str], workspace: Workspace) -> Mapping[str, str]:
 
 
 def brought_by_sources(there: Mapping[str, str], workspace: Workspace) -> dict[str, str]:
-    """Return what the builds of packages need that are there, and are nowhere to be had but as sources.
+    """Return the build dependencies of packages that are there and that can only be built from source.
 
-    Each name comes with the one that `there` has as the bringer of the package. A package that is released may be
-    installed without what built it.
+    Each name comes with the bringer that `there` has for the package. A released package may be installed without what
+    built it, so it counts for nothing.
     """
     found: dict[str, str] = {}
     for name, bringer in there.items():
@@ -141,26 +124,6 @@ def brought_by_others(names: Iterable[str], workspace: Workspace) -> dict[str, s
     return found
 
 
-class PassedOnIndex(dict[str, PassedOn]):
-    """What packages pass on, by name: the same closures are asked for by most packages of a workspace."""
-
-    def of(self, name: str, workspace: Workspace) -> PassedOn:
-        if name not in self:
-            self[name] = found_passed_on(name, workspace)
-        return self[name]
-
-
-def found_passed_on(name: str, workspace: Workspace) -> PassedOn:
-    facts = workspace.named(name)
-    if facts is not None:
-        needs = [need for need in facts.dependencies if need.tag in PASSED_ON]
-        certain = (*(need.name for need in needs if need.certain), *sorted(facts.typed_with))
-        return PassedOn(certain, tuple(need.name for need in needs if not need.certain), facts.knows("dependencies"))
-    row = table_needs(name)
-    perhaps = tuple(need[1:] for need in row if need[0] == PERHAPS)
-    return PassedOn(tuple(need for need in row if need[0] != PERHAPS), perhaps, is_in_table(name))
-
-
 def named_around(name: str, workspace: Workspace) -> Iterable[str]:
     """Return the dependencies of a package of the workspace."""
     facts = workspace.named(name)
@@ -170,13 +133,3 @@ def named_around(name: str, workspace: Workspace) -> Iterable[str]:
 def is_key(name: str, workspace: Workspace, *, is_named: bool) -> bool:
     """Return whether a name is a key; what only the table names is a released package, or a key of some lists."""
     return workspace.index.is_key(name) or not (is_named or workspace.index.is_package(name))
-
-
-@cache
-def table_needs(name: str) -> tuple[str, ...]:
-    """Return the row of the first table that knows a name."""
-    return next((rows(table)[name] for table in (RUNTIME, EXPORTS, DEBIAN) if name in rows(table)), ())
-
-
-def is_in_table(name: str) -> bool:
-    return any(name in rows(table) for table in (RUNTIME, EXPORTS, DEBIAN))

@@ -35,5 +35,5 @@ def found_for_tests(includes: IncludeDependencies) -> Iterator[FoundForTests]:
         if is_own and not link.call.maybe and name in tested and cmake.target(link.word.text) is None:
             found = tested.pop(name)
             if name not in brought:
-                may_be = not brought.isdisjoint(includes.find_packages.providers(name)) or bool(others.strangers)
+                may_be = not brought.isdisjoint(includes.find_packages.provided.of(name)) or bool(others.strangers)
                 yield FoundForTests(found, link, may_be)

@@ -16,10 +16,10 @@ from ...source import Span
 from ...unreadable import UnreadableError
 from ..cmake.consumers import Consumers
 from .declared_dependencies import DeclaredDependencies
+from .find_package_providers import FindPackageProviders
 from .name_source import is_installable
 from .repository_dependencies import NO_INSTALL
 from .transitive_dependencies import exported_by, with_members
-from .undeclared_find_package import FindPackageDependencies
 
 RUNTIME = "rosidl_default_runtime"
 """What every package of interfaces exports, and each machine of ROS has."""
@@ -71,18 +71,18 @@ class HandedOnPackages:
     def missing(self) -> Iterator[HandedOnPackage]:
         """Yield each package once, at the first call that requires it outside of blocks."""
         there, known = self.handed_on
-        providers = FindPackageDependencies(self.declared, self.cmake).providers
+        providers = FindPackageProviders(self.declared)
         seen: set[str] = set()
         for path in self.paths if self.declared.is_checked else ():
             for name, span in self.required(path):
-                names = providers(name)
+                names = providers.of(name)
                 if names and name not in seen and self.declared.facts.name != name and not there.intersection(names):
                     seen.add(name)
                     is_met = (self.consumers.are_elsewhere or self.stops(names)) and self.is_met(names)
                     yield HandedOnPackage(names, name, path, span, known and is_met, self.is_installed(names))
-        yield from self.exported(seen, FindPackageDependencies(self.declared, self.cmake))
+        yield from self.exported(seen, providers)
 
-    def exported(self, seen: set[str], needs: FindPackageDependencies) -> Iterator[HandedOnPackage]:
+    def exported(self, seen: set[str], providers: FindPackageProviders) -> Iterator[HandedOnPackage]:
         """Yield what `ament_export_dependencies()` names and package.xml has for its own build alone, or not at all.
 
         What comes with something that users get is there.
@@ -93,7 +93,7 @@ class HandedOnPackages:
         got = {need.name for need in declared if need.tag in tags}
         for call in self.cmake.named("ament_export_dependencies") if self.declared.is_checked else ():
             for word in call.words if not (call.maybe or call.folder) else ():
-                names = needs.providers(word.text) if word.is_known and not word.maybe else ()
+                names = providers.of(word.text) if word.is_known and not word.maybe else ()
                 own = tuple(dict.fromkeys(need.name for need in declared if need.name in names))
                 is_absent = not own and word.text not in known and not self.declared.has(names)
                 own = names if is_absent else own

@@ -38,7 +38,7 @@ class HeaderProviders:
             return (), folder
         if folder in LIBRARIES:
             is_fetched = is_named_among(folder, self.fetched)
-            return () if is_fetched else self.find_packages.providers(LIBRARIES[folder]), LIBRARIES[folder]
+            return () if is_fetched else self.find_packages.provided.of(LIBRARIES[folder]), LIBRARIES[folder]
         around = sorted(self.declared.workspace.with_header(header))
         if around:
             return (tuple(around), around[0]) if len(around) == 1 or folder in around else ((), folder)

@@ -35,13 +35,13 @@ def idle_links(unlinked: UnlinkedIncludes) -> Iterator[IdleLink]:
     if not cmake.is_complete or cmake.includes_unknown_files:
         return
     texts = [file.source.text for file in cmake.files]
-    for link in unlinked.links.all:
+    for link in unlinked.linked.links.all:
         name = link.word.text
         variables = VARIABLES.get(name) if link.package and name not in seen and not link.call.maybe else None
         target = cmake.target(link.target)
         if variables is None or target is None or link.call.testing:
             continue
-        linked = any(each.word.text == name and not each.package for each in unlinked.links.all)
+        linked = any(each.word.text == name and not each.package for each in unlinked.linked.links.all)
         prefix = variables[1].removesuffix("_LIBRARIES")
         other = re.compile(
             rf"^[^#\n]*(?:{prefix}_|{re.escape(name)}::|(?<!\w)-l{re.escape(name)})", re.MULTILINE | re.I
@@ -49,8 +49,8 @@ def idle_links(unlinked: UnlinkedIncludes) -> Iterator[IdleLink]:
         if linked or any(map(other.search, texts)):
             continue
         paths = {path_in_package(word.text, target.call.folder) for word in target.sources}
-        for path in sorted(unlinked.inclusions.reached(path for path in paths if path in unlinked.files)):
-            found = next((e for e in unlinked.files[path].includes if e.path.startswith(f"{name}/")), None)
+        for path in sorted(unlinked.opened.inclusions.reached(path for path in paths if path in unlinked.opened.files)):
+            found = next((e for e in unlinked.opened.files[path].includes if e.path.startswith(f"{name}/")), None)
             if found is not None:
                 seen.add(name)
                 yield IdleLink(link, found, path, variables)

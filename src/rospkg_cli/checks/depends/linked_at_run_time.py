@@ -43,7 +43,7 @@ def loaded_libraries(includes: IncludeDependencies) -> Iterator[LoadedLibrary]:
             continue
         name = package_name(includes, link)
         is_own = not name or includes.cmake.target(name) is not None
-        names = () if is_own else includes.find_packages.providers(name) or keys_of_linked(name.removeprefix("-l"))
+        names = () if is_own else includes.find_packages.provided.of(name) or keys_of_linked(name.removeprefix("-l"))
         is_library = names and not names[0].startswith(NOT_LOADED) and not names[0].endswith(("_cmake", "_vendor"))
         if is_library and HEADERS_ALONE.isdisjoint(names):
             yield LoadedLibrary(names, link.target, link.word.path, link.word.span)

@@ -37,7 +37,8 @@ class OwnInterfaces:
     def all(self) -> Iterator[OwnInterface]:
         """Yield the first generated header of each target that can't find it."""
         cmake = self.unlinked.includes.cmake
-        is_known = cmake.is_complete and not cmake.reads_unknown_files and self.unlinked.folders.for_all is not None
+        is_known = cmake.is_complete and not cmake.reads_unknown_files
+        is_known = is_known and self.unlinked.linked.folders.for_all is not None
         finds_itself = any(each.name == self.name for each in cmake.packages)
         if not is_known or finds_itself or not cmake.interface_targets or next(foreign_commands(cmake), None):
             return
@@ -65,8 +66,8 @@ class OwnInterfaces:
             if name in told | self.generated or any(not w.is_known or BINARY in w.text for w in folders):
                 return True
             seen.add(name)
-            for link in self.unlinked.links.of(name):
-                text, own = link.word.text, self.unlinked.links.own(link.word.text)
+            for link in self.unlinked.linked.links.of(name):
+                text, own = link.word.text, self.unlinked.linked.links.own(link.word.text)
                 is_told = text in self.generated or (link.package and text == self.name)
                 if not link.word.is_known or TYPESUPPORT in text or is_told:
                     return True
@@ -84,8 +85,8 @@ class OwnInterfaces:
         words = (word for word in target.sources if word.is_known and not word.maybe)
         paths = {path_in_package(word.text, target.call.folder) for word in words}
         there = unlinked.includes.files.paths
-        for path in sorted(unlinked.inclusions.reached(path for path in paths if path in unlinked.files)):
-            for each in unlinked.files[path].includes:
+        for path in sorted(unlinked.opened.inclusions.reached(path for path in paths if path in unlinked.opened.files)):
+            for each in unlinked.opened.files[path].includes:
                 first, _, rest = each.path.partition("/")
                 is_generated = first == self.name and rest.partition("/")[0] in KINDS and not each.is_conditional
                 if is_generated and not any(other.endswith(f"/{each.path}") for other in there):

@@ -50,8 +50,8 @@ class StrangePackages:
         with, and libraries whose name is nearly that of a key; any other may come with a declared package."""
         for found in self.strange():
             name = found.name
-            is_linked = name in self.needs.handed_to_ament | self.linked and self.may_be_of_ros(name)
-            is_handed = is_linked or (name in self.needs.handed_to_ament and self.has_headers(name))
+            is_linked = name in self.needs.needed.handed_to_ament | self.linked and self.may_be_of_ros(name)
+            is_handed = is_linked or (name in self.needs.needed.handed_to_ament and self.has_headers(name))
             if is_handed or OF_INTERFACES.fullmatch(name):
                 meant = self.meant(name)
                 yield StrangePackage(found, unknown_package(name, meant), is_slip=meant is not None)
@@ -73,7 +73,7 @@ class StrangePackages:
         declared = self.needs.declared
         for found in self.cmake.packages if declared.is_checked else ():
             name = found.name
-            if name in seen or found.call.testing or not self.needs.is_needed(found) or keys_for_cmake(name):
+            if name in seen or found.call.testing or not self.needs.needed.has(found) or keys_for_cmake(name):
                 continue
             seen.add(name)
             is_known = declared.workspace.kind_of(name) in (NameKind.PACKAGE, NameKind.KEY)
@@ -106,7 +106,7 @@ class StrangePackages:
         """Return the package or key that may bring a library, where nothing that is declared does."""
         index = self.needs.declared.workspace.index
         alike = [each for each in names_alike(name) if index.is_package(each) or index.is_key(each)]
-        names = tuple(each for each in alike if self.needs.is_installable(each))
+        names = tuple(each for each in alike if self.needs.provided.is_installable(each))
         return names[0] if names and self.needs.bringer(name, names) is None else None
 
     def meant(self, name: str) -> str | None:

@@ -45,7 +45,7 @@ class TestOnlyDependencies:
         modules = {each.module for file in files for each in file.imports}
         alike = name.removesuffix("_py") in {module.partition(".")[0] for module in modules}
         served = name in self.import_providers[False] or alike or any(may_serve(name, module) for module in modules)
-        return served or self.unused.words.has(name, "run", "docs") or self.unused.is_built_with(name)
+        return served or self.unused.used.words.has(name, "run", "docs") or self.unused.used.is_built_with(name)
 
     @cached_property
     def import_providers(self) -> dict[bool, frozenset[str]]:
@@ -53,5 +53,5 @@ class TestOnlyDependencies:
         found: dict[bool, set[str]] = {True: set(), False: set()}
         for file in self.unused.python.files:
             for each in file.imports:
-                found[file.role == "test"].update(self.unused.providers_of(each))
+                found[file.role == "test"].update(self.unused.used.providers_of(each))
         return {testing: frozenset(names) for testing, names in found.items()}

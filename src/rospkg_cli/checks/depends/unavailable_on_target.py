@@ -47,7 +47,7 @@ class UnavailableName:
         return suggested_name(self.name, self.index, there) or SimilarNames(self.workspace).renamed(self.name)
 
     @property
-    def is_told(self) -> bool:
+    def is_certain(self) -> bool:
         """Whether it is certain enough to be reported, though packages of the workspace may not be here."""
         if self.workspace.is_complete or self.for_project or NO_PACKAGE.fullmatch(self.name):
             return True

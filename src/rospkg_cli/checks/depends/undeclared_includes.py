@@ -123,7 +123,7 @@ class IncludeDependencies:
         named = {name for missing in self.find_packages.missing() for name in missing.names}
         for each in self.packages():
             is_reported = each.cmake in reported or not named.isdisjoint(each.names)
-            is_reported = is_reported or bool(named and self.find_packages.matching_names(each.cmake, named))
+            is_reported = is_reported or bool(named and self.find_packages.provided.matching(each.cmake, named))
             is_settled = is_reported or bool(there.intersection(each.names)) or self.are_found_quietly(each)
             is_settled = is_settled or self.including.are_for_ros1(each)
             if not is_settled and not self.is_declared(each):
@@ -139,8 +139,9 @@ class IncludeDependencies:
         """Return whether CMake looks for it without REQUIRED, and compiles what includes it under a condition alone."""
         names = {one.name for one in self.cmake.packages if not one.is_required}
         is_sought = not {each.cmake, *each.names}.isdisjoint(names)
-        is_sought = is_sought or bool(names and self.find_packages.matching_names(each.cmake, names))
+        is_sought = is_sought or bool(names and self.find_packages.provided.matching(each.cmake, names))
         return is_sought and self.including.are_optional(each)
 
     def is_declared(self, each: IncludedPackage) -> bool:
-        return self.declared.has(each.names) or bool(self.find_packages.matching_names(each.cmake, self.declared.names))
+        matching = self.find_packages.provided.matching
+        return self.declared.has(each.names) or bool(matching(each.cmake, self.declared.names))

@@ -9,8 +9,8 @@ from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...ros.implied_dependencies import IN_CMAKE, implied_by
 from .declared_dependencies import DeclaredDependencies
+from .needed_find_packages import OF_COMMANDS
 from .transitive_dependencies import exported_by
-from .undeclared_find_package import OF_COMMANDS
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.unknown_dependencies import DependencyNames
+from ...checks.depends.dependency_names import DependencyNames
+from ...checks.depends.unknown_dependencies import UnknownDependencies
 from ...edits.manifest import remove_element, rename_dependency, split_dependency
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -75,7 +76,7 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
     `ament_auto_find_build_dependencies()` finds what the build needs by the name that package.xml has.
     """
     manifest = names.declared.manifest
-    for each in names.unknown():
+    for each in UnknownDependencies(names).all():
         name = each.dependency.name
         advice = each.advice or (f"write `{each.suggestion}`" if each.suggestion else "")
         others = names.repeated(each.dependency)
@@ -92,6 +93,6 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
         related = tuple(Related(manifest.path, other.span, "and here") for other in others)
         message = f'`{name}` {each.reason}: `rosdep install` ends with "{each.rosdep_error.format(name)}"'
         message += f"; {advice}" if advice else ""
-        aside = names.kept_aside(each)
+        aside = names.unneeded.why(each.dependency.name, may_be_key=each.may_be_key)
         level, message = Severity.INFO if each.is_uncertain or aside else None, message + aside
         yield Hit(manifest.path, each.dependency.span, message, level, related, fix)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.unknown_dependencies import DependencyNames
+from ...checks.depends.dependency_names import DependencyNames
 from ...example import Example, manifest
 from ...finding import Hit, Severity
 from ...rule import Profile, rule

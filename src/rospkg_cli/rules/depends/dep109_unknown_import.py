@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from ...checks.depends.former_names import FormerName, former_names, mistyped_tops
-from ...checks.depends.own_imports import MissingOwnName, OwnImports
+from ...checks.depends.missing_own_names import MissingOwnName, MissingOwnNames
+from ...checks.depends.own_imports import OwnImports
 from ...edits.same_infos import same_infos_once
 from ...example import Example, scripts, setup_py
 from ...finding import Edit, Fix, Hit, Related, Safety, Severity
@@ -73,7 +74,7 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
     ## Fix safety
     The intended name is a guess.
     """
-    for wrong, *others in same_names(imports.wrong()):
+    for wrong, *others in same_names(MissingOwnNames(imports).all()):
         level = Severity.INFO if wrong.why else Severity.WARNING if is_uncertain(wrong) else None
         what = missing_module(wrong) if wrong.is_module else absence(imports, wrong)
         error = "ModuleNotFoundError" if wrong.is_module else "ImportError"

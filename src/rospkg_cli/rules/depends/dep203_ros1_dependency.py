@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from ...checks.depends.unknown_dependencies import SKIPPED, DependencyNames
+from ...checks.depends.dependency_names import DependencyNames
+from ...checks.depends.unneeded_names import SKIPPED
 from ...edits.manifest import remove_element
 from ...example import Example, manifest
 from ...finding import Fix, Hit, Related, Safety, Severity
@@ -92,7 +93,8 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
             for found in (each, *(other for other in others if other.condition is None))
         )
         fix = Fix(f"remove `{each.name}`", edits, Safety.UNSAFE) if needless else None
-        level, message = (Severity.INFO, message + SKIPPED) if names.is_skipped(each.name) else (None, message)
+        is_skipped = names.unneeded.is_skipped(each.name)
+        level, message = (Severity.INFO, message + SKIPPED) if is_skipped else (None, message)
         yield Hit(manifest.path, each.span, message, level, further(names, each), fix)
 
 
