@@ -209,16 +209,16 @@ def test_a_renamed_package_of_the_workspace() -> None:
     ],
 )
 def test_letters_lost_or_swapped_in_a_short_word_of_a_long_name(name: str, meant: str | None) -> None:
-    assert workspace().meant(name) == meant
+    assert workspace().intended(name) == meant
 
 
 def test_names_of_the_workspace_come_first() -> None:
-    assert workspace("acme_driver", "acme_base").meant("acme-driver") == "acme_driver"
-    assert workspace("acme_driver", "acme_base").meant("acme_drivr") == "acme_driver"
-    assert workspace("nav2_utill").meant("nav2_utils") == "nav2_utill"
-    assert workspace("nav2_utilities").meant("nav2_utils") == "nav2_util"
-    assert workspace("acme_left", "acme_lefts").meant("acme_leftt") is None
-    assert workspace("ab_c").meant("ab-c") is None
+    assert workspace("acme_driver", "acme_base").intended("acme-driver") == "acme_driver"
+    assert workspace("acme_driver", "acme_base").intended("acme_drivr") == "acme_driver"
+    assert workspace("nav2_utill").intended("nav2_utils") == "nav2_utill"
+    assert workspace("nav2_utilities").intended("nav2_utils") == "nav2_util"
+    assert workspace("acme_left", "acme_lefts").intended("acme_leftt") is None
+    assert workspace("ab_c").intended("ab-c") is None
 
 
 @pytest.mark.parametrize(

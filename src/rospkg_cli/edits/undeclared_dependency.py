@@ -11,7 +11,7 @@ from ..checks.depends.name_source import is_of_family, only_distros, source_of
 from ..checks.depends.pip_requirements import FRAMEWORKS
 from ..checks.depends.similar_names import SimilarNames
 from ..checks.depends.split_distributions import split_distributions
-from ..checks.depends.system_installs import TOLD
+from ..checks.depends.system_installs import BY_COMMAND
 from ..checks.enumeration import enumerated, in_ticks
 from ..finding import Fix, Safety
 from .manifest import add_dependencies
@@ -51,13 +51,13 @@ def todo(declared: DeclaredDependencies, tag: str, name: str, *serving: str) -> 
     match source_of(declared, name):
         case "released":
             only = only_for(declared, name)
-            otherwise = TOLD if declared.otherwise.is_by_command((name, *serving)) else ""
+            otherwise = BY_COMMAND if declared.otherwise.is_by_command((name, *serving)) else ""
             return f"add {written(declared, tag, name)}{only}{otherwise}"
         case "pip":
             return f"<{tag}>{name}</{tag}> installs it from PyPI, and prevents a release"
-        case "unknown" if hidden := declared.otherwise.hidden.told(name):
+        case "unknown" if hidden := declared.otherwise.hidden.where(name):
             return hidden
-        case "unknown" if near := SimilarNames(declared.workspace).meant(name):
+        case "unknown" if near := SimilarNames(declared.workspace).intended(name):
             return f"did you mean `{near}`?"
         case "unknown" if not declared.workspace.is_complete:
             return "a repository that is listed and not checked out may have it"

@@ -1,4 +1,4 @@
-"""Imports of a module of the own package, or of a folder beside, by its bare name (DEP110)."""
+"""Imports of a module of the own package, or of a folder next to it, by its bare name (DEP110)."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class BareNeighbours:
             if imports.changes_path(file) or asks_how_started(file, each.span):
                 continue  # Python looks next to a file that is started by its path
             full = f"{package}.{each.module}"
-            if full != name and self.is_meant(file, each, package) and not imports.is_from_pip(top):
+            if full != name and self.is_intended(file, each, package) and not imports.is_from_pip(top):
                 yield BareNeighbour(file, each, full)
 
     def may_be_brought(self, found: BareNeighbour) -> str:
@@ -61,16 +61,16 @@ class BareNeighbours:
         drives = own is not None and any(one.module.partition(".")[0] in BUSES for one in own.imports)
         return BY_HAND if is_by_hand else DRIVES if drives else ""
 
-    def is_meant(self, file: PythonFile, each: Import, package: str) -> bool:
-        """Return whether the own module is there and has all that a file takes out of it; else it is another one's."""
+    def is_intended(self, file: PythonFile, each: Import, package: str) -> bool:
+        """Return whether the package's own module exists and has all names that a file takes from it."""
         full, top = f"{package}.{each.module}", each.module.partition(".")[0]
         is_own = f"{package}.{top}" in self.imports.installed.sources
         if is_own and full in self.imports.installed.sources:
             offers = self.imports.installed.offers
             return self.imports.has_all(each, full) and all(offers(full, name) for name in attributes(file, each))
-        return self.is_beside(file, each)
+        return self.is_in_same_folder(file, each)
 
-    def is_beside(self, file: PythonFile, each: Import) -> bool:
+    def is_in_same_folder(self, file: PythonFile, each: Import) -> bool:
         """Return whether a module lies in a folder next to a file, which nothing installs as a Python package."""
         folder, below = posixpath.dirname(file.path), each.module.replace(".", "/")
         start = f"{folder}/{below}"

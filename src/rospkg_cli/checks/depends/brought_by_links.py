@@ -16,7 +16,7 @@ from ..cmake.found_with import TABLES
 
 PASSED_ON = EXPORTED | {"build_depend"}
 EVERYWHERE, SOMEWHERE, BEFORE_JAZZY = range(3)
-"""On which distributions a package hands another one on: all, some that nobody knows here, or all up to Humble."""
+"""On which distributions a package exports another one: all, some that are unknown here, or all up to Humble."""
 Needs = tuple[tuple[str, int], ...]
 
 
@@ -44,7 +44,7 @@ class BroughtByLinks:
 
     @cached_property
     def strangers(self) -> tuple[str, ...]:
-        """The packages of which nobody knows what they hand on."""
+        """The packages whose exported dependencies are unknown."""
         known = self.workspace.index_of(NeedsOfPackages)
         return tuple(name for name in sorted(self.within(BEFORE_JAZZY)) if known.of(name, self.workspace) is None)
 

@@ -24,7 +24,7 @@ PROGRAMS = {each: each for each in ("curl", "git", "unzip", "wget")} | {"hg": "m
 ASKS_PKG_CONFIG = ("pkg_check_modules", "pkg_search_module")
 PKG_CONFIG, ENVIRONMENT = "pkg-config", "ros_environment"
 ERRORS = ("FATAL_ERROR", "SEND_ERROR", "ERROR")
-"""The kinds of message() that are meant to stop CMake; ERROR is none of its own, and common."""
+"""The modes of message() that are intended to stop CMake; ERROR is not one of CMake's, but common."""
 ITSELF = "cmake"
 """The build type that no build tool of ROS comes with, and the rosdep key of what it needs."""
 VARIABLE = regex(r"\$ENV\{(ROS_DISTRO|ROS_VERSION|ROS_PYTHON_VERSION)\}")

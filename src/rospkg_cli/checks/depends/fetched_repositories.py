@@ -22,7 +22,7 @@ CLONE = regex(
     r"|_WORKSPACE[\"']?[ \t]*[:=][^\n]{0,400}?git\+\w+://[^\s\"']*/([\w.-]{3,})(?=[#\s\"']|$)"
     r"|\b(?:wget|curl)\b[^\n;&|]*github\.com/[\w.-]+/([\w.-]{3,})/(?:archive|tarball|zipball)/"
 )
-"""A command or a sentence that clones one, a job that checks one out beside its own, what industrial_ci builds as well
+"""A command or a sentence that clones one, a job that checks one out next to its own, what industrial_ci builds as well
 (`UPSTREAM_WORKSPACE: github:acme/arm_msgs#main`), and an archive that is downloaded."""
 CLONE_OF_VARIABLE = regex(r"\bgit[ \t][^\n;&|]*?\bclone\b[^\n;&|]*\$")
 LIST_ELSEWHERE = regex(r"https?://[^\s\"'`)>]+\.(?:repos|rosinstall)\b")
@@ -60,8 +60,8 @@ class FetchedRepositories:
         return any(normalized(each).startswith(repository) for each in self.workspace.names)
 
     def may_be_own(self, repository: str) -> bool:
-        told = telling_words(repository)
-        return repository in self.here or any(share_word(told, telling_words(each)) for each in self.workspace.names)
+        words = telling_words(repository)
+        return repository in self.here or any(share_word(words, telling_words(each)) for each in self.workspace.names)
 
     @cached_property
     def here(self) -> frozenset[str]:

@@ -35,12 +35,12 @@ def former_names(imports: OwnImports) -> Iterator[FormerName]:
             yield from (use for use in found if not imports.changes_path(use.file))
 
 
-def mistyped_tops(imports: OwnImports, told: Collection[FormerName]) -> Iterator[FormerName]:
-    """Yield the imports of modules by a slip of the first name that this package's own have: `mmy_pkg` for `my_pkg`.
+def mistyped_tops(imports: OwnImports, known: Collection[FormerName]) -> Iterator[FormerName]:
+    """Yield the imports of modules by a misspelt name of this package: `mmy_pkg` for `my_pkg`.
 
     Whether the own module has what is imported is another question, asked once the name is right.
     """
-    seen = {(former.file.path, former.each.span) for former in told}
+    seen = {(former.file.path, former.each.span) for former in known}
     for file, each in imports.run.certain:
         top, dot, within = each.module.partition(".")
         near = slips(top, imports.installed.tops) if top and not each.level else []

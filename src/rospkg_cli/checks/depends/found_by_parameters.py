@@ -36,7 +36,7 @@ def named_by_parameters(files: PackageFiles) -> Iterator[tuple[str, str, str, Sp
 
 
 def typed_by_parameters(files: PackageFiles) -> Iterator[tuple[str, str, str, Span]]:
-    """Yield the package of each type of interface that a node is told to load, with the type, its path and place."""
+    """Yield the package of each interface type that a parameter has a node load, with the type, its path and place."""
     for path in files.paths:
         text = files.readable_text(path) if path.endswith(SUFFIXES) else ""
         if "_type:" in text:

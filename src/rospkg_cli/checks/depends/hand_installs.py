@@ -56,7 +56,7 @@ RELEASE = regex(r"[-_.]v?\d+(?:\.\d+)+$")
 WORD = regex(r"[A-Za-z][\w.+-]*")
 AROUND = regex(r"^(?:python3?-|lib)|(?:-dev|\.h|\.hpp|\.git|\.py|\d+)$")
 """What keys, headers and packages of CMake have around the name of a library."""
-BY_PAGE = "; a page here tells to install it by hand, and the key may bring another version"
+BY_PAGE = "; a page here says to install it by hand, and the key may bring another version"
 
 
 @dataclass(frozen=True)
@@ -64,12 +64,12 @@ class HandInstalls:
     files: PackageFiles
 
     def has(self, names: Iterable[str]) -> bool:
-        """Return whether a page tells to install a library by hand, by one of its names."""
-        return not self.told.isdisjoint({plain(each.partition("/")[0]) for each in names} - {""})
+        """Return whether a page says to install a library by hand, by one of its names."""
+        return not self.named.isdisjoint({plain(each.partition("/")[0]) for each in names} - {""})
 
     @cached_property
-    def told(self) -> frozenset[str]:
-        """What pages tell so of, without what keys and headers have around it; words of prose are among it."""
+    def named(self) -> frozenset[str]:
+        """What pages say to install by hand, without `lib`, `-dev` and the like; words of prose are among it."""
         found = set[str]()
         for _, text in (*installing_texts(self.files), *texts_called(self.files, is_job)):
             found.update(
@@ -79,8 +79,8 @@ class HandInstalls:
             )
             found.update(RELEASE.sub("", name) for each in (MAKES, DEBS) for name in each.findall(text))
             found.update(RELEASE.sub("", name) for names in MADE_THERE.findall(text) for name in names if name)
-            told = (part for each in (CONDA, WHEELS, SOURCE, COPIES, FOLDERS, SETUPS) for part in each.findall(text))
-            found.update(word for part in told for word in WORD.findall(part))
+            parts = (part for each in (CONDA, WHEELS, SOURCE, COPIES, FOLDERS, SETUPS) for part in each.findall(text))
+            found.update(word for part in parts for word in WORD.findall(part))
         return frozenset(map(plain, found))
 
 

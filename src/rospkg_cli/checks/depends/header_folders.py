@@ -41,7 +41,7 @@ class HeaderFolders:
 
     def packages_of(self, word: Word, call: EvaluatedCommand) -> list[str] | None:
         """Return the ROS packages whose headers a folder holds: `tf2` for `${tf2_INCLUDE_DIRS}`, none in the package
-        itself and for `${Boost_INCLUDE_DIRS}`; None where nobody knows."""
+        itself and for `${Boost_INCLUDE_DIRS}`; None where they are unknown."""
         if word.is_known:
             is_own = word.text in WORDS or path_in_package(word.text, call.folder) is not None
             return [] if is_own else None
@@ -58,15 +58,15 @@ class HeaderFolders:
         return [] if plain(name) in libraries_of_cmake() or name in SET_BY_NOBODY else [name]
 
     def of_target(self, target: str) -> list[str] | None:
-        """Return the packages whose folders of headers commands name for a target; None where nobody knows."""
+        """Return the packages whose folders of headers commands name for a target; None where they are unknown."""
         found: list[str] = []
         for call in self.cmake.named("target_include_directories", "target_sources", "set_target_properties"):
-            is_meant = call.texts[:1] == (target,)
+            is_of_target = call.texts[:1] == (target,)
             if call.name != "target_include_directories":
-                if is_meant and any("INCLUDE_DIR" in text or UNKNOWN in text for text in call.texts):
+                if is_of_target and any("INCLUDE_DIR" in text or UNKNOWN in text for text in call.texts):
                     return None
                 continue
-            for word in call.words[1:] if is_meant else ():
+            for word in call.words[1:] if is_of_target else ():
                 packages = self.packages_of(word, call) if UNKNOWN in word.text else INSTALLED.findall(word.text)
                 if packages is None:
                     return None

@@ -1,4 +1,4 @@
-"""Packages whose sources lie in the repository where colcon does not look: behind COLCON_IGNORE, or in another one."""
+"""Packages of the repository in folders that colcon ignores: behind COLCON_IGNORE, or inside of another package."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class HiddenPackages:
         ways = [re.compile(BUILDS.format(re.escape(each))) for each in above]
         return any(way.search(text) for way in ways for text in self.texts)
 
-    def told(self, name: str) -> str:
+    def where(self, name: str) -> str:
         """Return where the sources of an unknown package are, and who builds them, as a sentence; "" where unknown."""
         folder = self.folder_of(name)
         if not folder:

@@ -17,7 +17,7 @@ from ..left_files import LeftFiles
 from .launch_file_imports import is_imported, stem_of
 
 FOR_DEMOS = regex(r"turtlesim|demo_nodes_\w+")
-"""Packages that no one installs a robot for."""
+"""Packages of demos, which no robot needs."""
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,7 @@ from .pip_installs import key_of, normalized
 from .ros1_import_ends import Ros1ImportEnds
 
 UNSTARTED = "; nothing here starts this script, as it does other programs of the package"
-TOOL = "; this is a tool beside the programs of the package"
+TOOL = "; this is a tool next to the programs of the package"
 
 
 @dataclass(frozen=True)

@@ -51,7 +51,7 @@ class ImportSources:
         return OptionalParts(self.files).why(names, dict.fromkeys(each.path for each in missing.places))
 
     def is_by_hand(self, missing: UndeclaredImport) -> bool:
-        """Return whether a page of the repository tells people to install a library by hand."""
+        """Return whether a page of the repository says to install a library by hand."""
         names = (missing.name, missing.places[0].module.partition(".")[0])
         return self.is_library(missing) and HandInstalls(self.files).has(names)
 

@@ -44,7 +44,7 @@ class ImportsOfTests:
         return result
 
     def bringer(self, name: str) -> Bringer | None:
-        """Return the declared dependency with which a package comes to the tests, or may come; None for none."""
+        """Return the declared dependency that brings a package for the tests, or may bring it; None for none."""
         implying = (Bringer(each) for each in sorted(self.declared.names) if name in implied_by([each], IN_TESTS))
         return next(implying, None) or self.declared.bringer([name], runs=False)
 

@@ -9,7 +9,7 @@ from .similar_names import SimilarNames
 
 PYTHON_2, PYTHON_3 = "python-", "python3-"
 VERSION = "0123456789.-_"
-"""What may stand at the end of a name and tells versions apart: `gz-plugin3` is no slip of `gz-plugin2`."""
+"""Characters at the end of a name that are a version: `gz-plugin3` is no misspelt `gz-plugin2`."""
 
 KNOWN = (NameKind.PACKAGE, NameKind.KEY)
 
@@ -32,8 +32,8 @@ def intended_names(name: str, workspace: Workspace) -> tuple[str, ...]:
         return tuple(parts)
     if found := key_of_cmake_name(name):
         return (found,)
-    meant = key_for_pip(name, workspace.index) or SimilarNames(workspace).meant(name) or name
-    return (meant,) if meant.rstrip(VERSION) != name.rstrip(VERSION) else (name,)
+    intended = key_for_pip(name, workspace.index) or SimilarNames(workspace).intended(name) or name
+    return (intended,) if intended.rstrip(VERSION) != name.rstrip(VERSION) else (name,)
 
 
 def key_of_cmake_name(name: str) -> str | None:

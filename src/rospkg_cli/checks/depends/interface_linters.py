@@ -37,6 +37,6 @@ class InterfaceLinters:
 
     @property
     def is_found(self) -> bool:
-        """Return whether CMake asks for them itself, of which DEP104 tells, or where another file may do so."""
+        """Whether CMake looks for the linters itself, which DEP104 reports, or an unread CMake file may do so."""
         found = {each.name for each in self.cmake.packages}
         return bool(found & {NEEDED, ALL}) or self.cmake.reads_unknown_files

@@ -40,11 +40,11 @@ class InterfaceTypeDependencies:
         return found
 
     def comes_with_generators(self, package: str) -> bool:
-        """Return whether generated code uses a package that others bring; without generators XML305 tells."""
+        """Return whether generated code uses a package that others bring; without generators XML305 reports it."""
         return not self.declared.has([package]) and self.declared.bringer([package], runs=False) is not None
 
-    def meant(self, package: str) -> str | None:
-        """Return the one declared dependency that a package nobody knows is a letter or two off."""
+    def intended(self, package: str) -> str | None:
+        """Return the one declared dependency whose name is a letter or two off that of an unknown package."""
         if source_of(self.declared, package) != "unknown":
             return None
         near = near_names(package, (each.name for each in self.declared.manifest.dependencies))

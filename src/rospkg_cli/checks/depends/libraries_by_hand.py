@@ -12,13 +12,13 @@ from ...package.cmake.cmake_project import CMake
 from ...ros.libraries import keys_of_header
 from ...ros.names import Names
 from ..cmake.commented_installs import said_in
-from .commented_installs import is_told_in
+from .commented_installs import is_said_in
 from .hand_installs import BY_PAGE, HandInstalls
 from .included_packages import IncludedPackage
 from .own_places import ELSEWHERE, has_include_folder
-from .places_beside_apt import BESIDE_APT, place_beside_apt
+from .places_outside_apt import OUTSIDE_APT, place_outside_apt
 
-BY_COMMENT = "; a comment here tells to install it by hand, and the key may bring another version"
+BY_COMMENT = "; a comment here says to install it by hand, and the key may bring another version"
 
 
 @dataclass(frozen=True)
@@ -34,11 +34,11 @@ class LibrariesByHand:
         """
         keys = [each for each in names if self.index.is_key(each)]
         every = (cmake, *keys, *headers) if keys else ()
-        if place := place_beside_apt(self.cmake, every) if keys else "":
-            return BESIDE_APT.format(place)
+        if place := place_outside_apt(self.cmake, every) if keys else "":
+            return OUTSIDE_APT.format(place)
         if keys and HandInstalls(self.files).has(every):
             return BY_PAGE
-        if keys and is_told_in("\n".join(map(said_in, self.cmake.files)), every):
+        if keys and is_said_in("\n".join(map(said_in, self.cmake.files)), every):
             return BY_COMMENT
         return ELSEWHERE if keys and has_include_folder([*headers], self.cmake) else ""
 

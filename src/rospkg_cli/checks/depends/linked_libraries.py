@@ -12,7 +12,7 @@ from ...package.cmake.target_links import TargetLinks
 from ...ros.libraries import keys_of_linked, keys_of_module
 from ...source import Span
 from .brought_dependencies import Bringer
-from .own_places import searched_places, tells_linker
+from .own_places import has_linker_folders, searched_places
 from .required_by_cmake import ASKS, without_version
 from .undeclared_includes import IncludeDependencies
 
@@ -60,7 +60,7 @@ class LinkedLibraries:
         return found | {name for each in self.includes.undeclared() for name in each.names}
 
     def used(self) -> Iterator[LinkedLibrary]:
-        yield from self.linked() if not tells_linker(self.cmake) else ()
+        yield from self.linked() if not has_linker_folders(self.cmake) else ()
         for call in self.cmake.calls if not searched_places(self.cmake) else ():
             if call.name in FINDS and not call.maybe and not any(word in call.texts for word in ELSEWHERE):
                 yield from self.asked_for(call, keys_of_linked)

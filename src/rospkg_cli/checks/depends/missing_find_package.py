@@ -71,11 +71,11 @@ class MissingFindPackages:
                 if each.name not in self.found and self.is_undeclared(each.name):
                     yield replace(each, is_declared=False)
             included = (*self.includes.packages(), *self.includes.undeclared())
-            told = {name for each in included for name in (each.cmake, *each.names)}
+            reported = {name for each in included for name in (each.cmake, *each.names)}
             for each in self.linked(maybe=True):
-                is_new = each.name in there and each.name not in self.found | told | {self.declared.facts.name}
+                is_new = each.name in there and each.name not in self.found | reported | {self.declared.facts.name}
                 if is_new and self.is_undeclared(each.name) and not self.is_everywhere(each.name):
-                    told.add(each.name)
+                    reported.add(each.name)
                     yield replace(each, is_declared=False)
 
     def brought(self) -> Iterator[MissingFindPackage]:
@@ -112,7 +112,7 @@ class MissingFindPackages:
 
     @cached_property
     def misspelt(self) -> frozenset[str]:
-        """What is looked for and nobody knows, which CMK117 tells."""
+        """The names that CMake looks for and that are unknown, which CMK117 reports."""
         known = (NameKind.PACKAGE, NameKind.KEY)
         return frozenset(each for each in self.found if self.declared.workspace.kind_of(each) not in known)
 
@@ -160,7 +160,7 @@ class MissingFindPackages:
                     )
 
     def with_generators(self) -> Iterator[MissingFindPackage]:
-        """Yield what the interfaces depend on by name alone, and the generators find; DEP108 tells of types."""
+        """Yield what the interfaces depend on by name alone, and the generators find; DEP108 reports types."""
         named = {each.package for interface in self.includes.interfaces for each in interface.types}
         for target in self.includes.cmake.interface_targets:
             for word in target.dependencies if not target.call.maybe else ():

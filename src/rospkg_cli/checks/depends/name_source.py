@@ -79,33 +79,31 @@ def is_of_family(declared: DeclaredDependencies, name: str) -> bool:
         return False
     others = declared.workspace.names - {own}
     is_alone = not any(each.startswith(f"{family}_") for each in others)
-    return is_alone and not near_names(name, [own]) and SimilarNames(declared.workspace).meant(name) is None
+    return is_alone and not near_names(name, [own]) and SimilarNames(declared.workspace).intended(name) is None
 
 
 def is_unmet(declared: DeclaredDependencies, name: str, serving: Iterable[str] = ()) -> bool:
-    """Return whether nobody is known to meet the lack of a dependency, by its name and others that would do.
+    """Return whether an undeclared dependency, or one of the names `serving` it, is likely to be there all the same.
 
-    It is missing on purpose, or another package of the repository declares it, which nobody shows to be released, or a
-    list or a command of the repository installs it, or a comment of package.xml has people do so, or to declare it
-    would make a circle.
+    It is left out on purpose, another package of a repository without releases declares it, a list or a command of the
+    repository or a comment of package.xml installs it, or declaring it would make a circle.
     """
     names = (name, *serving)
-    is_there = is_lacked_by_nobody(declared, names) or declared.otherwise.is_by_command(names)
+    is_there = is_installed_with_others(declared, names) or declared.otherwise.is_by_command(names)
     is_there = is_there or is_installed_by_comment(declared.manifest, names)
     return is_there or is_left_out(declared, name) or circle_with(declared, name) is not None
 
 
 def is_unmet_at_run(declared: DeclaredDependencies, name: str, serving: Iterable[str] = ()) -> bool:
-    """Return the same of what is needed at run time alone, which may be left out where rosdep would stop.
+    """Return `is_unmet` for a dependency that only runs need, which may be left out so that rosdep does not stop.
 
-    One of the distributions that the repository names lacks it, beside others that have it; what a build needs stops
-    that on all of them.
+    It is also unmet where some of the distributions that the repository names have it and others lack it.
     """
     return is_unmet(declared, name, serving) or split_distributions(declared, name).is_for_some
 
 
-def is_lacked_by_nobody(declared: DeclaredDependencies, names: Collection[str]) -> bool:
-    """Return whether only a release lacks what rosdep installs for another package, and nothing shows a release."""
+def is_installed_with_others(declared: DeclaredDependencies, names: Collection[str]) -> bool:
+    """Return whether rosdep installs it for another package of the repository, and nothing shows a release."""
     is_there = declared.otherwise.is_lacked_by_releases(names) and is_installable(declared, names)
     return is_there and not declared.release.is_made
 

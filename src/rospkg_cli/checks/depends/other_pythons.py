@@ -24,7 +24,7 @@ class OtherPythons:
     programs: UnstartedPrograms | None = None
 
     def why_unseen(self, paths: Iterable[str]) -> str:
-        """Return why what rosdep has of a library helps nobody who runs some files; "" where it may."""
+        """Return why some files can't import what rosdep installs, as the end of a message; "" where they may."""
         hosts = {self.host_around(path) for path in paths}
         if hosts and "" not in hosts:
             return f"; the program imports `{min(hosts)}`, whose Python brings its libraries and sees none of rosdep"

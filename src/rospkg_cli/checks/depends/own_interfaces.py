@@ -56,27 +56,27 @@ class OwnInterfaces:
         return self.unlinked.includes.declared.facts.name
 
     def may_find(self, target: str) -> bool:
-        """Return whether a target, or one that it is linked with, may be told of what is generated."""
+        """Return whether a target, or one that it is linked with, may find the generated headers."""
         cmake = self.unlinked.includes.cmake
-        told = {call.texts[0] for call in cmake.named("rosidl_target_interfaces")}
+        given = {call.texts[0] for call in cmake.named("rosidl_target_interfaces")}
         seen, left = set[str](), [target]
         while left:
             name = left.pop()
             folders = [word for call in cmake.named(FOLDERS) if call.texts[0] == name for word in call.words[1:]]
-            if name in told | self.generated or any(not w.is_known or BINARY in w.text for w in folders):
+            if name in given | self.generated or any(not w.is_known or BINARY in w.text for w in folders):
                 return True
             seen.add(name)
             for link in self.unlinked.linked.links.of(name):
                 text, own = link.word.text, self.unlinked.linked.links.own(link.word.text)
-                is_told = text in self.generated or (link.package and text == self.name)
-                if not link.word.is_known or TYPESUPPORT in text or is_told:
+                is_linked = text in self.generated or (link.package and text == self.name)
+                if not link.word.is_known or TYPESUPPORT in text or is_linked:
                     return True
                 left += [own.name] if own is not None and own.name not in seen else []
         return False
 
     @cached_property
     def generated(self) -> frozenset[str]:
-        """The targets of the interfaces, which are no libraries: CMK110 tells."""
+        """The targets of the interfaces, which are no libraries: CMK110 reports links with them."""
         return frozenset(each.target.text for each in self.unlinked.includes.cmake.interface_targets)
 
     def included(self, target: Target) -> Iterator[OwnInterface]:

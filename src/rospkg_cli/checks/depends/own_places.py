@@ -24,7 +24,7 @@ LINKING = ("target_link_libraries", "link_libraries", "target_link_options", "ad
 LINKER_FLAGS = regex(r"LINKER_FLAGS|LINK_FLAGS")
 FOLDER = regex(r"(?:^|\s)-L[^\s]")
 OF_VARIABLE = regex(r"\$(?:ENV)?\{\w*(?:ROOT|HOME|PATH|PREFIX|SDK|DIR)\}/")
-"""The beginning of a folder in one that people tell, and that no command finds: `${SDK_ROOT}/include`."""
+"""The beginning of a folder in one that people set, and that no command finds: `${SDK_ROOT}/include`."""
 ELSEWHERE = "; CMake looks for it in a folder that is named here, where it may lie by other ways"
 
 
@@ -65,8 +65,8 @@ def searched_places(cmake: CMake) -> bool:
     return any(words and names_places(words) for words in (*sets, *lists))
 
 
-def tells_linker(cmake: CMake) -> bool:
-    """Return whether CMake tells the linker of folders, in whatever way: `-L/opt/x/lib`, link_directories()."""
+def has_linker_folders(cmake: CMake) -> bool:
+    """Return whether CMake gives the linker folders, in any way: `-L/opt/x/lib`, link_directories()."""
     if cmake.named("link_directories", "target_link_directories"):
         return True
     flags = (each for each in cmake.named("set") if each.texts and LINKER_FLAGS.search(each.texts[0]))
@@ -74,11 +74,12 @@ def tells_linker(cmake: CMake) -> bool:
 
 
 def has_include_folder(headers: Sequence[str], cmake: CMake) -> bool:
-    """Return whether CMake has the compiler look into a folder that is called after each of some headers' libraries,
-    and that lies outside of the package and the system, or is not here.
+    """Return whether CMake adds an include directory for each of some headers, by the name of its library.
+
+    Counted are directories outside of the package and the system, and those that do not exist here.
     """
-    told = [*own_include_folders(cmake)]
-    return bool(told and headers) and all(any(stem(each) in text.lower() for text in told) for each in headers)
+    folders = [*own_include_folders(cmake)]
+    return bool(folders and headers) and all(any(stem(each) in text.lower() for text in folders) for each in headers)
 
 
 def own_include_folders(cmake: CMake) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Whether an unknown name may be a key of a list that a repository adds to rosdep's: its absence stops nobody there."""
+"""Whether an unknown name may be a key of a list that a repository adds to rosdep's, so that rosdep finds it there."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ...package.dependency import Dependency
 from ...source import Span
 from ..repository.container_files import files_called
 from .declared_dependencies import DeclaredDependencies
-from .skipped_keys import told_texts
+from .skipped_keys import texts_on_dependencies
 from .unavailable_on_target import NO_PACKAGE
 from .wrong_names import wrong_name
 
@@ -19,7 +19,7 @@ HERE = "; a list of rosdep keys here has it"
 ADDED = "; a page or a script here adds a list to rosdep's, which may have it"
 SHARED = "; the packages here need further keys that rosdep does not know: a list of their own may have it"
 ENOUGH = 2
-"""So many keys that are slips of nothing are no more guessed: somebody has a list of them."""
+"""With so many unknown keys that are no misspelt names, there is probably a list that has them."""
 LIST = regex(r"(?i)(?:^|/)[^/]*rosdep[^/]*(?:/.*)?\.ya?ml$")
 ADDS = regex(
     r"(?:>|\b(?:tee|cp|mv|ln|install|curl|wget|COPY|ADD)\b[^\n|;&>]*[ \t\"'=])[ \t]*[\"']?[^\s\"'>]*"
@@ -37,12 +37,12 @@ class OwnRosdepLists:
         files = self.declared.release.files
         if is_listed(name, files):
             return HERE
-        if any("rosdep" in text.lower() and ADDS.search(text) for text in told_texts(files)):
+        if any("rosdep" in text.lower() and ADDS.search(text) for text in texts_on_dependencies(files)):
             return ADDED
         return SHARED if NO_PACKAGE.fullmatch(name) and self.has_strange_keys(name) else ""
 
     def has_strange_keys(self, but: str) -> bool:
-        """Return whether the packages of the workspace need several other keys that nobody knows or means otherwise."""
+        """Return whether the packages of the workspace need several other unknown keys that are no misspelt names."""
         found: set[str] = set()
         names = sorted({need.name for facts in self.declared.workspace.packages for need in facts.dependencies} - {but})
         for name in names:

@@ -16,13 +16,13 @@ OF_KIND = {".srv": "service_msgs", ".action": "action_msgs"}
 
 
 def with_own_interfaces(cmake: CMake, target: str, links: Sequence[TargetLink]) -> frozenset[str] | None:
-    """Return the packages that come to a target with the own interfaces; None where nobody knows them.
+    """Return the packages that come to a target with the own interfaces; None where they are unknown.
 
     `rosidl_target_interfaces()` and a link with one of their libraries hand on what `rosidl_generate_interfaces()`
     is given as DEPENDENCIES.
     """
-    is_told = any(call.texts[:1] == (target,) for call in cmake.named("rosidl_target_interfaces"))
-    if not is_told and not any(MARK in link.word.text for link in links):
+    is_given = any(call.texts[:1] == (target,) for call in cmake.named("rosidl_target_interfaces"))
+    if not is_given and not any(MARK in link.word.text for link in links):
         return frozenset()
     found = set(ALWAYS)
     for made in cmake.interface_targets:

@@ -31,7 +31,7 @@ JOBS = regex(
     r"(?:.*/)?(?:(?:\.github/workflows/[^/]+|\.gitlab-ci|[^/]*azure-pipelines[^/]*|\.circleci/config|\.travis"
     r"|[Tt]askfile)\.ya?ml|Jenkinsfile|Vagrantfile|Earthfile)"
 )
-BESIDE = (
+SUBFOLDERS = (
     "",
     ".circleci",
     ".github/workflows",
@@ -59,12 +59,12 @@ class PipInstalls:
     files: PackageFiles
 
     def has(self, module: str, key: str, index: Names) -> bool:
-        """Return whether pip is told to install what a module is of, under its own name or one that rosdep knows."""
+        """Return whether pip installs the distribution of a module, under its own name or one that rosdep knows."""
         wanted = {normalized(module.partition(".")[0]), *distributions_of(key)}
         return not wanted.isdisjoint(self.names) or any(key_of(name, index) == key for name in self.written)
 
     def bringer(self, module: str, key: str, index: Names) -> str:
-        """Return the library that pip is told to install, and that requires what a module is of; "" for none."""
+        """Return the library that pip installs and that requires the distribution of a module; "" for none."""
         wanted = normalized(module.partition(".")[0])
         found = (by for name, by in self.required.items() if name == wanted or key_of(name, index) == key)
         return next(found, "")
@@ -82,10 +82,10 @@ class PipInstalls:
     def written(self) -> frozenset[str]:
         """The names of distributions, as the files of the package and of the folders above it write them."""
         texts = [*installing_texts(self.files), *texts_called(self.files, is_job)]
-        told = {name for path, text in texts for name in names_in(path, text)}
-        told.update(own_requirements(self.files, texts))
+        found = {name for path, text in texts for name in names_in(path, text)}
+        found.update(own_requirements(self.files, texts))
         listed = (name for path, text in texts_called(self.files, may_lock) for name in locked_names(path, text))
-        return frozenset(told.union(listed))
+        return frozenset(found.union(listed))
 
 
 def installing_texts(files: PackageFiles) -> Iterator[tuple[str, str]]:
@@ -105,7 +105,7 @@ def texts_called(files: PackageFiles, is_wanted: Callable[[str], bool]) -> Itera
     parts = files.folder.split("/") if files.folder and files.whole is not None else []
     whole = PackageFiles(files.whole) if files.whole is not None else files
     above = {"/".join(parts[:depth]) for depth in range(len(parts))}
-    folders = {posixpath.join(each, name).rstrip("/") for each in above for name in BESIDE}
+    folders = {posixpath.join(each, name).rstrip("/") for each in above for name in SUBFOLDERS}
     for path, kind in whole.tree.files().items():
         if kind in READABLE and posixpath.dirname(path) in folders and is_wanted(path):
             yield path, whole.readable_text(path)

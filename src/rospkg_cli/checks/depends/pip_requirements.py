@@ -1,4 +1,4 @@
-"""What pip installs with the libraries that it is told to install."""
+"""What pip installs together with some libraries, because they require it."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ OTHERWISE = {"whisper": "openai-whisper", "roboticstoolbox": "roboticstoolbox-py
 
 
 def required_by(names: Iterable[str]) -> dict[str, str]:
-    """Return the distributions that well-known ones require, at any remove, each with the one that was told.
+    """Return the distributions that well-known ones require, directly or through others, each with the one of `names`.
 
-    Names are normalised (PEP 503), those that are told are left out.
+    Names are normalised (PEP 503); `names` themselves are left out.
     """
-    told, table = sorted(names), rows(TABLE)
+    first, table = sorted(names), rows(TABLE)
     found: dict[str, str] = {}
-    for name in told:
+    for name in first:
         open_ = [name]
         while open_:
             new = [each for each in table.get(open_.pop(), ()) if each not in found and each != name]
             found.update(dict.fromkeys(new, name))
             open_ += new
-    return {name: by for name, by in found.items() if name not in set(told)}
+    return {name: by for name, by in found.items() if name not in set(first)}
 
 
 def distributions_of(package: str) -> frozenset[str]:

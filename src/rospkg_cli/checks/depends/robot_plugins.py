@@ -17,7 +17,7 @@ from .brought_dependencies import brought_by
 from .declared_dependencies import DeclaredDependencies
 from .files_in_use import FilesInUse
 from .robot_use import RobotUse
-from .spawned_blocks import block_of, is_commented_out, types_beside
+from .spawned_blocks import block_of, is_commented_out, other_types
 
 INTERFACES = regex(r".*_(?:msgs|srvs|interfaces|actions)")
 LOADS_PLUGINS = regex(
@@ -67,7 +67,7 @@ class RobotPlugins:
             return False
         if not self.used.parameters.may_spawn:
             return True
-        return any(self.used.parameters.is_spawned(name) for name in types_beside(text, own))
+        return any(self.used.parameters.is_spawned(name) for name in other_types(text, own))
 
     @cached_property
     def is_needed(self) -> bool:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 OF_GAZEBO = (".sdf", ".world")
 UNFILLED = "; Gazebo takes `$(find …)` as it stands, where no xacro is run on it"
-SWITCHED_OFF = "; xacro comes to it only where an argument asks for it"
+SWITCHED_OFF = "; xacro reaches it only where an argument asks for it"
 
 
 @dataclass(frozen=True)

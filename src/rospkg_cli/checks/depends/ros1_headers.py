@@ -26,7 +26,7 @@ class Ros1Header:
     """A header of ROS 1 that is not there."""
 
     meant: str
-    """What ROS 2 has instead; "" where there is nothing, or nobody knows it."""
+    """The header of ROS 2 instead; "" where there is none, or it is unknown."""
     is_certain: bool = True
     """Whether ROS 1 surely has it: else it is called like one, and its package is known."""
 

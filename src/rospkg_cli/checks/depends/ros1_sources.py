@@ -1,4 +1,4 @@
-"""Targets that stop at a source of ROS 1: nobody meets what else they lack before that one is ported."""
+"""Targets whose build stops at a source of ROS 1, before anything else that they lack matters."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ DEFINES = regex(r"\bnamespace\s+ros\b")
 class Ros1Use:
     path: str
     name: str
-    """The header that a file includes, or what it calls, of ROS 1."""
+    """The header of ROS 1 that a file includes, or the name that it calls."""
 
     @property
     def sentence(self) -> str:
         """The end of a message about the same target."""
-        return f"; nobody meets it before `{self.path}` is ported, which has `{self.name}` of ROS 1"
+        return f"; the build stops before that at `{self.path}`, which uses `{self.name}` of ROS 1"
 
 
 @dataclass(frozen=True)

@@ -18,8 +18,8 @@ MIN_FAMILY = 3
 """So many packages of the workspace begin with a word before it counts as the prefix of a family."""
 
 
-class MeantNames(dict[str, str | None]):
-    """What unknown names stand for: several packages may declare one, and several rules ask."""
+class IntendedNames(dict[str, str | None]):
+    """The intended names for unknown ones: several packages may declare one, and several rules ask."""
 
 
 @dataclass(frozen=True)
@@ -48,9 +48,9 @@ class SimilarNames:
                 return alike[0] if is_rare and not self.workspace.is_needed(alike[0]) else None
         return None
 
-    def meant(self, name: str) -> str | None:
+    def intended(self, name: str) -> str | None:
         """Return the only name that differs in case, hyphens and underscores alone, or by one typo; else None."""
-        known = self.workspace.index_of(MeantNames)
+        known = self.workspace.index_of(IntendedNames)
         if name not in known:
             may_be_slip = len(name.removeprefix("lib")) >= MIN_LETTERS and not self.workspace.is_listed(name)
             groups = self.groups(name) if may_be_slip else iter(())

@@ -24,7 +24,7 @@ def is_commented_out(text: str, at: int) -> bool:
     names = list(keys_above(text, at))
     node = next((name for key, name in pairwise(names) if key == PARAMETERS), "")
     remark = re.compile(rf"^[ ]*#[ ]*{re.escape(node)}[ ]*:[ ]*\n[ ]*#[ ]*type[ ]*:", re.MULTILINE)
-    return bool(node) and remark.search(text) is not None and node not in types_beside(text, "")
+    return bool(node) and remark.search(text) is not None and node not in other_types(text, "")
 
 
 def keys_above(text: str, at: int) -> Iterator[str]:
@@ -38,7 +38,7 @@ def keys_above(text: str, at: int) -> Iterator[str]:
             yield key["name"]
 
 
-def types_beside(text: str, own: str) -> list[str]:
+def other_types(text: str, own: str) -> list[str]:
     """Return the names of the other controllers of a text that have a type."""
     places = [match.start() for match in re.finditer(r"^[ ]+type[ ]*:", text, re.MULTILINE)]
     found = [block_of(text, text.index("type", place)) for place in places]

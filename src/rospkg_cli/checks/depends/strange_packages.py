@@ -22,7 +22,7 @@ BRINGS = regex(r"(?i)_(?:SOURCE|LIST|BINARY)_DIR\b|externalproject|fetchcontent|
 """What a module has that does more than to look for a library of the system."""
 
 BRINGING = ("add_subdirectory", "externalproject_add", "fetchcontent_declare", "ament_vendor")
-"""Commands by which a package brings a library itself."""
+"""Commands by which a package builds or downloads a library itself."""
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class StrangePackage:
     found: FoundPackage
     sentence: str
     is_slip: bool = False
-    """Whether a package is certainly meant whose headers are included."""
+    """Whether it is certainly a misspelt package whose headers are included."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +53,8 @@ class StrangePackages:
             is_linked = name in self.needs.needed.handed_to_ament | self.linked and self.may_be_of_ros(name)
             is_handed = is_linked or (name in self.needs.needed.handed_to_ament and self.has_headers(name))
             if is_handed or OF_INTERFACES.fullmatch(name):
-                meant = self.meant(name)
-                yield StrangePackage(found, unknown_package(name, meant), is_slip=meant is not None)
+                intended = self.intended(name)
+                yield StrangePackage(found, unknown_package(name, intended), is_slip=intended is not None)
             elif (bringer := self.bringer(name)) is not None:
                 start = (
                     f"CMake requires `{name}`, which `{bringer}` may bring, and package.xml declares nothing like it"
@@ -109,7 +109,7 @@ class StrangePackages:
         names = tuple(each for each in alike if self.needs.provided.is_installable(each))
         return names[0] if names and self.needs.bringer(name, names) is None else None
 
-    def meant(self, name: str) -> str | None:
+    def intended(self, name: str) -> str | None:
         """Return the one package whose headers are included and that CMake looks for under a name a letter off."""
         found = {each.name for each in self.cmake.packages}
         near = near_names(name, {each.cmake for each in self.includes.packages()} - found, 1)
@@ -123,10 +123,10 @@ def names_alike(name: str) -> tuple[str, ...]:
     return (f"{own}_vendor", f"lib{debian}-dev", f"{debian}-dev", lower, f"lib{debian}", f"{own}_core")
 
 
-def unknown_package(name: str, meant: str | None) -> str:
+def unknown_package(name: str, intended: str | None) -> str:
     start = f"CMake requires `{name}`"
-    if meant is not None:
-        return f"{start}, which no one here knows; did you mean `{meant}`, whose headers are included?"
+    if intended is not None:
+        return f"{start}, which is no known package; did you mean `{intended}`, whose headers are included?"
     return (
         f"{start}, and package.xml does not declare it: where it is a package of the workspace, colcon may build this "
         "one first; declare it"

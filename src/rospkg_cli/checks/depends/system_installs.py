@@ -41,7 +41,7 @@ COMMAND = regex(
 )
 WORD = regex(r"(?<![\w./:${}-])[A-Za-z][A-Za-z0-9.+_-]*[A-Za-z0-9+]")
 ROSDEP = regex(r"\brosdep[ \t]+(?:[^\n]*[ \t])?install\b")
-TOLD = "; this repository installs it by a list or a command of its own"
+BY_COMMAND = "; this repository installs it by a list or a command of its own"
 MIN_LETTERS = 3
 
 
@@ -88,11 +88,11 @@ class SystemInstalls:
         whole = PackageFiles(self.files.whole) if self.files.whole is not None else self.files
         root = repository_of(self.files.folder, self.workspace)
         key = "" if self.files.whole is not None else self.files.folder
-        paths = self.workspace.index_of(TellingPaths).of(whole, key)
-        return tuple(told_in(path, whole) for path in paths if path.startswith(root))
+        paths = self.workspace.index_of(PathsOfInstalls).of(whole, key)
+        return tuple(installed_in(path, whole) for path in paths if path.startswith(root))
 
 
-class TellingPaths(dict[str, tuple[str, ...]]):
+class PathsOfInstalls(dict[str, tuple[str, ...]]):
     """The paths of files that may say what is installed: a large workspace is looked through once."""
 
     def of(self, whole: PackageFiles, key: str) -> tuple[str, ...]:
@@ -102,7 +102,7 @@ class TellingPaths(dict[str, tuple[str, ...]]):
         return self[key]
 
 
-def told_in(path: str, files: PackageFiles) -> str:
+def installed_in(path: str, files: PackageFiles) -> str:
     """Return the part of a file that names packages which are installed; "" for other files."""
     if posixpath.basename(path) in NO_LIST:
         return ""

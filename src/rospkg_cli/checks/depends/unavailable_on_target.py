@@ -115,6 +115,6 @@ def lacking_distros(same: Sequence[Dependency], workspace: Workspace, targets: T
 
 
 def is_needed_on(distro: Distro, same: Iterable[Dependency]) -> bool:
-    """Return whether one of some dependencies holds for a distribution, or does where somebody sets a variable."""
+    """Return whether one of some dependencies is active for a distribution, or may be, by an environment variable."""
     environments = Targets((distro.name,)).environments()
     return any(may_hold(each.condition, environments) for each in same)

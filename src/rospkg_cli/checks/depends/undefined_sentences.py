@@ -16,7 +16,7 @@ ENDS = {
     "ended": "the line raises NameError once the loop has ended in which the program stays",
     "unspun": "the line raises NameError when its callback runs, and nothing spins the node",
     "seldom": "the line raises NameError where several conditions hold at once",
-    "unshown": "the line raises NameError once a program comes to it, which nothing here shows",
+    "unshown": "the line raises NameError once a program reaches it, which nothing here shows",
     "aside": "the line raises NameError when somebody runs this file, which nothing installs",
     "never": "the line raises NameError once something calls it, which nothing here does",
 }
@@ -25,7 +25,7 @@ CAUGHT = "NameError is raised each time, which the `except` around it takes for 
 
 
 def advice(use: UndefinedUse, line: str) -> str:
-    """Return what is told to do about a name; `line` imports it from the standard library, "" where none does."""
+    """Return the advice on a name; `line` imports it from the standard library, "" where none does."""
     name = use.found.name
     if line or use.home:
         return f"; add `{line or use.home}`"

@@ -89,14 +89,14 @@ class UndefinedUses:
                     yield file, each, self.when_in(role, file, found, self.places.certain.spans(file))
 
     def is_for_older(self, file: PythonFile, each: AbsentAttribute) -> bool:
-        """Return whether a name is meant for distributions alone whose Python still has it."""
+        """Return whether a file is only for distributions whose Python still has a name."""
         return f"{each.module}.{each.name}" in IN_FOXY and self.distribution.is_for_unsupported(file.path)
 
     def of(self, file: PythonFile, role: Role) -> Iterator[UndefinedUse]:
         uses: dict[str, list[UndefinedName]] = {}
         for found in undefined_names(file, everywhere=True):
-            is_told = found.name not in GIVEN and not self.is_for_python_2(file, found)
-            if is_told and not is_unreached(file, found.span):
+            is_unknown = found.name not in GIVEN and not self.is_for_python_2(file, found)
+            if is_unknown and not is_unreached(file, found.span):
                 uses.setdefault(found.name, []).append(found)
         if not uses or BUILD_TOOL in uses:
             return

@@ -49,7 +49,7 @@ class UnfoundCommands:
                 continue
             seen.add(packages[0])
             there = self.certain if packages[0] == OF_AMENT else self.certain | self.brought[0]
-            if not there.intersection(packages) and not self.is_told_elsewhere(call, packages[0]):
+            if not there.intersection(packages) and not self.is_reported_elsewhere(call, packages[0]):
                 yield UnfoundCommand(call, packages[0], self.may_bring(call, packages[0]))
 
     @cached_property
@@ -82,7 +82,7 @@ class UnfoundCommands:
             return not self.brought[1]
         return any(ROS_NAME.fullmatch(name) and not workspace.index.is_key(name) for name in self.found)
 
-    def is_told_elsewhere(self, call: EvaluatedCommand, package: str) -> bool:
+    def is_reported_elsewhere(self, call: EvaluatedCommand, package: str) -> bool:
         """Return whether DEP104 reports it (a package for tests that is not declared), DEP107 (one that is linked), or
         CMK117 (one that is looked for under a misspelt name)."""
         if near_names(package, self.found):

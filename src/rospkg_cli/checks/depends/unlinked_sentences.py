@@ -23,7 +23,7 @@ def lacking(each: UnlinkedInclude, distribution: OlderDistribution) -> str:
 
 
 def is_met(each: UnlinkedInclude, distribution: OlderDistribution) -> bool:
-    """Return whether a build stops for it: in a distribution that is meant, and before any source of ROS 1."""
+    """Return whether a build of a distribution of the repository stops for it, and not before at a source of ROS 1."""
     is_shared = distribution.is_before_humble and each.is_own_folder
     is_later = is_shared or (bool(each.keeper) and not distribution.reaches_jazzy)
     return (each.is_own_folder or bool(each.keeper)) and not is_later and each.behind is None and not each.is_on_demand

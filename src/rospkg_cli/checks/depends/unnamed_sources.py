@@ -28,8 +28,8 @@ class UnnamedSources:
         if path.endswith(HEADERS) or self.takes_all or posixpath.basename(path) in self.text or self.may_be_made(path):
             return False
         suffix = posixpath.splitext(path)[1]
-        beside = self.by_folder[posixpath.dirname(path)]
-        return sum(each.endswith(suffix) and each in self.text for each in beside) >= ENOUGH
+        neighbours = self.by_folder[posixpath.dirname(path)]
+        return sum(each.endswith(suffix) and each in self.text for each in neighbours) >= ENOUGH
 
     def may_be_made(self, path: str) -> bool:
         """Return whether a file of a folder around a source makes names of sources."""

@@ -41,7 +41,7 @@ class UnsetMember:
     name: str
     owner: str
     better: str
-    """What may be meant; "" where that is unknown, "Node" where the class has no base and uses what nodes have."""
+    """What may be intended; "" where that is unknown, "Node" where the class has no base and uses what nodes have."""
     when: When
     is_unwritten: bool = False
     """Whether a comment says that it is still to be written."""
@@ -66,7 +66,7 @@ class UnsetMembers:
             return
         file, own = owner.file, {name for each in line.classes for name in members_bound(each.node.body)}
         known = own | {name for each in self.classes.heirs(owner.node.name) for name in members_bound(each.node.body)}
-        known |= self.told(file)
+        known |= self.misspelt(file)
         places: dict[str, list[ast.Attribute]] = {}
         for each in reads:
             is_known = each.attr in known or (line.is_node and may_be_of_node(each.attr))
@@ -84,8 +84,8 @@ class UnsetMembers:
             is_left = when in LOUD and is_member_unwritten(file, owner.node, name, (span, *others))
             yield UnsetMember(file, span, others, first.attr, owner.node.name, better, when, is_left)
 
-    def told(self, file: PythonFile) -> set[str]:
-        """Return the names that are nearly one of a node's, which another rule tells."""
+    def misspelt(self, file: PythonFile) -> set[str]:
+        """Return the names that are nearly one of a node's, which another rule reports."""
         return {each.attr for each, _, _ in UnknownRclpyNames(self.uses).of_nodes(file)}
 
     @cached_property

@@ -1,4 +1,4 @@
-"""Names that a comment beside them says are still to be written, as in exercises (DEP117)."""
+"""Names that a comment next to them says are still to be written, as in exercises (DEP117)."""
 
 from __future__ import annotations
 

@@ -117,17 +117,17 @@ def of_family(declared: DeclaredDependencies, dependency: Dependency) -> WrongDe
 
 
 def of_typo(declared: DeclaredDependencies, dependency: Dependency) -> WrongDependencyName | None:
-    meant = SimilarNames(declared.workspace).meant(dependency.name)
-    if meant is None or without_version(meant) == without_version(dependency.name):
+    intended = SimilarNames(declared.workspace).intended(dependency.name)
+    if intended is None or without_version(intended) == without_version(dependency.name):
         return None
     start = "is no known ROS package or rosdep key"
     if for_project := advice_for_project(dependency.name, declared.workspace):
         return WrongDependencyName(start, advice=for_project)
-    return WrongDependencyName(start, meant, f"did you mean `{meant}`?")
+    return WrongDependencyName(start, intended, f"did you mean `{intended}`?")
 
 
 def without_version(name: str) -> str:
-    """Return a name without the digits at its end: `gz-plugin3` is no slip of `gz-plugin2`; nor before its `-dev`."""
+    """Return a name without the digits at its end: or before `-dev`: `gz-plugin3` is no misspelt `gz-plugin2`."""
     bare = name.removesuffix("-dev")
     return bare.rstrip("0123456789.-_") + name[len(bare) :]
 

@@ -23,7 +23,7 @@ Called = ast.Attribute | ast.Name
 SINCE_ELOQUENT = "needs `qos_profile` as well"
 """What is said of calls that Dashing and those before it take."""
 FOR_OLDER = "; the distributions that this is for take it"
-"""The end of what is said where these alone are meant: there the run goes on."""
+"""The end of the message where the repository is for these alone: there the run goes on."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,11 +45,11 @@ class WrongRclpyCalls:
         """Yield each wrong call of a file once for each function and each fault of it."""
         for role, file in self.names.files:
             caught = frozenset(guarded_nodes(file.tree.body, CATCHES))
-            told: set[tuple[str, str]] = set()
+            seen: set[tuple[str, str]] = set()
             for call, method, why in (*of_module(file), *self.of_nodes(file), *self.of_own(file)):
                 is_met = id(call) not in caught and not is_unreached(file, file.span(call))
-                if why and is_met and (name_of(method), why) not in told:
-                    told.add((name_of(method), why))
+                if why and is_met and (name_of(method), why) not in seen:
+                    seen.add((name_of(method), why))
                     owner = ast.unparse(method.value) if isinstance(method, ast.Attribute) else ""
                     called = self.names.unknown(file, method, owner, "", is_test=role == "test")
                     is_older = why == SINCE_ELOQUENT and self.distribution.is_only_before_eloquent

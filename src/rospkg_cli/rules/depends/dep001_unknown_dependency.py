@@ -67,8 +67,8 @@ def unknown_dependency(names: DependencyNames) -> Iterator[Hit]:
     that a page, a script or a job here has rosdep skip (`--skip-keys`), or that a repository has which these fetch
     (`git clone …/sensor_msg`), and one that is no slip of a package where rosdep has further lists: a YAML file called
     after it has the name, a page or a script writes into /etc/ros/rosdep/sources.list.d, or the packages here need two
-    more keys that nobody knows. Dependencies whose condition excludes the targets, and doc_depend, are left alone. No
-    other name is suggested for a plain CMake project of the workspace, which colcon builds and rosdep does not know.
+    more unknown keys. Dependencies whose condition excludes the targets, and doc_depend, are left alone. No other name
+    is suggested for a plain CMake project of the workspace, which colcon builds and rosdep does not know.
 
     ## Fix safety
     The name is replaced by the suggested one; where only a letter differs, another one may be right. The line goes

@@ -59,9 +59,9 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
 
     ## Why is this bad?
     It works where the module happens to be installed. On a clean machine `rosdep install` skips what package.xml does
-    not name, and the node ends with ModuleNotFoundError; a released package is broken for all users, also where
-    another package beside it declares the same. Who builds the repository from source has what any package of it
-    declares: that is an info where nothing shows a release.
+    not name, and the node ends with ModuleNotFoundError; a released package is broken for all users, also where another
+    package next to it declares the same. Who builds the repository from source has what any package of it declares:
+    that is an info where nothing shows a release.
 
     ## When it is quiet
     Of a file that imports `rospy` only that is said, for nothing behind it runs, and of several such files once; it is
@@ -70,25 +70,25 @@ def undeclared_import(imports: ImportDependencies) -> Iterator[Hit]:
     or the like is an info, and what the file says to pip install. What a declared dependency certainly installs, be it
     for tests or the build, can't be missing where `rosdep install` ran, nor can what rosdep itself needs (PyYAML,
     rospkg): that is one info, which names who brings it. What may come with a declared one is another: anything may,
-    with a package that is neither here nor in the tables. A module that no entry point or other file names, beside
+    with a package that is neither here nor in the tables. A module that no entry point or other file names, next to
     others that start, is an info, be it that a script imports it whose install rule stands in a comment; as is a script
-    that nothing starts or names beside programs that are started, unless the build names it, what lies in a folder of
+    that nothing starts or names while other programs are started, unless the build names it, what lies in a folder of
     tools (`benchmarks/`) and is no part of a program, and one that others import under `try` … `except ImportError`
     alone; so is an import under a condition (`if self.plot:`), in a function that no program leads to, behind
     `rclpy.spin`, or under the `__main__` of an entry point's module, what `ros2 launch` brings, where only launch files
     import the module, and a library that a list for pip or conda (requirements.txt, pyproject.toml, a lock file, …), a
     Dockerfile, a script, a job or a page of the repository has pip install, alone, with one that requires it (torch
     with `ultralytics`) or by `install_requires` of a package that it has pip install, be it of ROS as well (`pin`),
-    that comes with another import which only PyPI has, or that a page, or a comment of package.xml, tells to install by
-    hand or by pip, or calls optional, a framework for graphic cards (torch), a package that nobody knows and whose
-    repository a page links to or fetches, or what Blender, Isaac Sim, Webots or a microcontroller runs. So is a library
-    in programs that all import what these bring, or where a page that builds or starts the package enters an
-    environment (`conda activate`, `uv run`, `python3 -m venv` without `--system-site-packages`): that Python sees no
-    library of rosdep, or where containers build on an image that is not of ROS or Ubuntu. Left out are optional
-    imports: under `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the
-    package (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files that nothing
-    installs, own modules, and libraries that rosdep has for older releases of Ubuntu alone. A package here that needs
-    this one itself, in a circle, is an info; so is what one of the distributions that the repository names lacks.
+    that comes with another import which only PyPI has, or that a page, or a comment of package.xml, says to install by
+    hand or by pip, or calls optional, a framework for graphic cards (torch), an unknown package whose repository a page
+    links to or fetches, or what Blender, Isaac Sim, Webots or a microcontroller runs. So is a library in programs that
+    all import what these bring, or where a page that builds or starts the package enters an environment
+    (`conda activate`, `uv run`, `python3 -m venv` without `--system-site-packages`): that Python sees no library of
+    rosdep, or where containers build on an image that is not of ROS or Ubuntu. Left out are optional imports: under
+    `try` … `except ImportError`, `TYPE_CHECKING`, a condition on the machine, or one that asks for the package
+    (`if 'pkg' in get_packages_with_prefixes()`), and branches that never run. So are files that nothing installs, own
+    modules, and libraries that rosdep has for older releases of Ubuntu alone. A package here that needs this one
+    itself, in a circle, is an info; so is what one of the distributions that the repository names lacks.
 
     ## Fix safety
     The fix is unsafe where only PyPI has the library, not all distributions have it, or a comment leaves it out.

@@ -26,7 +26,7 @@ NEVER_RUN = "; `colcon test` does not run this file today"
         Severity.INFO: "where a declared dependency or colcon brings or may bring it, an unreleased repository "
         "declares it in another package or installs it by apt, package.xml has it in a comment or for older "
         "distributions alone, pip or a page's reader installs it, setup.py does not ask for pytest, or `colcon test` "
-        "does not run the file or comes to the function, or it needs this package itself"
+        "does not run the file or reach the function, or it needs this package itself"
     },
     examples=(
         Example(

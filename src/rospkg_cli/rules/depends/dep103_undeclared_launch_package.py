@@ -96,7 +96,7 @@ def undeclared_launch_package(launch: LaunchDependencies) -> Iterator[Hit]:
 
     ## Fix safety
     Unsafe where no released package has the name, a named distribution lacks it in format 2 (which has no conditions),
-    a comment of package.xml leaves it out, or another name may be meant.
+    a comment of package.xml leaves it out, or another name may be intended.
 
     ## References
     - REP-149, exec_depend

@@ -36,8 +36,8 @@ FOUND_IN_TESTS = CMAKE.replace(
         "error is a command that nothing defines",
         Severity.INFO: "where a declared dependency brings or may bring it, an unreleased repository declares it in "
         "another package or installs it by apt, package.xml has it in a comment or for older distributions alone, a "
-        "page tells to install it by hand, CMake looks into a folder of its own, its key has no rule for a supported "
-        "distribution, it needs this package itself, or no one here knows it",
+        "page says to install it by hand, CMake looks into a folder of its own, its key has no rule for a supported "
+        "distribution, it needs this package itself, or it is unknown here",
     },
     examples=(
         Example(
@@ -66,10 +66,10 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
     Finds required `find_package()` calls for packages that package.xml does not declare.
     ROS packages are checked, and libraries that have a rosdep key (`Eigen3` is `eigen`). Without REQUIRED the call
     counts where a target, an export or a command for tests needs the package all the same. A command for tests
-    (`ament_add_gtest()`) counts where its package is neither found nor declared. A name that no one here knows counts
-    where it ends like one of interfaces (`acme_msgs`), where `ament_target_dependencies()` is handed it or a target is
-    linked with it (`acme_sdk`), or where a package or key is called alike (`GDAL`, `libgdal-dev`). The key of a library
-    without its headers (`libboost-thread`) does not serve.
+    (`ament_add_gtest()`) counts where its package is neither found nor declared. An unknown name counts where it ends
+    like one of interfaces (`acme_msgs`), where `ament_target_dependencies()` is handed it or a target is linked with it
+    (`acme_sdk`), or where a package or key is called alike (`GDAL`, `libgdal-dev`). The key of a library without its
+    headers (`libboost-thread`) does not serve.
 
     ## Why is this bad?
     It builds where the package happens to be installed, or to be built before. On a clean machine and on the build farm
@@ -78,8 +78,8 @@ def undeclared_find_package(includes: IncludeDependencies) -> Iterator[Hit]:
 
     ## When it is quiet
     What a declared dependency certainly installs, or may, as anything may come with a package that is not here, is one
-    info, with what only C++ includes of the kind (DEP105). So is a library that a page tells to install by hand, or
-    that CMake links from /usr/local or /opt, or that CMake looks for in a folder that is named here (`HINTS`,
+    info, with what only C++ includes of the kind (DEP105). So is a library that a page says to install by hand, or that
+    CMake links from /usr/local or /opt, or that CMake looks for in a folder that is named here (`HINTS`,
     `set(OpenCV_DIR …)`, CMAKE_PREFIX_PATH, a Find module that names folders of the package), what another package of
     the repository declares, or a list or a script of it installs (apt alone), where nothing shows a release, and a key
     of rosdep that no supported distribution has a rule for, as vendor packages took the place of `gz-math7`. What is

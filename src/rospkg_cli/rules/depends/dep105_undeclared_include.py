@@ -28,7 +28,7 @@ MAIN = "int main() {return 0;}\n"
     over=IncludeDependencies,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a dependency brings it, or may bring it, as an empty submodule may, a page tells to "
+        Severity.INFO: "where a dependency brings it, or may bring it, as an empty submodule may, a page says to "
         "install it by hand, an unreleased repository declares it in another package or installs it by apt, "
         "package.xml has it in a comment or for older distributions alone, or no file that includes it is compiled, "
         "or installed where a package of the workspace builds against this one, or it needs this one itself"
@@ -61,20 +61,20 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
     names who brings it, and DEP104's where CMake requires such a package, too. So is what only files include that an
     option of CMake must ask for, or only headers that are not compiled, where others are, or no package of the
     workspace includes a header of this one, or that are not installed. Files that no target compiles, or that no CMake
-    file names beside neighbours named one by one, includes under `#if` (unless it asks for a macro that CMake defines
-    in any case), headers that all others include under it, neighbours whose folder CMake names
+    file names where it names others of the folder one by one, includes under `#if` (unless it asks for a macro that
+    CMake defines in any case), headers that all others include under it, neighbours whose folder CMake names
     (`include_directories(../other/include)`), what CMake fetches, packages that `find_package()` names as well
     (DEP104), and headers that CMake finds in a package inside of this one are left alone. So are libraries that a git
     submodule is named after, checked out or not, and those that CMake looks for without need, where only what includes
     them waits for it, what is declared under a condition that does not hold (`$ROS_VERSION == 1`), where no build is
     sure to compile what includes it, and types whose package comes with another undeclared one. What an empty submodule
-    that CMake looks into may hold is an info, and a library that a page or a comment of CMake tells to install by hand,
-    or whose headers lie in a folder of their own (`$ENV{MODBUS_ROOT}/include`), or that CMake takes
-    from /usr/local or /opt, and what another package of the repository declares, or a list or a command of it installs
-    (apt alone), where nothing shows a release. So is what only targets include that stop at a source of ROS 1 before.
-    Headers of ROS 1 (`std_msgs/String.h`), and others that no package of interfaces has, come with no declaration:
-    CMK201 tells of them. A package here that needs this one itself is an info, for to declare it would make a circle;
-    where it declares this one, nothing is said.
+    that CMake looks into may hold is an info, and a library that a page or a comment of CMake says to install by hand,
+    or whose headers lie in a folder of their own (`$ENV{MODBUS_ROOT}/include`), or that CMake takes from /usr/local or
+    /opt, and what another package of the repository declares, or a list or a command of it installs (apt alone), where
+    nothing shows a release. So is what only targets include that stop at a source of ROS 1 before. Headers of ROS 1
+    (`std_msgs/String.h`), and others that no package of interfaces has, come with no declaration: CMK201 reports them.
+    A package here that needs this one itself is an info, for to declare it would make a circle; where it declares this
+    one, nothing is said.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out.
@@ -100,5 +100,5 @@ def undeclared_include(includes: IncludeDependencies) -> Iterator[Hit]:
         is_mild = is_mild or includes.by_hand.may_be_submodule(each) or bool(by_hand) or behind is not None
         level, end = Severity.INFO if is_mild else None, "" if behind is None else behind.sentence
         yield Hit(first.path, first.span, message + by_hand + end, level, places, declaration(declared, kind, name))
-    if not any(missing.bringer for missing in includes.find_packages.missing()):  # else DEP104 tells of both
+    if not any(missing.bringer for missing in includes.find_packages.missing()):  # else DEP104 reports both
         yield from left_to_others(declared, brought_includes(includes), "included")

@@ -60,9 +60,9 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     Finds undeclared packages that robots, worlds, RViz configs and parameter files need.
     Installed files need packages whose files they name (`package://…`, `$(find …)`) and whose plugins they name
     (`nav2_navfn_planner::NavfnPlanner`), and parameter files those of `interface_type: std_srvs/srv/Empty`. What
-    parameter files look for (`$(find-pkg-share …)`) is an info; a former name in their `package://…` is told where a
-    package here has the file. Parameter files of tests need a test_depend where
-    launch files start what loads plugins.
+    parameter files look for (`$(find-pkg-share …)`) is an info; a former name in their `package://…` is reported where
+    a package here has the file. Parameter files of tests need a test_depend where launch files start what loads
+    plugins.
 
     ## Why is this bad?
     It works where the package happens to be installed. On a clean machine `rosdep install` skips what package.xml does
@@ -77,19 +77,19 @@ def undeclared_urdf_package(robots: RobotUses) -> Iterator[Hit]:
     that loads plugins (controller_manager, nav2, MoveIt), or in a file that no launch file for ROS 2 names or puts
     together, nor an opened robot: others may use it without them. So is a controller that is not spawned where launch
     files spawn others of its file (they may look it up, as `loaded["arm"]["default"]`), or load none at all, one whose
-    type is in a comment, a plugin that no list beside it names (`plugins: [static_layer]`), a type that comes with the
+    type is in a comment, a plugin that no list next to it names (`plugins: [static_layer]`), a type that comes with the
     node which loads it (`geometry_msgs` with joy_teleop), and what a robot needs that nothing opens, or only where an
     argument turns it on (`GAZEBO:=true`), or a variable that nothing here sets, in a macro that nothing calls, in the
     default of an argument that each launch file gives, or in a property that nothing reads, what stands as `$(find …)`
     in SDF without a word of xacro, and what another package of the repository declares, or a list or a script of it
     installs (apt alone), where nothing shows a release, and unknown packages that a script clones, or builds from a
-    folder here that colcon passes by, and what one of the distributions lacks that the repository names, beside others
-    that have it. A package here that needs this one itself is an info, for to declare it would make a circle; where it
+    folder here that colcon passes by, and what one of the distributions lacks that the repository names, while others
+    have it. A package here that needs this one itself is an info, for to declare it would make a circle; where it
     declares this one, nothing is said. What a page or a comment calls optional is an info, too.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. Where this
-    package or one beside it has the same files, or the name is a slip of another, there is none: correct the path.
+    package or one next to it has the same files, or the name is a slip of another, there is none: correct the path.
 
     ## References
     - REP-149, exec_depend

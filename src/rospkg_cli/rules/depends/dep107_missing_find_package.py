@@ -53,9 +53,9 @@ def missing_find_package(missing: MissingFindPackages) -> Iterator[Hit]:
     Finds ROS packages that CMake uses without a `find_package()`.
     Targets are linked with the package or interfaces depend on it, whether it is declared or not, or headers of a
     declared one are included. What is found for tests alone counts as not found where a target of the package itself is
-    linked with it. Everything is left alone where a
-    command such as `ament_auto_find_build_dependencies()` finds what is declared. Of libraries with a folder of headers
-    of their own (Eigen, OpenCV, PCL), declared ones are told that no CMake file has a word of, in such packages too.
+    linked with it. Everything is left alone where a command such as `ament_auto_find_build_dependencies()` finds what
+    is declared. Of libraries with a folder of headers of their own (Eigen, OpenCV, PCL), declared ones that no CMake
+    file names are reported in such packages, too.
 
     ## Why is this bad?
     CMake stops ("was not found before", "target … was not found"), or the compiler does not see the headers; it builds
@@ -121,9 +121,8 @@ def in_one(brought: Sequence[MissingFindPackage]) -> Hit:
     names, lacking = in_ticks([each.name for each in brought]), [e.name for e in brought if not e.is_declared]
     lacks = f", and package.xml lacks {in_ticks(lacking)}" if lacking else ""
     todo = "find and declare them" if lacking else "find them"
-    message = (
-        f"CMake never looks for {names}{lacks}, but uses them: it builds only while other packages bring them; {todo}"
-    )
+    ends = f"it builds only while other packages bring them; {todo}"
+    message = f"CMake never looks for {names}{lacks}, but uses them: {ends}"
     related = tuple(Related(each.path, each.span, f"`{each.name}`: {each.usage}") for each in others)
     return Hit(first.path, first.span, message, Severity.INFO, related)
 
@@ -135,6 +134,6 @@ def not_found(libraries: Sequence[IncludedPackage]) -> Hit:
         f"CMake never looks for {in_ticks(names)}, but `{first.header}` is included here: it builds only while another "
         f"package brings the folder of headers; add {in_ticks(f'find_package({name} REQUIRED)' for name in names)}"
     )
-    uses = (each.uses[0] for each in libraries[1:])
-    related = tuple(Related(use.path, use.span, f"`{use.header}` is included here") for use in uses)
+    others = (each.uses[0] for each in libraries[1:])
+    related = tuple(Related(use.path, use.span, f"`{use.header}` is included here") for use in others)
     return Hit(first.path, first.span, message, Severity.INFO, related)

@@ -78,7 +78,7 @@ def undeclared_interface_package(interfaces: InterfaceTypeDependencies) -> Itera
     brought: list[BroughtUse] = []
     for name, uses in interfaces.undeclared().items():
         first = uses[0]
-        if near := interfaces.meant(name):
+        if near := interfaces.intended(name):
             yield misspelt(name, near, uses)
             continue
         if bringer := declared.bringer([name], runs=False):

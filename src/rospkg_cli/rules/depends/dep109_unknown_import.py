@@ -27,8 +27,8 @@ GOOD = {"my_pkg/talker.py": "from my_pkg.speech import GREETING" + MAIN.format("
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function or a branch, which may not be run, a condition stands on the way to it, "
-        "only tests come to it, it is in a library's module that nothing here imports, or in a program that nothing "
-        "starts, beside others that are started",
+        "only tests reach it, it is in a library's module that nothing here imports, or in a program that nothing "
+        "starts, while others are started",
         Severity.INFO: "nothing starts or imports the module, or leads to the function, or a page alone names it, "
         "other packages here import other parts of a library alone, it stands behind `rclpy.spin`, a loop or a switch "
         "that is off, or in a callback that nothing spins, or another package may have the module, and this one has "
@@ -65,10 +65,10 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
     generated (a command of CMake may do so, an inner setup.py or the code of an extension names it, or git ignores it),
     where it lies in a folder that is not installed, where a module has a `__getattr__` or an unknown star import, and
     where the package changes `sys.path`. A module that no entry point and no other file of the package names or
-    imports, beside others that start, is an info, and so is an import in a function that no program leads to, behind
+    imports, while others start, is an info, and so is an import in a function that no program leads to, behind
     `rclpy.spin`, or under the `__main__` of an entry point's module. Of a library such a module is a warning: others
-    may import it, or nobody. It is an info where other packages here import the library, and none of them comes to that
-    module, or where a comment in the module says that the name, or all that the module would hold, is still to be
+    may import it, or nothing does. It is an info where other packages here import the library, and none of them reaches
+    that module, or where a comment in the module says that the name, or all that the module would hold, is still to be
     written.
 
     ## Fix safety
@@ -78,8 +78,8 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
         level = Severity.INFO if wrong.why else Severity.WARNING if is_uncertain(wrong) else None
         what = missing_module(wrong) if wrong.is_module else absence(imports, wrong)
         error = "ModuleNotFoundError" if wrong.is_module else "ImportError"
-        meant = wrong.near or wrong.elsewhere
-        advice = f"; did you mean `{meant}`?" if meant else ""
+        intended = wrong.near or wrong.elsewhere
+        advice = f"; did you mean `{intended}`?" if intended else ""
         fix = None
         each = (wrong, *others)
         written = [one for one in each if imports.files.source(one.path).slice(one.span) == wrong.name]
@@ -98,7 +98,7 @@ def unknown_import(imports: OwnImports) -> Iterator[Hit]:
 
 def at_former(one: FormerName) -> Hit:
     what = f"nothing known has a module `{one.each.module}`, and this package has `{one.own}`"
-    message = f"{what}: the import raises ModuleNotFoundError where nobody brings it; write `{one.own}`"
+    message = f"{what}: the import raises ModuleNotFoundError where nothing else installs it; write `{one.own}`"
     return Hit(one.file.path, one.each.span, message, Severity.INFO)
 
 

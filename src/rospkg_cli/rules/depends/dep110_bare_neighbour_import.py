@@ -22,7 +22,7 @@ MAIN = "\n\ndef main():\n    print(GREETING)\n"
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function or a branch, which may not be run, or in a program that nothing starts, "
-        "beside others that are started; or an image that the repository builds on, a library that a page has "
+        "while others are started; or an image that the repository builds on, a library that a page has "
         "installed by hand, or the maker of the device that it drives may bring the module",
         Severity.INFO: "nothing leads to the function, or imports a module of the library, it stands behind "
         "`rclpy.spin`, pages and scripts start the file by its path alone, a text puts its folder on PYTHONPATH, or "
@@ -39,7 +39,7 @@ MAIN = "\n\ndef main():\n    print(GREETING)\n"
 def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     """
     ## What it does
-    Finds imports of another module of the own Python package, or of a folder beside, by its bare name.
+    Finds imports of a module of the same package, or of a file in the same folder, by its bare name.
 
     ## Why is this bad?
     It works where the file is started by its path, for Python looks next to it. `ros2 run` starts the entry point, and
@@ -48,16 +48,16 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     ## When it is quiet
     Where something else may provide the name: a dependency, the standard library, a package of the workspace, or pip,
     as a page, a Dockerfile or the requirements say; where the own module lacks what is imported from it or read of it:
-    then another library is meant; for optional imports, for scripts installed to `lib/<package>`, in modules that no
+    then another library is intended; for optional imports, for scripts installed to `lib/<package>`, in modules that no
     entry point leads to (they may be started by their path; in a package without programs, those with a `__main__`),
     under the `__main__` of an entry point's module, and where the package changes `sys.path` or sets PYTHONPATH. A
-    module that imports its own name means another one.
-    Where the repository builds on an image that is none of the plain ones (`ros`, `ubuntu`, `python`, …), or a page or
-    script has a library of that name installed by hand (a wheel, `setup.py install`, `cp … site-packages`), that may
-    bring a module of the name: a warning, for it fails on a clean machine. So is a module that drives a device (it
-    imports `smbus`, `RPi` and the like), which the maker of a robot may have put there as a library. Where pages and
-    scripts have Python start the file by its path, and none runs or launches the package by `ros2`, it is an info, and
-    where a page, a script, a container or a launch file puts the folder on PYTHONPATH.
+    module that imports its own name means another one. Where the repository builds on an image that is none of the
+    plain ones (`ros`, `ubuntu`, `python`, …), or a page or script has a library of that name installed by hand (a
+    wheel, `setup.py install`, `cp … site-packages`), that may bring a module of the name: a warning, for it fails on a
+    clean machine. So is a module that drives a device (it imports `smbus`, `RPi` and the like), which the maker of a
+    robot may have put there as a library. Where pages and scripts have Python start the file by its path, and none runs
+    or launches the package by `ros2`, it is an info, and where a page, a script, a container or a launch file puts the
+    folder on PYTHONPATH.
 
     ## Fix safety
     A file that is also started by its path needs its package installed from then on.

@@ -41,8 +41,8 @@ NEEDS = {"package.xml": manifest("  <exec_depend>ament_index_python</exec_depend
     over=ShareLookups,
     severity=Severity.ERROR,
     levels={
-        Severity.WARNING: "it is in a branch of a function, a condition stands on the way to it, only tests come to "
-        "it, it is in a program that nothing starts, beside others that are started, no target certainly compiles the "
+        Severity.WARNING: "it is in a branch of a function, a condition stands on the way to it, only tests reach "
+        "it, it is in a program that nothing starts, while others are started, no target certainly compiles the "
         "file, or an image that the repository builds on may bring it",
         Severity.INFO: "nothing starts or imports the module or leads to the function, or a page alone names it, a "
         "switch turns it off, it stands behind `rclpy.spin`, or code catches that the package is not there",
@@ -66,7 +66,7 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     ## What it does
     Finds Python modules and C++ that look for the share directory or the prefix of a misspelt package.
     Look-ups in Python with more arguments than they take, as where a parenthesis of `os.path.join()` is misplaced, are
-    told too.
+    reported, too.
 
     ## Why is this bad?
     The build is green, and the node ends with PackageNotFoundError or TypeError.
@@ -76,7 +76,7 @@ def unknown_share_package(lookups: ShareLookups) -> Iterator[Hit]:
     listed repository that is not here is called like that; where the exception is caught, but for a clear slip of a
     package that is here, which is an info; in files that nothing installs, and under a condition that never holds on
     Linux. In a module that nothing starts or imports, in a function that no program leads to (of C++, that no code
-    calls), behind `rclpy.spin`, and under a switch that nothing throws, be it a parameter that is off by default and
+    calls), behind `rclpy.spin`, and under a switch that nothing turns on, be it a parameter that is off by default and
     that nothing in the repository sets, it is an info. Where the repository builds on an image that is none of the
     plain ones (`ros`, `ubuntu`, …), that may bring the package: a warning. Launch files have rules of their own
     (DEP103).

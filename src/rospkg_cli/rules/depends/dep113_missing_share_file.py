@@ -47,8 +47,8 @@ def missing_share_file(lookups: ShareLookups) -> Iterator[Hit]:
     """
     ## What it does
     Finds files in a share directory that Python modules and C++ name and that no rule installs there.
-    It follows `get_package_share_directory` and its like, joined with literal parts, and folders of the package too,
-    in C++ also where a variable is put behind the folder. Of a file that is installed at another path, that is told.
+    It follows `get_package_share_directory` and its like, joined with literal parts, and folders of the package too, in
+    C++ also where a variable is put behind the folder. Where a file is installed at another path, the message says so.
 
     ## Why is this bad?
     The build is green, and opening the file raises FileNotFoundError, or fails in C++.

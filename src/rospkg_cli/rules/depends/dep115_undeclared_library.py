@@ -42,9 +42,9 @@ def example(lines: str, key: str, more: str = "") -> Example:
     over=LinkedLibraries,
     severity=Severity.WARNING,
     levels={
-        Severity.INFO: "where a dependency, or what CMake requires beside it, brings it or may bring it, an unreleased "
+        Severity.INFO: "where a dependency, or what else CMake requires, brings it or may bring it, an unreleased "
         "repository declares it in another package or installs it by apt, package.xml has it in a comment or for older "
-        "distributions alone, or a page tells to install it by hand"
+        "distributions alone, or a page says to install it by hand"
     },
     examples=(
         example(LINKS, "libmodbus-dev"),
@@ -69,7 +69,7 @@ def undeclared_library(libraries: LinkedLibraries) -> Iterator[Hit]:
     What a declared dependency certainly installs, or another package or module of pkg-config that CMake requires
     (glib-2.0 comes with gstreamer-1.0), is one info, which names who brings it, and what may come with one is another,
     as is what another package of the repository declares, or a list or a script of it installs (apt alone), where
-    nothing shows a release, and what a page tells to install by hand, or CMake links from /usr/local or /opt. Targets
+    nothing shows a release, and what a page says to install by hand, or CMake links from /usr/local or /opt. Targets
     and library files of the package are left alone, what CMake downloads or takes from a folder of its own
     (`link_directories()`, `HINTS`), calls under a condition, and libraries that DEP104 or DEP105 tell of.
 

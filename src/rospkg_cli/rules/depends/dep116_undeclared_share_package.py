@@ -56,19 +56,19 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
 
     ## When it is quiet
     What a declared dependency certainly installs is one info, and what may come with one is another, as are names that
-    nobody knows where a repository is listed and not here; else those are DEP112's. What is imported, included or
-    launched as well is told by DEP101, DEP105 and DEP103. Code that catches that or asks first, tests, and files that
-    nothing installs are left alone. What an `if` chooses, whose other branch looks for another package, is an info, and
-    so is what stands in a module that nothing starts or imports, in a program that nothing starts beside others that
-    are started, in a function that nothing calls, behind a condition on a parameter or a constant whose default keeps
-    it from holding, where no YAML, launch file, page or script sets it, or in a source that no target compiles, beside
-    others, and what another package of the repository declares, or a list or a script of it installs (apt alone), where
-    nothing shows a release, and what one of the distributions lacks that the repository names, beside others that have
-    it. What a library without programs looks for is an info where that package uses the library itself,
-    where no package here uses it nor a page builds it by name or imports it, or where each that calls the function or
-    links the library declares what is looked for, or something that brings it, or starts something of it. So is a
-    package of the workspace that itself needs this one, as its launch files start programs of it: to declare it would
-    make a circle; and what a page, a script or a comment calls optional.
+    are unknown where a repository is listed and not here; else those are DEP112's. What is imported, included or
+    launched as well is reported by DEP101, DEP105 and DEP103. Code that catches that or asks first, tests, and files
+    that nothing installs are left alone. What an `if` chooses, whose other branch looks for another package, is an
+    info, and so is what stands in a module that nothing starts or imports, in a program that nothing starts while
+    others are started, in a function that nothing calls, behind a condition on a parameter or a constant whose default
+    keeps it from holding, where no YAML, launch file, page or script sets it, or in a source that no target compiles,
+    while others, and what another package of the repository declares, or a list or a script of it installs (apt alone),
+    where nothing shows a release, and what one of the distributions lacks that the repository names, while others have
+    it. What a library without programs looks for is an info where that package uses the library itself, where no
+    package here uses it nor a page builds it by name or imports it, or where each that calls the function or links the
+    library declares what is looked for, or something that brings it, or starts something of it. So is a package of the
+    workspace that itself needs this one, as its launch files start programs of it: to declare it would make a circle;
+    and what a page, a script or a comment calls optional.
 
     ## Fix safety
     The fix is unsafe where no released package has the name, or a comment of package.xml leaves it out. There is none
@@ -95,7 +95,7 @@ def undeclared_share_package(packages: LookedUpPackages) -> Iterator[Hit]:
         )
         is_mild = is_unmet_at_run(declared, name) or all(each.is_chosen or each.why_seldom for each in places)
         level = Severity.INFO if is_mild or left else None
-        places_beside = related((each.path, each.span) for each in places)
+        other_places = related((each.path, each.span) for each in places)
         fix = None if goes_round else declaration(declared, "exec_depend", name)
-        yield Hit(first.path, first.span, message, level, places_beside, fix)
+        yield Hit(first.path, first.span, message, level, other_places, fix)
     yield from left_to_others(declared, brought, "looked for by code")

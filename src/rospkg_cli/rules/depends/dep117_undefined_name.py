@@ -56,9 +56,9 @@ WORDS = "GREETING = 'hello'\n\n\ndef answer():\n    return GREETING\n"
     levels={
         Severity.WARNING: "it is in a function that a program is shown to come to, under one condition at most, in a "
         "test, in an annotation, in a module of a library that nothing here imports, or in a program that nothing "
-        "starts, beside others that are started",
-        Severity.INFO: "no program is shown to come to it, or under several conditions alone, nothing in the package "
-        "calls the function, imports the module, or installs the file, a switch turns it off that nothing throws, it "
+        "starts, while others are started",
+        Severity.INFO: "no program is shown to reach it, or under several conditions alone, nothing in the package "
+        "calls the function, imports the module, or installs the file, it is behind a switch that nothing turns on, it "
         "stands behind `rclpy.spin`, an attribute is read under a condition, nothing spins the node, a comment says "
         "that it is still to be written, the run ends before, at another fault or in a loop, or Python 3.8 has the "
         "name, and the repository is for Galactic or older alone",
@@ -81,7 +81,7 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
     """
     ## What it does
     Finds names that installed Python code and tests use, and that nothing defines or imports.
-    Each name is one finding of its file. Names that common modules of Python do not have are told, too
+    Each name is one finding of its file. Names that common modules of Python do not have are reported, too
     (`os.path.joint`, `from xml.etree import ET`), and those that a class reads of `self` while neither it, its bases
     nor any other code of the package sets them.
 
@@ -100,7 +100,7 @@ def undefined_name(uses: UndefinedUses) -> Iterator[Hit]:
     Launch files have a rule of their own, and setup.py, too.
 
     ## Fix safety
-    Only modules of the standard library get an import; another object of that name may be meant.
+    Only modules of the standard library get an import; another object of that name may be intended.
     """
     for use in uses.all():
         name, file = use.found.name, use.file

@@ -47,10 +47,10 @@ FILES = {
         Severity.INFO: "the file is not of the workspace, many have an account of that name, code asks or tries "
         "something else first, nothing installs, compiles, starts or names the file, YAML or launch files replace it, "
         "a switch is off, nothing leads to the function or reads the variable or argument, the launch ends before, "
-        "something writes the file, a comment or page tells another, it is one of several places for modules, a dialog "
-        "for files begins there, another machine is meant, YAML has it and the repository no such file, a launch file "
-        "has it without a suffix and no file is called so, or no code here or known node is shown to read a value of "
-        "YAML by its key"
+        "something writes the file, a comment or page says to change it, it is one of several places for modules, a "
+        "dialog for files begins there, it is for another machine, YAML has it and the repository no such file, a "
+        "launch file has it without a suffix and no file is called so, or no code here or known node is shown to read "
+        "a value of YAML by its key"
     },
     examples=(
         Example(
@@ -75,10 +75,10 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     ## What it does
     Finds paths in one person's home folder.
     Launch files, YAML, CMakeLists.txt and code are read for `/home/ada/…` and `/Users/ada/…`. Those of a package are
-    one finding; those that lead to files of the workspace are told apart from the others.
+    one finding; those that lead to files of the workspace are apart from the others.
 
     ## Why is this bad?
-    The package works on one machine. Everybody else meets "No such file or directory", or a node that starts with its
+    The package works on one machine. Everybody else gets "No such file or directory", or a node that starts with its
     defaults, and there where the workspace is moved or only installed.
 
     ## When it is quiet
@@ -88,28 +88,28 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
     exists or tries something else first (`except`, `catch`, `or`), unless they lead into the workspace: then they are
     an info. So is the default of a parameter for which all YAML of the package that gives it has another value, or
     launch files have one, a value of YAML that they replace (nav2's, by its argument `map`, too), what RViz or YAML
-    that nothing names has, a script in a folder that is none for code, a program that nothing starts beside others,
+    that nothing names has, a script in a folder that is none for code, a program that nothing starts while others are,
     what code goes on without (`except OSError`), a default that all callers give (of a function, or of an argument,
     where they start or include the launch file), what is for a machine that code asks for (`gethostname`) or `ssh`
     leads to, the default of an environment variable or option that what is run gives, a launch file whose twin in
     another language alone is named, a source that no target compiles, or a part of one under a macro that nothing
-    defines, a header that no compiled file includes and nothing installs, a module that nothing starts or imports
-    beside others, or only such modules, a launch file or script that nothing installs or names, one that setup.py puts
+    defines, a header that no compiled file includes and nothing installs, a module that nothing starts or imports while
+    others are, or only such modules, a launch file or script that nothing installs or names, one that setup.py puts
     among the programs without the bit to be executed, a function that no program leads to, an action that a launch file
     never adds, what a switch or an option turns off or a default does not choose, a variable, constant or member which
     nothing reads, the folder in which a dialog for files begins, and what a comment at it, or a line of a page that
-    names the file or the home, tells to change. A script that nothing names is left too where it is only a part of a
+    names the file or the home, says to change. A script that nothing names is left too where it is only a part of a
     folder in the share directory, or where not all that is installed is known and CMake does not name its folder. A
     value of YAML or a launch file without a suffix that is the path of no file or folder is an info as well: what reads
     it adds a suffix (slam_toolbox's `map_file_name`), or writes there. So is one of YAML that no file here ends with
-    (but for the image of a map), the default of an argument that nothing reads, and what is written or made: `open(…,
-    'w')`, `np.save`, `ofstream`, `makedirs`, `map_saver_cli -f`, a parameter called `output_dir`, also by another name,
-    a parameter or a function of the same file, or with a value of YAML, and none of them reads. And so is a value of
-    YAML that nobody is shown to read: no code of the workspace declares the parameter or has its key as a text or
-    attribute, and no well-known node has it in a supported distribution (bt_navigator has no `default_bt_xml_filename`
-    after Foxy), unless only those are meant that have it; in launch files it is one of a parameter that the node, if
-    its code or parameters are known, does not have, or whose name else says nothing of a file. Robots and worlds are
-    URD002's.
+    (but for the image of a map), the default of an argument that nothing reads, and what is written or made:
+    `open(…, 'w')`, `np.save`, `ofstream`, `makedirs`, `map_saver_cli -f`, a parameter called `output_dir`, also by
+    another name, a parameter or a function of the same file, or with a value of YAML, and none of them reads. And so is
+    a value of YAML that nothing is shown to read: no code of the workspace declares the parameter or has its key as a
+    text or attribute, and no well-known node has it in a supported distribution (bt_navigator has no
+    `default_bt_xml_filename` after Foxy), unless the repository is only for those that have it; in launch files it is
+    one of a parameter that the node, if its code or parameters are known, does not have, or whose name else says
+    nothing of a file. Robots and worlds are URD002's.
     """
     into = sorted((each for each in paths.found if each.of_package is not None), key=is_mild)
     others = [each for each in paths.found if each.of_package is None and not each.may_be_there]

@@ -41,9 +41,9 @@ def main():
     severity=Severity.ERROR,
     levels={
         Severity.WARNING: "it is in a function that a program is shown to come to, under one condition at most, in a "
-        "test, in a module of a library that nothing here imports, or in a program that nothing starts, beside others "
+        "test, in a module of a library that nothing here imports, or in a program that nothing starts, while others "
         "that are started",
-        Severity.INFO: "no program is shown to come to it, or under several conditions alone, it is under a condition "
+        Severity.INFO: "no program is shown to reach it, or under several conditions alone, it is under a condition "
         "(`__main__` of an entry point's module, a switch that is off), behind `rclpy.spin`, nothing in the package "
         "calls the function, or imports the module, nothing spins the node, the run ends before, at another fault or "
         "in a loop, its own text, or a page, says that the program is not to be started, nothing starts it while "
@@ -64,12 +64,12 @@ def unknown_rclpy_name(calls: WrongRclpyCalls) -> Iterator[Hit]:
     """
     ## What it does
     Finds names that code takes from rclpy or from its own node, and that these do not have.
-    It tells a name that is a letter or two from one that exists (`rclpy.spinn`, `self.create_publishr`), those of
+    It reports a name that is a letter or two from one that exists (`rclpy.spinn`, `self.create_publishr`), those of
     rospy (`rclpy.Rate`, `rclpy.loginfo`), and those taken from `self.get_logger` and `self.get_clock` without the call.
-    Calls with what no distribution takes are told, too: `rclpy.init(sys.argv)`, which takes its `args` by name alone,
-    and `self.create_publisher(String, 'words')` without a depth. So are calls that an own class refuses, where it and
-    all of its bases are known, in the constructor, of `self`, or of an object that a name or a member is given once:
-    `robot = Robot()`, and then `robot.stop(1)`, whose method takes `self` alone.
+    Calls with what no distribution takes are reported, too: `rclpy.init(sys.argv)`, which takes its `args` by name
+    alone, and `self.create_publisher(String, 'words')` without a depth. So are calls that an own class refuses, where
+    it and all of its bases are known, in the constructor, of `self`, or of an object that a name or a member is given
+    once: `robot = Robot()`, and then `robot.stop(1)`, whose method takes `self` alone.
 
     ## Why is this bad?
     Nothing looks before the line runs: the build is green, and the node ends with AttributeError or TypeError.
@@ -80,8 +80,8 @@ def unknown_rclpy_name(calls: WrongRclpyCalls) -> Iterator[Hit]:
     `*` or `**` that may be right or whose TypeError is caught, and under what never holds on Linux. So is the type of a
     variable or member in a function, which Python does not evaluate, and every type where a file imports `annotations`
     of `__future__`. A depth that is missing is an info where the repository names Dashing or older ones alone. So is
-    what only the `main` of a module meets that nothing starts, while the programs that are started import the module, a
-    base class for example, or of which a docstring or comment says `DO NOT RUN`.
+    what only the `main` of a module reaches that nothing starts, while the programs that are started import the module,
+    a base class for example, or of which a docstring or comment says `DO NOT RUN`.
 
     ## References
     The names of all branches of ros2/rclpy from Foxy on.
@@ -114,6 +114,6 @@ ENDS = {
     "ended": "the line ends, once the loop has ended in which the program stays,",
     "unspun": "the line ends, in a callback of a node that nothing spins,",
     "seldom": "the line ends, where several conditions hold at once,",
-    "unshown": "the line ends, once a program comes to it,",
+    "unshown": "the line ends, once a program reaches it,",
     "never": "the line ends, once something calls it,",
 }

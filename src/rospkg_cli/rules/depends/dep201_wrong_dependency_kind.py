@@ -58,18 +58,16 @@ def wrong_dependency_kind(kinds: DependencyKinds) -> Iterator[Hit]:
     alone need not be there when the package is built.
 
     ## When it is quiet
-    `rosdep install` installs the dependencies of all tags, and colcon builds them all first: who builds from source
-    meets nothing. It is a warning where the repository is visibly released (bloom's files, a job for it, or a
-    CHANGELOG.rst whose title names the package among packages that all have one), or where a page, a script or a
-    workflow of it runs `rosdep install --dependency-types …`; an info elsewhere.
-    What another dependency brings at that time or may bring, or `ros2 launch` itself to a launch file, is an info, and
-    so is what only a launch file needs that is called an example or a demo, and what only files include that an option
-    of CMake must ask for. What others bring is one finding. A `<build_export_depend>` is right for headers that are
-    installed for others and not compiled here.
-    A library that comes with another dependency for running, or a part of which is one (`libmodbus5` beside
-    `libmodbus-dev`), is there.
-    Optional imports and files that nothing installs are left alone, and so is whatever is not declared at all (DEP101,
-    DEP103, DEP105).
+    `rosdep install` installs the dependencies of all tags, and colcon builds them all first: a build from source lacks
+    nothing. It is a warning where the repository is visibly released (bloom's files, a job for it, or a CHANGELOG.rst
+    whose title names the package among packages that all have one), or where a page, a script or a workflow of it runs
+    `rosdep install --dependency-types …`; an info elsewhere. What another dependency brings at that time or may bring,
+    or `ros2 launch` itself to a launch file, is an info, and so is what only a launch file needs that is called an
+    example or a demo, and what only files include that an option of CMake must ask for. What others bring is one
+    finding. A `<build_export_depend>` is right for headers that are installed for others and not compiled here. A
+    library that comes with another dependency for running, or a part of which is one (`libmodbus5` next to
+    `libmodbus-dev`), is there. Optional imports and files that nothing installs are left alone, and so is whatever is
+    not declared at all (DEP101, DEP103, DEP105).
 
     ## Fix safety
     The missing tag is added, or `exec_depend` becomes `depend`; another split of tags may be right.

@@ -57,9 +57,9 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
 
     ## When it is quiet
     A dependency whose condition excludes ROS 2 (`$ROS_VERSION == 1`) is left alone, and so is a package of that name in
-    the workspace. Nobody knows who has ported a package that was only released for ROS 1: it is an info, and nothing is
-    said where a repository that a `.repos` file lists is called like it. What a page, a script or a job here has rosdep
-    skip (`--skip-keys`) is an info.
+    the workspace. Whether somebody has ported a package that was only released for ROS 1 is unknown: it is an info, and
+    nothing is said where a repository that a `.repos` file lists is called like it. What a page, a script or a job here
+    has rosdep skip (`--skip-keys`) is an info.
 
     ## Fix safety
     A line for interfaces is removed where the package has none, or declares what makes them in ROS 2 already; a build
@@ -87,11 +87,8 @@ def ros1_dependency(names: DependencyNames) -> Iterator[Hit]:
             f'`{each.name}` is a package of ROS 1: `rosdep install` ends with "Cannot locate rosdep definition for '
             f'[{each.name}]"; {todo} (or add condition="$ROS_VERSION == 1")'
         )
-        others = names.repeated(each)
-        edits = tuple(
-            remove_element(manifest, found.element)
-            for found in (each, *(other for other in others if other.condition is None))
-        )
+        same = (each, *(other for other in names.repeated(each) if other.condition is None))
+        edits = tuple(remove_element(manifest, found.element) for found in same)
         fix = Fix(f"remove `{each.name}`", edits, Safety.UNSAFE) if needless else None
         is_skipped = names.unneeded.is_skipped(each.name)
         level, message = (Severity.INFO, message + SKIPPED) if is_skipped else (None, message)

@@ -12,7 +12,7 @@ from ...finding import Fix, Hit, Safety, Severity
 from ...rule import Profile, rule
 
 SEVERAL = 3
-"""What lacks beyond that is told together."""
+"""Further missing members are reported together."""
 PARTS = ("arm", "base", "camera", "driver", "msgs")
 FILES = {f"acme_{part}/package.xml": manifest("", "ament_cmake", f"acme_{part}") for part in PARTS} | {
     f"acme_{part}/CMakeLists.txt": CMAKE.replace("my_pkg", f"acme_{part}") for part in (*PARTS, "robot")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...checks.depends.name_source import is_lacked_by_nobody
+from ...checks.depends.name_source import is_installed_with_others
 from ...checks.manifest.build_tools import BuildTools
 from ...edits.brought_hits import comes_with
 from ...edits.manifest import add_dependency
@@ -86,7 +86,7 @@ def missing_buildtool(tools: BuildTools) -> Iterator[Hit]:
                 f"package.xml does not declare `{name}`, which CMakeLists.txt needs: {harm}; "
                 f"add `<buildtool_depend>{name}</buildtool_depend>`"
             )
-            level = Severity.INFO if bringer or is_lacked_by_nobody(tools.declared, [name]) else None
+            level = Severity.INFO if bringer or is_installed_with_others(tools.declared, [name]) else None
             fix = Fix(f"Add `{name}`", (add_dependency(manifest, "buildtool_depend", name),))
             yield Hit(manifest.path, manifest.span(element), message, level, fix=fix)
             return

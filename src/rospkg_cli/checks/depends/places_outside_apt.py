@@ -1,4 +1,4 @@
-"""Libraries that CMake takes from where those put them who build them: /usr/local and /opt (DEP104, DEP105, DEP115)."""
+"""Libraries that CMake takes from /usr/local or /opt, where builds from source install (DEP104, DEP105, DEP115)."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from .hand_installs import plain
 PLACE = regex(r"(?:-[LI])?(/usr/local/\S+\.(?:so[\d.]*|a)|/opt/(?!ros\b)\S+)")
 """A library below a folder into which apt puts nothing, or a folder for one; a missing folder alone stops no build."""
 LOOKS = regex(r"find_(?:path|file|library|program)")
-"""Commands that look into the folders of the system as well."""
+"""Commands that search the folders of the system as well."""
 END = regex(r"\.(?:so[\d.]*|a|hpp|h|cmake)$")
-BESIDE_APT = "; CMake takes it from `{}`, where the key does not put it"
+OUTSIDE_APT = "; CMake takes it from `{}`, where the key does not put it"
 
 
-def place_beside_apt(cmake: CMake, names: Collection[str]) -> str:
-    """Return a path that CMake names, and that is called after a library, by one of its names; "" for none."""
+def place_outside_apt(cmake: CMake, names: Collection[str]) -> str:
+    """Return a path in CMake that has one of the names of a library as a part; "" for none."""
     wanted = {plain(END.sub("", each.partition("/")[0])) for each in names} - {""}
     for call in cmake.calls:
         looks_around = LOOKS.fullmatch(call.name) and "NO_DEFAULT_PATH" not in call.texts
