@@ -10,7 +10,7 @@ from ...languages.python.file import PythonFile
 from ...languages.python.nodes import last_name, nodes_of_kind
 from ...lazy_regex import regex
 from ..repository.own_environments import REFUSES
-from .pip_installs import names_in
+from .installing_texts import names_in
 
 CHECKS = regex(
     r"(?i)(?:pip_?)?install\w*|\w*(?:check|ensure|install|require)\w*(?:requirement|package|module|dep|pip)\w*"

@@ -14,7 +14,9 @@ from ...ros.aliases import last_ros1_distro, successors
 from ...ros.distros import Targets
 from .declared_dependencies import DeclaredDependencies
 from .intended_names import key_of_cmake_name
-from .wrong_names import WrongDependencyName, is_installable, is_of_python_2, wrong_name
+from .wrong_dependency_name import WrongDependencyName
+from .wrong_names import wrong_name
+from .wrong_python_names import is_installable, is_of_python_2
 
 if TYPE_CHECKING:
     from .unneeded_names import UnneededNames

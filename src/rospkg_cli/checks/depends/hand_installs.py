@@ -9,7 +9,7 @@ from functools import cached_property
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
-from .pip_installs import installing_texts, is_job, texts_called
+from .installing_texts import installing_texts, is_job, texts_called
 
 CLONES = regex(r"\bgit\s+clone\b[^\n]*?[/:]([\w.-]+?)(?:\.git)?/?(?=[\s'\"`)]|$)", re.MULTILINE)
 CONDA = regex(r"\b(?:conda|mamba)\s+install\b([^\n&|;]*)")

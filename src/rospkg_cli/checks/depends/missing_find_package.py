@@ -8,41 +8,23 @@ from functools import cached_property
 from ...languages.cmake.values import UNKNOWN
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass, replace
-from ...package.cmake.target_links import TargetLinks
 from ...ros.config_files import in_other_case
 from ...ros.manifest import BUILDS
 from ...ros.names import NameKind
-from ...source import Span
 from ...suggest import near_names
 from .declared_dependencies import DeclaredDependencies
+from .find_package_uses import FOUND_WITH_GENERATORS, FindPackageUses, MissingFindPackage
 from .transitive_dependencies import exported_by
 from .types_in_sources import OF_CLIENT_LIBRARIES
 from .undeclared_includes import IncludeDependencies
 
 AUTOMATIC = regex(r"ament_auto_find_\w+|(?!find_|ament_|gz_|ign_|nav2_|moveit_)\w*_package\w*")
-"""Commands that find packages, or may well do so, such as `autoware_package`."""
-
-FOUND_WITH_GENERATORS = frozenset({"action_msgs", "builtin_interfaces", "service_msgs", "unique_identifier_msgs"})
-"""Interfaces that `rosidl_default_generators` finds: those of all services and actions."""
+"""Commands that look for packages, or probably do so, such as `autoware_package`."""
 
 WITH_KIN = frozenset({"rcutils", "rcpputils", "std_msgs", "tf2"})
-"""Packages that all users of their kin get: `tf2` with `tf2_ros`, `std_msgs` with other messages."""
+"""Packages that come with all packages of their family: `tf2` with `tf2_ros`, `std_msgs` with other messages."""
 
-LISTED = "`rosidl_generate_interfaces` depends on it"
 MIN_LETTERS = 5
-
-
-@dataclass(frozen=True, slots=True)
-class MissingFindPackage:
-    name: str
-    path: str
-    span: Span
-    testing: bool
-    usage: str
-    """What is done with the package there, as a clause: `x` is linked with it."""
-    may_be_transitive: bool
-    """Whether it may come with another package that is found."""
-    is_declared: bool = True
 
 
 @dataclass(frozen=True)
@@ -52,40 +34,40 @@ class MissingFindPackages:
     def packages(self) -> Iterator[MissingFindPackage]:
         """Yield each package once: where a target is linked with it, else where its headers are included.
 
-        What certainly comes with a package that is found is left out, but for links with what is not declared either.
+        What a found package certainly looks for is left out, except for links with a package that is not declared.
         """
         if self.declared.is_checked and self.is_complete:
             there, known = exported_by(self.found, self.declared.workspace)
             seen = set(self.found | there)
-            listed = list(self.listed())
-            for each in (*listed, *self.linked(not known), *self.headers(not known)):
+            listed = list(self.uses.listed())
+            for each in (*listed, *self.uses.linked(not known), *self.uses.headers(not known)):
                 if each.name not in seen and self.is_declared(each) and not self.has_another_name(each.name):
                     seen.add(each.name)
                     yield each
             certain = [each for each in listed if not each.may_be_transitive]
-            for each in (*certain, *(self.linked(maybe=False) if known else ())):
+            for each in (*certain, *(self.uses.linked(maybe=False) if known else ())):
                 if each.name not in seen and self.is_undeclared(each.name) and not self.has_another_name(each.name):
                     seen.add(each.name)
                     yield replace(each, is_declared=False)
-            for each in self.with_generators():
+            for each in self.uses.with_generators():
                 if each.name not in self.found and self.is_undeclared(each.name):
                     yield replace(each, is_declared=False)
             included = (*self.includes.packages(), *self.includes.undeclared())
             reported = {name for each in included for name in (each.cmake, *each.names)}
-            for each in self.linked(maybe=True):
+            for each in self.uses.linked(maybe=True):
                 is_new = each.name in there and each.name not in self.found | reported | {self.declared.facts.name}
                 if is_new and self.is_undeclared(each.name) and not self.is_everywhere(each.name):
                     reported.add(each.name)
                     yield replace(each, is_declared=False)
 
     def brought(self) -> Iterator[MissingFindPackage]:
-        """Yield each declared package once whose headers are included, and that certainly comes with one that is found.
+        """Yield each declared package once whose headers are included, and that another found package looks for.
 
-        What all users of rclcpp get from it is left out, and what tests include.
+        What rclcpp brings to all its users is left out, and what tests include.
         """
         if self.declared.is_checked and self.is_complete:
             there, _ = exported_by(self.found, self.declared.workspace)
-            for each in self.headers(maybe=True):
+            for each in self.uses.headers(maybe=True):
                 is_new = each.name in there - self.found - WITH_KIN and not self.is_everywhere(each.name)
                 if is_new and not each.testing and self.is_declared(each):
                     yield each
@@ -94,12 +76,17 @@ class MissingFindPackages:
         """Return whether it is of the interfaces that rclcpp or the generators find, or of the tools of ament."""
         return name in FOUND_WITH_GENERATORS | OF_CLIENT_LIBRARIES or name.startswith(("rosidl_", "ament_"))
 
+    @cached_property
+    def uses(self) -> FindPackageUses:
+        return FindPackageUses(self.includes, self.found)
+
     @property
     def declared(self) -> DeclaredDependencies:
         return self.includes.declared
 
     @cached_property
     def found(self) -> frozenset[str]:
+        """The packages that CMake looks for, and declared ones that it finds under a name in another case."""
         names = frozenset(each.name for each in self.includes.cmake.packages)
         declared = (each for each in self.declared.names if not self.declared.workspace.is_cased(each))
         return names.union(each for each in declared if in_other_case(each, names))
@@ -136,40 +123,3 @@ class MissingFindPackages:
     def is_undeclared(self, name: str) -> bool:
         """Return whether it is a package that package.xml has under no tag."""
         return self.declared.workspace.kind_of(name) is NameKind.PACKAGE and not self.declared.has([name])
-
-    def linked(self, maybe: bool) -> Iterator[MissingFindPackage]:
-        own = {target.name for target in self.includes.cmake.targets}
-        for link in TargetLinks(self.includes.cmake).all:
-            name, colons, _ = link.word.text.partition("::")
-            certain = not (link.call.maybe or link.word.maybe or link.word.text in own)
-            if certain and (colons or link.package):
-                usage = f"`{link.target}` is linked with it"
-                yield MissingFindPackage(name, link.word.path, link.word.span, link.call.testing, usage, maybe)
-
-    def listed(self) -> Iterator[MissingFindPackage]:
-        """Yield what the interfaces of the package depend on; the generators find only what all of them need."""
-        there, known = exported_by(
-            (each for each in self.found if not each.startswith("rosidl_")), self.declared.workspace
-        )
-        for target in self.includes.cmake.interface_targets:
-            for word in target.dependencies:
-                is_certain = word.is_known and not (word.maybe or target.call.maybe)
-                if is_certain and word.text not in there | FOUND_WITH_GENERATORS:
-                    yield MissingFindPackage(
-                        word.text, word.path, word.span, target.call.testing, LISTED, may_be_transitive=not known
-                    )
-
-    def with_generators(self) -> Iterator[MissingFindPackage]:
-        """Yield what the interfaces depend on by name alone, and the generators find; DEP108 reports types."""
-        named = {each.package for interface in self.includes.interfaces for each in interface.types}
-        for target in self.includes.cmake.interface_targets:
-            for word in target.dependencies if not target.call.maybe else ():
-                if word.text in FOUND_WITH_GENERATORS - named and not word.maybe:
-                    yield MissingFindPackage(word.text, word.path, word.span, target.call.testing, LISTED, True)
-
-    def headers(self, maybe: bool) -> Iterator[MissingFindPackage]:
-        for each in self.includes.packages():
-            if each.cmake == each.names[0] and not self.includes.including.are_passed_on(each):
-                first = each.uses[0]
-                usage = f"`{first.header}` is included here"
-                yield MissingFindPackage(each.cmake, first.path, first.span, each.role == "test", usage, maybe)

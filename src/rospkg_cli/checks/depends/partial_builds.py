@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from ...files import PackageFiles
 from ...lazy_regex import regex
-from .pip_installs import texts_called
+from .installing_texts import texts_called
 
 PAGE = regex(r"(?:.*/)?[^/]*\.(?:md|rst|sh|bash)")
 BUILD = regex(r"\bcolcon\s+build\b[^\n#|&;]{0,200}?\s--packages-(?:up-to|select)((?:\s+\w[\w.-]*)+)")

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from ...files import PackageFiles
 from ...lazy_regex import regex
 from ..repository.pages_and_scripts import pages_and_scripts
-from .pip_installs import installing_texts
+from .installing_texts import installing_texts
 from .shell_variables import with_values
 
 SKIPS = regex(

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from functools import cached_property
-from typing import Literal, get_args
 
-from ...languages.python.branches import is_under_condition
 from ...languages.python.file import PythonFile
 from ...languages.python.nodes import nodes_of_kind
 from ...languages.python.place_kinds import is_in_branch
@@ -16,29 +14,26 @@ from ...languages.python.unreached_places import is_unreached
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role, is_set_aside, role_of
 from ...ros.module_attributes import IN_FOXY
-from ...source import Span
 from ..python.installed_modules import InstalledModules
 from ..python.module_attributes import AbsentAttribute, absent_attributes
 from ..python.run_imports import RunImports
 from ..reached_places import ReachedPlaces
 from ..repository.older_distribution import OlderDistribution
+from .use_times import ORDER, UseTimes, When
 
-When = Literal["certainly", "maybe", "branch", "late", "ended", "unspun", "seldom", "unshown", "never", "aside"]
-"""When a name is used: at every start or import, in some runs, under a condition or after another failure, behind a
-`spin` that Ctrl-C leaves or the loop of a constructor, in a callback of a node that nothing spins, under several
-conditions, where nothing is shown to come, where nothing leads, in what nothing installs."""
-
-ORDER: tuple[When, ...] = get_args(When)
 OF_LAUNCH = frozenset({"generate_launch_description", "generate_test_description"})
+
 PYTHON_2 = frozenset(
     "unicode xrange raw_input basestring long unichr reduce file cmp execfile buffer reload apply intern".split()
 )
-"""Builtins of Python 2, which files for both ask for behind a look at the version."""
+"""Builtins of Python 2, which files for both versions use after a check of the version."""
+
 GIVEN = frozenset(
     "_ ngettext get_ipython display profile reveal_type WindowsError exit quit copyright credits license help "
     "aiter anext EncodingWarning BaseExceptionGroup ExceptionGroup PythonFinalizationError".split()
 )
 """What translations, notebooks, profilers, `site` and newer Pythons have among the builtins."""
+
 BUILD_TOOL = "Import"
 """How a script of SCons asks for the names that it is given."""
 
@@ -61,6 +56,10 @@ class UndefinedUses:
     installed: InstalledModules
     places: ReachedPlaces
     distribution: OlderDistribution
+
+    @cached_property
+    def times(self) -> UseTimes:
+        return UseTimes(self.places)
 
     @property
     def files(self) -> Iterator[tuple[Role, PythonFile]]:
@@ -86,7 +85,7 @@ class UndefinedUses:
             for each in absent_attributes(file, self.local):
                 found = UndefinedName(each.name, each.root, frozenset())
                 if not is_unreached(file, found.span):
-                    yield file, each, self.when_in(role, file, found, self.places.certain.spans(file))
+                    yield file, each, self.times.of(role, file, found, self.places.certain.spans(file))
 
     def is_for_older(self, file: PythonFile, each: AbsentAttribute) -> bool:
         """Return whether a file is only for distributions whose Python still has a name."""
@@ -103,7 +102,7 @@ class UndefinedUses:
         certain = self.places.certain.spans(file)
         for name, places in uses.items():
             if not self.may_come_by_star(file, name):
-                times = [self.when_in(role, file, each, certain) for each in places]
+                times = [self.times.of(role, file, each, certain) for each in places]
                 when = min(times, key=ORDER.index)
                 first = places[times.index(when)]
                 others = tuple(each for each in places if each is not first)
@@ -117,21 +116,6 @@ class UndefinedUses:
         stars = (each for each in file.imports if "*" in each.names)
         modules = [self.installed.absolute(each, file.path) for each in stars]
         return any(each not in self.installed.sources or self.installed.offers(each, name) for each in modules)
-
-    def when_in(self, role: Role, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
-        if role == "test":
-            return self.places.as_shown(file, found.span)
-        return "aside" if role == "aside" else self.when(file, found, certain)
-
-    def when(self, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
-        if found.span in certain and not (found.is_annotation or found.is_caught):
-            return "certainly"
-        return self.places.met(file, found.span)
-
-    def of_attribute(self, role: Role, file: PythonFile, found: UndefinedName, certain: Collection[Span]) -> When:
-        """Return when an attribute is read of an object, of which less is known than of a name."""
-        when = self.when_in(role, file, found, certain)
-        return "branch" if when == "maybe" and is_under_condition(file, found.span) else when
 
     def home(self, file: PythonFile, name: str) -> str:
         """Return the line that imports a name from an own module of which a file imports other names."""

@@ -9,7 +9,7 @@ from ...package.dependency import Dependency
 from .declared_dependencies import DeclaredDependencies
 from .dependency_names import NO_NEEDS, DependencyNames
 from .unavailable_on_target import UnavailableName, lacking_distros
-from .wrong_names import WrongDependencyName
+from .wrong_dependency_name import WrongDependencyName
 
 FOUND = frozenset({"depend", "build_depend", "buildtool_depend"})
 """The tags that ament_auto_find_build_dependencies() reads."""

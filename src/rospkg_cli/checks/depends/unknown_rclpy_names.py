@@ -15,18 +15,18 @@ from ...languages.python.unreached_places import is_unreached
 from ...languages.python.unread_types import all_annotations
 from ...light_dataclasses import dataclass
 from ...package.file_role import Role
-from ...ros.rclpy_names import OF_ROSPY, members_of_nodes, names_of_rclpy
+from ...ros.rclpy_names import OF_ROSPY, members_of_nodes
 from ...source import Span
 from ...suggest import near_names
 from ..python.node_bases import is_of_rclpy
 from .own_members import members
-from .undefined_uses import UndefinedUses, When
+from .undefined_uses import UndefinedUses
+from .unknown_names_of_rclpy_module import FAR, of_module, public
+from .use_times import When
 
 DYNAMIC = ("setattr(", "__getattr__", "__dict__")
 UNCALLED = {f"self.{name}": name for name in ("get_logger", "get_clock")}
 """Methods of nodes that are only of use when they are called."""
-FAR = 2
-"""How many letters a name may be away from one that exists."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,31 +113,3 @@ def is_type(file: PythonFile, span: Span) -> bool:
 
 def name_of(node: ast.Attribute | ast.Name) -> str:
     return node.attr if isinstance(node, ast.Attribute) else node.id
-
-
-def of_module(file: PythonFile) -> Iterator[tuple[ast.Attribute, str, str]]:
-    """Yield attributes of the module that are nearly one of its own, or that rospy had."""
-    if not any(each.module == "rclpy" and not each.names for each in file.imports) or rebinds(file):
-        return
-    known = names_of_rclpy()
-    for node in nodes_of_kind(file.tree, ast.Attribute):
-        if not (isinstance(node.value, ast.Name) and node.value.id == "rclpy" and isinstance(node.ctx, ast.Load)):
-            continue
-        if node.attr in known or node.attr.startswith("_"):
-            continue
-        near = near_names(node.attr, public(known), FAR)
-        if better := OF_ROSPY.get(node.attr) or (f"rclpy.{near[0]}" if near else ""):
-            yield node, "rclpy", better
-
-
-def rebinds(file: PythonFile) -> bool:
-    """Return whether a file binds `rclpy` itself, or gives the module attributes."""
-    names = any(each.id == "rclpy" and isinstance(each.ctx, ast.Store) for each in nodes_of_kind(file.tree, ast.Name))
-    return names or any(
-        isinstance(each.ctx, ast.Store) and ast.unparse(each.value) == "rclpy"
-        for each in nodes_of_kind(file.tree, ast.Attribute)
-    )
-
-
-def public(names: frozenset[str]) -> frozenset[str]:
-    return frozenset(each for each in names if not each.startswith("_"))

@@ -21,9 +21,10 @@ from ...source import Span
 from ...suggest import nearest
 from .handed_out import is_handed_out
 from .own_classes import Line, OwnClass, OwnClasses
-from .undefined_uses import UndefinedUses, When
+from .undefined_uses import UndefinedUses
 from .unknown_rclpy_names import UnknownRclpyNames
 from .unwritten_parts import LOUD, is_member_unwritten
+from .use_times import When
 
 DYNAMIC = regex(r"__[gs]etattr(?:ibute)?__|__dict__|__slots__|\b(?:vars|setattr|exec|locals)\(")
 """How code sets attributes by names that it makes."""
@@ -80,7 +81,7 @@ class UnsetMembers:
             others = tuple(attribute_span(file, each) for each in found if each is not first)
             use = UndefinedName(first.attr, file.span(first.value), frozenset())
             better = (nearest(name, frozenset(own | stored_in(line))) if name else "Node") or ""
-            when = self.uses.of_attribute(role, file, use, certain)
+            when = self.uses.times.of_attribute(role, file, use, certain)
             is_left = when in LOUD and is_member_unwritten(file, owner.node, name, (span, *others))
             yield UnsetMember(file, span, others, first.attr, owner.node.name, better, when, is_left)
 

@@ -15,7 +15,8 @@ from ...ros.python_calls import OF_NODES, OF_RCLPY
 from ..python.wrong_calls import CATCHES, wrong_call
 from ..refused_own_calls import RefusedOwnCalls
 from ..repository.older_distribution import OlderDistribution
-from .unknown_rclpy_names import UnknownName, UnknownRclpyNames, name_of, rebinds
+from .unknown_names_of_rclpy_module import rebinds
+from .unknown_rclpy_names import UnknownName, UnknownRclpyNames, name_of
 
 Called = ast.Attribute | ast.Name
 """A method, or a class whose `__init__` is called."""

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ...checks.depends.find_package_uses import MissingFindPackage
 from ...checks.depends.found_for_tests import FoundForTests, found_for_tests
 from ...checks.depends.included_packages import IncludedPackage
-from ...checks.depends.missing_find_package import MissingFindPackage, MissingFindPackages
+from ...checks.depends.missing_find_package import MissingFindPackages
 from ...checks.depends.unfound_libraries import unfound_libraries
 from ...checks.enumeration import in_ticks
 from ...edits.cmake_find import add_find_package_among
