@@ -1,4 +1,4 @@
-"""Imports of a module of the own package, or of a folder next to it, by its bare name (DEP110)."""
+"""Imports of a module of the same package, or of a file in the same folder, by its bare name (DEP110)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .hand_installs import HandInstalls
 from .own_imports import OwnImports
 
 BUSES = frozenset("board busio gpiod Jetson lgpio pigpio RPi smbus smbus2 spidev".split())
-"""Modules for the pins of a board: what imports one drives a device."""
+"""Modules for the pins of a board: a module that imports one drives a device."""
 DRIVES = "; it drives a device, whose maker may have put it there as a library"
 BY_HAND = "; a page or script here has a library of that name installed by hand"
 
@@ -51,7 +51,7 @@ class BareNeighbours:
                 yield BareNeighbour(file, each, full)
 
     def may_be_brought(self, found: BareNeighbour) -> str:
-        """Return what is said of a name that something else than packages may bring to a machine; "" for others."""
+        """Return what else than a package may install the imported name, as the end of a message; "" for nothing."""
         each, source = found.each, self.imports.installed.sources.get(found.full, "")
         image = foreign_image(self.imports.files)
         if image is not None:
@@ -87,7 +87,7 @@ class BareNeighbours:
 
 
 def attributes(file: PythonFile, each: Import) -> Iterator[str]:
-    """Yield what a file reads of a module that it imports as a whole, by the name that it has there."""
+    """Yield the attributes that a file reads of a module which it imports as a whole."""
     aliases = (alias for node in nodes_of_kind(file.tree, ast.Import) for alias in node.names)
     bound = {alias.asname or alias.name for alias in aliases if not each.names and alias.name == each.module}
     for node in nodes_of_kind(file.tree, ast.Attribute) if bound else ():

@@ -1,4 +1,4 @@
-"""What packages hand on to the targets that are linked with them, as far as package.xml and tables tell."""
+"""What packages export to the targets that are linked with them, as far as package.xml and tables say."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Needs = tuple[tuple[str, int], ...]
 
 @dataclass(frozen=True)
 class BroughtByLinks:
-    """What some packages hand on."""
+    """What some packages export."""
 
     names: frozenset[str]
     workspace: Workspace
@@ -32,7 +32,7 @@ class BroughtByLinks:
         return frozenset(self.within(EVERYWHERE))
 
     def within(self, how: int) -> set[str]:
-        """Return the packages themselves, and all that comes with them on no fewer distributions."""
+        """Return the packages, and all that they export on at least the given distributions."""
         known, found = self.workspace.index_of(NeedsOfPackages), set[str]()
         waiting = [*self.names]
         while waiting:
@@ -49,12 +49,12 @@ class BroughtByLinks:
         return tuple(name for name in sorted(self.within(BEFORE_JAZZY)) if known.of(name, self.workspace) is None)
 
     def stranger_for(self, name: str) -> str:
-        """Return the package, of those that are linked, that may bring one and of which that is not known; else ""."""
+        """Return the linked package that may bring another one, as its exports are unknown; "" for none."""
         strangers = {each for each in self.strangers if OF_INTERFACES.fullmatch(name) or not is_of_interfaces(each)}
         return next((each for each in sorted(self.names) if not strangers.isdisjoint(self.of(each))), "")
 
     def bringer_of(self, name: str, how: int) -> str:
-        """Return the first of the packages that hands one on."""
+        """Return the first of the packages that exports one."""
         return next(
             each for each in sorted(self.names) if name in BroughtByLinks(frozenset({each}), self.workspace).within(how)
         )
@@ -68,7 +68,7 @@ def is_of_interfaces(name: str) -> bool:
 
 
 class NeedsOfPackages(dict[str, "Needs | None"]):
-    """By name, what may come with a package, None where that is not known: the same are asked for by many targets."""
+    """The exports of packages by name, None where unknown, kept because many targets ask for the same."""
 
     def of(self, name: str, workspace: Workspace) -> Needs | None:
         if name not in self:

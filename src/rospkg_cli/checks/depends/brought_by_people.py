@@ -1,4 +1,4 @@
-"""Python libraries that those have who run a package, whatever package.xml says: pip installed them, or others.
+"""Python libraries that people have without package.xml, because they chose them or got them with another.
 
 A library that only PyPI has brings what it requires; a framework that works on a graphics card is chosen for that card,
 and the repository of an unknown package is cloned.
@@ -21,7 +21,7 @@ FRAMEWORK = "; people install this one for the graphics card that they have, and
 
 
 def why_brought(declared: DeclaredDependencies, files: Iterable[PythonImports], module: str, key: str) -> str:
-    """Return what is said of a library that people have without package.xml; "" for others."""
+    """Return why people have a library without package.xml, as the end of a message; "" for others."""
     top = module.partition(".")[0]
     if top in FRAMEWORKS:
         return FRAMEWORK

@@ -18,7 +18,7 @@ WITH_ROSDEP = dict.fromkeys((
     "python3-yaml", "python3-catkin-pkg", "python3-catkin-pkg-modules", "python3-rosdep", "python3-rosdep-modules",
     "python3-rosdistro-modules", "python3-rospkg", "python3-rospkg-modules",
 ), ROSDEP)  # fmt: skip
-"""What is installed wherever `rosdep install` can run, which every other dependency needs."""
+"""What is installed wherever `rosdep install` can run, which installs every other dependency."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -103,7 +103,7 @@ class BuildToolsOfCMake:
 
 
 def programs_of(call: EvaluatedCommand) -> list[str]:
-    """Return the programs without which a command stops CMake, or the build."""
+    """Return the programs that a command of CMake needs, so that CMake or the build stops without them."""
     texts = call.texts
     stops = "COMMAND_ERROR_IS_FATAL" in texts if call.name == "execute_process" else call.name in RUNS
     if stops and "||" not in texts:

@@ -1,4 +1,4 @@
-"""Packages of the workspace that need this one already, declared or not: who declared them here would make a circle.
+"""Packages of the workspace that need this one already, declared or not: to declare them here would make a circle.
 
 colcon orders packages by all that they declare, and stops where they wait for each other (`dependency_cycles`).
 """
@@ -34,7 +34,7 @@ class Circle:
 
 
 def circle_with(declared: DeclaredDependencies, name: str) -> Circle | None:
-    """Return who needs this package where another one of the workspace were declared, by the shortest way.
+    """Return what would close a circle if a package of the workspace were declared here, by the shortest way.
 
     What code here is built with or imports comes first: others are to move the launch files that use this package.
     """
@@ -55,7 +55,7 @@ def circle_with(declared: DeclaredDependencies, name: str) -> Circle | None:
 
 
 class Needs(dict[str, Mapping[str, str]]):
-    """By its name, the packages of the workspace that each one needs, with the file as `Circle` has it."""
+    """The packages of the workspace that each package needs, by its name, with the file that `Circle` names."""
 
     def of(self, facts: PackageFacts, workspace: Workspace) -> Mapping[str, str]:
         if facts.name not in self:

@@ -55,7 +55,7 @@ def are_named_in(said: Iterable[str], names: Collection[str]) -> bool:
 
 
 def sentences(text: str) -> Iterator[str]:
-    """Yield what a comment says of other ways to install than rosdep, sentence by sentence."""
+    """Yield the sentences of a comment about ways to install that are not rosdep."""
     for sentence in SENTENCE.split(text):
         is_other = BY_PIP.search(sentence) or (BY_HAND.search(sentence) and INSTALLS.search(sentence))
         if is_other and not ROSDEP.search(sentence):
@@ -63,7 +63,7 @@ def sentences(text: str) -> Iterator[str]:
 
 
 def texts(manifest: Manifest) -> Iterator[str]:
-    """Yield the comments, each with the names behind it that are comments of their own."""
+    """Yield the comments, each joined with the comments after it that hold one name of its list."""
     whole, end, said = manifest.source.text, 0, ""
     for comment in manifest.document.comments:
         is_next = not whole[end : comment.span.start].strip()

@@ -40,7 +40,7 @@ class DependencyBringers:
         return self.bringer_among([*names], self.brought_to_run if runs else self.brought_to_build)
 
     def bringer_among(self, names: Sequence[str], there: Brought) -> Bringer | None:
-        """Return what brings one of some names, of all that comes with some dependencies."""
+        """Return what brings one of some names, among all that comes with some dependencies (`there`)."""
         if certain := next((there.certain[name] for name in names if name in there.certain), ""):
             return Bringer(certain)
         perhaps = next((found for name in names if (found := there.may_bring(name, self.workspace))), "")

@@ -27,7 +27,7 @@ class WrongKind:
     """A dependency that is declared, but not for what it is used for."""
 
     dependency: Dependency
-    """The first of its name."""
+    """The first declaration of its name."""
     use: KindUse
     bringer: Bringer | None
     """The dependency that is declared for it and brings this one today, or may bring it; None where none does."""

@@ -65,7 +65,7 @@ class FetchedRepositories:
 
     @cached_property
     def here(self) -> frozenset[str]:
-        """The names of the folders of the run: what is cloned into one of them is no other repository."""
+        """The names of the folders of the run: a repository that is cloned into one of them is here."""
         whole = PackageFiles(self.files.whole) if self.files.whole is not None else self.files
         return frozenset(normalized(part) for place in whole.places for part in place.split("/"))
 
@@ -84,7 +84,7 @@ class FetchedRepositories:
         return frozenset(repository_of(next(filter(None, match.groups()))) for match in found)
 
     def has_cloned(self, name: str) -> bool:
-        """Return whether one that is called like a package is fetched, and is no folder of the run: no slip, then."""
+        """Return whether a repository named like a package is fetched and is not here: the name is not misspelt."""
         return normalized(name) in self.cloned - self.here
 
 

@@ -1,4 +1,4 @@
-"""Imports by a name that nothing known has, of modules that the package has itself: it was copied, or renamed."""
+"""Imports of the package's own modules by an unknown package name, as after a copy or a rename."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .own_imports import OwnImports
 
 @dataclass(frozen=True, slots=True)
 class FormerName:
-    """An import, and the own module that it would be."""
+    """An import, and the module of the package that it is intended for."""
 
     file: PythonFile
     each: Import
@@ -22,7 +22,7 @@ class FormerName:
 
 
 def former_names(imports: OwnImports) -> Iterator[FormerName]:
-    """Yield the imports of modules by another first name, where all that is imported by that is there."""
+    """Yield the imports by another package name of modules and names that this package has."""
     by_top: dict[str, list[FormerName | None]] = {}
     for file, each in imports.run.certain:
         top, _, within = each.module.partition(".")
@@ -50,7 +50,7 @@ def mistyped_tops(imports: OwnImports, known: Collection[FormerName]) -> Iterato
 
 
 def own_module(imports: OwnImports, each: Import, within: str) -> str:
-    """Return the one own module that has all that is imported; "" where there is none."""
+    """Return the one module of the package that has all imported names; "" where there is none."""
     found = [f"{top}.{within}" for top in sorted(imports.installed.tops) if within]
     found = [module for module in found if imports.has_all(each, module)]
     return found[0] if len(found) == 1 else ""

@@ -1,4 +1,4 @@
-"""Packages that CMake looks for where tests are built alone, and that targets of the package itself are linked with."""
+"""Packages that CMake looks for only where tests are built, and that targets outside of tests are linked with."""
 
 from __future__ import annotations
 

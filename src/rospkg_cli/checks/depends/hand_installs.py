@@ -1,4 +1,4 @@
-"""Which libraries the pages of a repository tell people to install by hand: wheels, clones, conda, from source."""
+"""Which libraries the pages of a repository have people install by hand: wheels, clones, conda, from source."""
 
 from __future__ import annotations
 
@@ -29,33 +29,33 @@ LINKED = regex(
 )
 """What a page has people install, and where it links to: `Install the [SDK](https://github.com/acme/libacme)`."""
 ROBOTPKG = regex(r"\brobotpkg-(?:py\d+-)?([a-z][\w-]*)")
-"""What the packages for apt of LAAS, whom Pinocchio comes from, are called."""
+"""The names of packages of robotpkg, the apt repository of LAAS that has Pinocchio."""
 RELEASES = regex(r"\bgithub\.com/[\w.-]{1,100}/([\w.-]{1,100})/(?:releases|archive)\b")
-"""Where a page has the sources of a library, or what is made of them, taken from."""
+"""The address of a release, or of its sources, on GitHub."""
 FOLDERS = regex(r"\bpip3?\s+install\s+(?:-\w\s+)?((?:\.{1,2}|~)?/[^\s&|;]+)")
 SETUPS = regex(r"\bcd\s+([^\n;&|]{1,200})[^c]{0,9}(?:sudo\s+)?python[\d.]*\s+setup\.py\s+install\b")
-"""How a library that lies in a folder, or is a file of its own, is put where Python looks."""
+"""Commands that install a library from a folder: `cd lib && python setup.py install`."""
 MAKES = regex(
     r"\b(?:cd|pushd|WORKDIR)[ \t]+\"?(?:[^\s;&|]{0,200}/)?([A-Za-z][\w.+-]*)\*?(?=/?[\s;&|\"'`)])(?=(?s:.){0,400}?\b(?:"
     r"(?:make|ninja)[ \t][^\n;&|]{0,40}?install|cmake[^\n;&|]{0,60}?[ \t]--(?:install|target[ =]install))\b)"
 )
-"""The folder of sources that a build is made and installed from: `cd lcm-1.4.0 && mkdir build && cd build && …`."""
+"""The folder of sources that are built and installed: `cd lcm-1.4.0 && mkdir build && cd build && …`."""
 MADE_THERE = regex(
     r"\b(?:make|ninja)[ \t]+-C[ \t]+(?:[^\s;&|]{0,200}/)?([A-Za-z][\w.+-]*)(?=/?[ \t][^\n;&|]{0,40}?install\b)"
     r"|\bcmake[ \t][^\n;&|]{0,200}?-S[ \t]*(?:[^\s;&|]{0,200}/)?([A-Za-z][\w.+-]*)/?"
     r"(?=[\s;&|](?s:.){0,400}?\bcmake[^\n;&|]{0,60}?[ \t]--install\b)"
 )
-"""The same without a step into the folder: `make -C lcm install`."""
+"""The same without `cd` into the folder: `make -C lcm install`."""
 ARCHIVES = regex(
     r"\b(?:wget|curl)\b[^\n]{0,300}?/([A-Za-z][\w+]*?(?:-[A-Za-z]\w*)*)[-_]v?\d[\w.]*\.(?:tar\.\w+|tgz|zip)\b"
     r"(?=(?s:.){0,800}?\b(?:make|ninja|cmake)\b[^\n;&|]{0,60}?\binstall\b)"
 )
-"""An archive of sources that is fetched, and made and installed behind that."""
+"""An archive of sources that is downloaded, and built and installed after that."""
 RELEASE = regex(r"[-_.]v?\d+(?:\.\d+)+$")
-"""What the folder of an unpacked archive has behind its name."""
+"""The version at the end of the name of an unpacked archive's folder."""
 WORD = regex(r"[A-Za-z][\w.+-]*")
 AROUND = regex(r"^(?:python3?-|lib)|(?:-dev|\.h|\.hpp|\.git|\.py|\d+)$")
-"""What keys, headers and packages of CMake have around the name of a library."""
+"""Prefixes and suffixes of keys, headers and packages of CMake around the name of a library."""
 BY_PAGE = "; a page here says to install it by hand, and the key may bring another version"
 
 

@@ -1,4 +1,4 @@
-"""Packages that CMake files require which run in every package that uses this one (DEP111)."""
+"""Packages that CMake files require which every package that uses this one runs (DEP111)."""
 
 from __future__ import annotations
 
@@ -27,18 +27,18 @@ RUNTIME = "rosidl_default_runtime"
 
 @dataclass(frozen=True, slots=True)
 class HandedOnPackage:
-    """A package that a file requires in the CMake of others, where package.xml does not hand it on."""
+    """A package that a file requires in the CMake of other packages, and that package.xml does not export."""
 
     names: tuple[str, ...]
-    """Of its providers, the one to recommend first."""
+    """Its providers, the one to recommend first."""
     cmake: str
     """What `find_package()` calls it."""
     path: str
     span: Span
     is_certain: bool
-    """Whether it is known of everything that is handed on what comes with it, and users are known of an export."""
+    """Whether all exports are known entirely, and a package that uses an export is known."""
     is_installed: bool
-    """Whether rosdep installs it wherever the repository is built: only who gets a release lacks it."""
+    """Whether rosdep installs it wherever the repository is built: it is missing only from a release."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class HandedOnPackages:
         return is_declared and is_installable(declared, names)
 
     def is_met(self, names: Collection[str]) -> bool:
-        """Return whether anybody may lack what is not handed on: who gets a release, or nothing here installs it."""
+        """Return whether a missing export may do harm: there is a release, or nothing here installs the package."""
         return self.declared.release.is_made or not self.is_installed(names)
 
     def missing(self) -> Iterator[HandedOnPackage]:
@@ -108,7 +108,7 @@ class HandedOnPackages:
 
     @cached_property
     def handed_on(self) -> tuple[frozenset[str], bool]:
-        """What is there for whoever builds with this package, and whether that is all."""
+        """What this package exports, directly or through others, and whether all of it is known."""
         first = [need.name for need in self.declared.facts.dependencies if need.tag in EXPORTED]
         brought, known = exported_by(first, self.declared.workspace)
         return frozenset(with_members(first, self.declared.workspace)) | brought, known

@@ -1,4 +1,4 @@
-"""Whether a class gives its object to code of others, which may set attributes of it."""
+"""Whether a class passes its object to a library, which may set attributes of it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ FILLING = frozenset({"setupUi", "setup_ui", "loadUi", "load_ui"})
 
 
 def is_handed_out(owner: OwnClass, installed: InstalledModules) -> bool:
-    """Return whether a class hands its object to a library that may fill it: `Machine(model=self)`, `setupUi`."""
+    """Return whether a class passes its object to a library that may fill it: `Machine(model=self)`, `setupUi`."""
     imported = dict(imported_from(owner.file))
     for call in nodes_of_kind(owner.node, ast.Call):
         if any(is_self(each) for each in (*call.args, *(keyword.value for keyword in call.keywords))):

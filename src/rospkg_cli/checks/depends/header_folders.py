@@ -1,4 +1,4 @@
-"""Packages whose headers CMake brings to targets by their folders: `include_directories(${tf2_INCLUDE_DIRS})`."""
+"""Packages whose include directories CMake adds to targets: `include_directories(${tf2_INCLUDE_DIRS})`."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FOLDERS = regex(r"\$\{([\w.+-]+?)_INCLUDE_?DIRS?\}")
 INSTALLED = regex(r"/include/(\w+)/?(?=>|$)")
 """The folder of a package's headers in an installation."""
 SET_BY_NOBODY = frozenset({"ament", "catkin"})
-"""What no `find_package()` of ROS 2 sets variables for."""
+"""Names for which no `find_package()` of ROS 2 sets variables."""
 WORDS = frozenset({"AFTER", "BEFORE", "SYSTEM"})
 
 
@@ -29,7 +29,7 @@ class HeaderFolders:
 
     @cached_property
     def for_all(self) -> frozenset[str] | None:
-        """The packages whose headers commands bring to all targets; None where that is not known."""
+        """The packages whose include directories commands add to all targets; None where unknown."""
         found: set[str] = set()
         for call in self.cmake.named("include_directories", "link_libraries"):
             for word in call.words:
@@ -58,7 +58,7 @@ class HeaderFolders:
         return [] if plain(name) in libraries_of_cmake() or name in SET_BY_NOBODY else [name]
 
     def of_target(self, target: str) -> list[str] | None:
-        """Return the packages whose folders of headers commands name for a target; None where they are unknown."""
+        """Return the packages whose include directories commands add to a target; None where they are unknown."""
         found: list[str] = []
         for call in self.cmake.named("target_include_directories", "target_sources", "set_target_properties"):
             is_of_target = call.texts[:1] == (target,)

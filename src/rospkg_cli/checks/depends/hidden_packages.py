@@ -33,7 +33,7 @@ class HiddenPackages:
         return self.workspace.index_of(HiddenFolders).of(PackageFiles(self.files.whole)).get(name, "")
 
     def is_built(self, name: str) -> bool:
-        """Return whether a container, a script or a page of the repository builds what lies there elsewhere."""
+        """Return whether a container, a script or a page of the repository builds the folder of a package."""
         folder = self.folder_of(name)
         parts = folder.split("/") if folder else []
         above = ["/".join(parts[:end]) for end in range(len(parts), 0, -1)]
@@ -56,7 +56,7 @@ class HiddenPackages:
 
 
 class HiddenFolders(dict[str, str]):
-    """By the name in each package.xml of the run, its folder: a large repository is looked through once."""
+    """The folder of each package.xml of the run, by the name in it; a large repository is searched once."""
 
     is_filled = False
 

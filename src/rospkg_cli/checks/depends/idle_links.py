@@ -16,7 +16,7 @@ VARIABLES = {
     "ompl": ("OMPL_INCLUDE_DIRS", "OMPL_LIBRARIES"),
     "yaml-cpp": ("YAML_CPP_INCLUDE_DIR", "YAML_CPP_LIBRARIES"),
 }
-"""Libraries whose variables begin otherwise than they are called; the command reads `octomap_LIBRARIES` alone."""
+"""Libraries whose variables do not begin with their names; the command reads `octomap_LIBRARIES` alone."""
 
 
 @dataclass(frozen=True, slots=True)

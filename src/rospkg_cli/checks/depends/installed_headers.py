@@ -26,5 +26,5 @@ def may_be_installed(cmake: CMake, path: str) -> bool:
 
 
 def inside(paths: Iterable[str | None]) -> Iterator[str]:
-    """Yield those of some paths that lie in the package, normalized; None stands for one outside of it."""
+    """Yield the paths in the package, normalized; None stands for a path outside of it."""
     return (posixpath.normpath(each).strip("./") for each in paths if each is not None)

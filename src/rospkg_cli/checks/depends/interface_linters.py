@@ -22,7 +22,7 @@ class InterfaceLinters:
     cmake: CMake
 
     def unmet(self) -> Iterator[tuple[str, Span]]:
-        """Yield where linters are asked for that no dependency brings, and that CMake nowhere else finds.
+        """Yield the places that turn on linters which no dependency brings and CMake does not look for.
 
         The generators bring them since Jazzy; what else may bring them counts as well.
         """

@@ -21,7 +21,7 @@ HEADERS_ALONE = frozenset({
 })  # fmt: skip
 """Packages and keys without a library: nothing of them is there at run time."""
 NOT_LOADED = ("ament_", "rosidl_", "gtest", "libboost-dev", "boost", "opengl")
-"""How build tools begin, and what is of many parts, most of them headers."""
+"""Prefixes of build tools, and libraries of many parts, most of which are headers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +34,7 @@ class LoadedLibrary:
 
 
 def loaded_libraries(includes: IncludeDependencies) -> Iterator[LoadedLibrary]:
-    """Yield what installed targets are certainly linked with, but for static libraries and headers alone."""
+    """Yield what installed targets are certainly linked with, without static libraries and header-only ones."""
     links = TargetLinks(includes.cmake)
     for link in links.all:
         target = includes.cmake.target(link.target)
@@ -60,7 +60,7 @@ def package_name(includes: IncludeDependencies, link: TargetLink) -> str:
 
 
 def plain(name: str) -> str:
-    """Return a name as its variables have it or not: `YAML_CPP_LIBRARIES` are those of `yaml-cpp`."""
+    """Return a name in a form to compare it with its variables: `yaml-cpp` and `YAML_CPP` are `yaml_cpp`."""
     return name.lower().replace("-", "_")
 
 

@@ -1,4 +1,4 @@
-"""Which libraries lock files and environments of conda list, whatever these are called."""
+"""The libraries in lock files and in conda environments, whatever the names of these files are."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ class MetapackageMembers:
     declared: DeclaredDependencies
 
     def missing(self) -> list[PackageFacts]:
-        """Return the packages that neither it nor what it names needs, where it names nearly all of the others, or is
+        """Return the packages that the metapackage does not bring, where it names nearly all of the others, or is
         clearly there to name all."""
         named = [facts for facts in self.neighbours if facts.name in self.names]
         if len(named) < MIN_NAMED and not self.stands_for_family:

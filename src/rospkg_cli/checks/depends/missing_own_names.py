@@ -25,7 +25,7 @@ class MissingOwnName:
 
     path: str
     span: Span
-    """Of the name that is not there, as it is written."""
+    """The place of the missing name, as it is written."""
     package: str
     """The module or package that should have it."""
     name: str

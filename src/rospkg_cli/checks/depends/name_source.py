@@ -109,5 +109,5 @@ def is_installed_with_others(declared: DeclaredDependencies, names: Collection[s
 
 
 def is_installable(declared: DeclaredDependencies, names: Iterable[str]) -> bool:
-    """Return whether anybody knows where one of some names comes from."""
+    """Return whether it is known where one of some names comes from."""
     return any(source_of(declared, name) != "unknown" for name in names)

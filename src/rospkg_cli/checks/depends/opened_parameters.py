@@ -27,7 +27,7 @@ USUAL = regex(
 """MoveIt looks for the files of its configs by their names alone: these, and none that is called otherwise."""
 STARTING = (".py", ".sh", ".bash", ".cpp", ".cc", ".xml", ".launch", ".md", ".service", ".hpp")
 STARTS = regex(r"\bros2\b|params[-_]file|LaunchService|LaunchDescription|<launch\b|launch_ros|NodeOptions")
-"""What a text has that starts nodes."""
+"""Words of a text that starts nodes."""
 SPAWNS = regex(r"spawner|_controllers?\b|(?:controllers|demo)_launch|IncludeLaunchDescription|<include\b|\binclude:")
 """What loads controllers in a launch file, or may: a spawner, `ros2 control`, MoveIt's own launches, other files."""
 
@@ -42,7 +42,7 @@ class OpenedParameters:
     files: PackageFiles
 
     def may_have(self, path: str) -> bool:
-        """Return whether something may give a file to a node; others are there to be copied, or left over."""
+        """Return whether something may load a file into a node; other files are examples, or left over."""
         stem = path.rpartition("/")[2].rpartition(".")[0]
         word = re.compile(rf"\b{re.escape(stem)}\b")
         found = re.compile(rf"(?:\$\(find\s+([\w-]*)|package:/+([\w-]*)|\$\{{)[^<>\"'\n]*{word.pattern}")

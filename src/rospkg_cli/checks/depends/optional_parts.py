@@ -22,7 +22,7 @@ SAYS_SO = regex(
 """A line that calls a part of the software optional, and not an argument."""
 CELL = regex(r"[ \t]*\|([^|\n]*)")
 ITEM = regex(r"[ \t]*(?:[-*+]|\d+\.)[ \t]+[*_]*`([^`\n]*)`")
-"""What a line of a table, or an element of a list that begins with code, is about."""
+"""The subject of a line of a table, or of a list element that begins with code."""
 HEADING = regex(r"[ \t]*(#{1,6})[ \t]|.*:[*_]*[ \t]*$")
 """What stands above a part of a page, or above a list."""
 LISTED = regex(r"[ \t]*(?:[-*+|$]|\d+\.|(?:RUN[ \t]+)?(?:sudo|apt|apt-get|pip3?|conda)[ \t])")
@@ -32,7 +32,7 @@ OF_ANYTHING = COMMON | frozenset(
     "bluetooth camera depth diagnostic hardware image interactive joint laser micro navigation network point "
     "pointcloud requests sensor serial socket static state teleop topic twist vision websocket".split()
 )
-"""Words by which no page means one package."""
+"""Words that are too common to stand for one package in a page."""
 MIN_LETTERS = 5
 XML = (".xml", ".xacro", ".urdf", ".sdf", ".world")
 MAX_LISTED = 25
@@ -89,7 +89,7 @@ def wanted(package: str) -> list[str]:
 
 
 def pattern(name: str) -> str:
-    """Return what finds a name as pages write it (`ros_gz` bridge), and not the one of an argument (`use_gazebo`)."""
+    """Return a pattern for a name in a page (`ros_gz` bridge) that does not match arguments (`use_gazebo`)."""
     words = "[-_` ]{1,3}".join(map(re.escape, name.split("_")))
     return rf"(?<![A-Za-z0-9_/:=]){words}\d?(?![A-Za-z0-9_/:=])"
 
@@ -101,7 +101,7 @@ def subject(line: str) -> str:
 
 
 def listed_below(text: str) -> Iterator[str]:
-    """Yield what a list or commands below a heading name that says of no more than that it is all optional."""
+    """Yield the lines of a list, or the commands, below a heading that calls all of them optional."""
     lines = text.replace("\\\n", " ").split("\n") if SAYS_SO.search(text) else []
     for number, line in enumerate(lines):
         if HEADING.match(line) and SAYS_SO.match(line) and not LISTED.match(line):

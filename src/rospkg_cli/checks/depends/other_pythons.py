@@ -1,4 +1,4 @@
-"""Rule input: files that another Python runs than that of ROS, or that an environment of its own does (DEP101)."""
+"""Rule input: files that run in another Python than that of ROS, or in an environment of their own (DEP101)."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class OtherPythons:
         return frozenset(each.path for each in self.python.files if is_for_another_interpreter(each.imports))
 
     def host_around(self, path: str) -> str:
-        """Return what a host alone brings and each program that a file is of imports as it starts; "" for none.
+        """Return a module that only a host has and that each program with a file imports at its start; "" for none.
 
         Of a file of no program it is what each file that imports it does.
         """
@@ -58,6 +58,6 @@ class OtherPythons:
 
     @cached_property
     def hosts(self) -> dict[str, str]:
-        """What a host alone brings, by the file that imports it at its top."""
+        """A module that only a host (Blender, Isaac Sim) has, by the path of the file that imports it at its top."""
         found = ((each.path, host_of(one for one in each.imports if not one.is_local)) for each in self.python.files)
         return {path: host for path, host in found if host}

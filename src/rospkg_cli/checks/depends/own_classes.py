@@ -17,7 +17,7 @@ from ..python.run_imports import RunImports
 EMPTY = frozenset({"object", "ABC"})
 DEPTH = 8
 SHAPING = frozenset({"dataclass", "dataclasses.dataclass", "total_ordering", "final"})
-"""Decorators that take nothing from a class."""
+"""Decorators that remove nothing from a class."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +49,7 @@ class OwnClasses:
 
     @cached_property
     def created(self) -> frozenset[str]:
-        """The names of all that is called anywhere: of the classes that have objects, too."""
+        """The names of everything that is called: classes with objects are among them."""
         calls = (each.func for _, file in self.run.files for each in nodes_of_kind(file.tree, ast.Call))
         return frozenset(last_name(each) for each in calls)
 

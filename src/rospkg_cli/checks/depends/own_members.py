@@ -1,4 +1,4 @@
-"""Names that the class around a place has, and that its methods reach by `self` alone."""
+"""Names that the class around a place has, and that its methods can use only by `self`."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ def looks_elsewhere(found: FoundPackage, cmake: CMake) -> bool:
 
 
 def names_places(words: Sequence[str]) -> bool:
-    """Return whether some words name a folder that is none of the system."""
+    """Return whether some words name a folder outside of those of the system."""
     return any(word not in WORDS and not word.startswith(OF_SYSTEM) for word in words)
 
 
@@ -83,7 +83,7 @@ def has_include_folder(headers: Sequence[str], cmake: CMake) -> bool:
 
 
 def own_include_folders(cmake: CMake) -> Iterator[str]:
-    """Yield the folders as they are written."""
+    """Yield the include directories outside of the package and the system, or missing here, as they are written."""
     folders = cmake.package_files.folders
     for call in cmake.named("include_directories", "target_include_directories"):
         for argument in call.command.arguments:

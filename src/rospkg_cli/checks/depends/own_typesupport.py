@@ -1,4 +1,4 @@
-"""What comes to a target with the interfaces of its own package: those that they depend on, with their headers."""
+"""What a target gets with the interfaces of its own package: the packages that these depend on."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ OF_KIND = {".srv": "service_msgs", ".action": "action_msgs"}
 
 
 def with_own_interfaces(cmake: CMake, target: str, links: Sequence[TargetLink]) -> frozenset[str] | None:
-    """Return the packages that come to a target with the own interfaces; None where they are unknown.
+    """Return the packages that a target gets with the interfaces of its package; None where they are unknown.
 
     `rosidl_target_interfaces()` and a link with one of their libraries hand on what `rosidl_generate_interfaces()`
     is given as DEPENDENCIES.

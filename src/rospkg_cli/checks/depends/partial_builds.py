@@ -16,14 +16,14 @@ LEFT = regex(
     r"(?i)(?:\b(?:without|w/o|no|not including|exclud(?:es?|ing)|except|skip(?:s|ping)?|leav(?:es?|ing) out|ohne|sans"
     r"|sin|sem|senza)\s+|(?:不含|不包含|不包括|不带|不帶|不编译?|无)\s*)(\w[\w-]*(?:[ /]+\w[\w-]*){0,3})"
 )
-"""What is said to be left out."""
+"""Words that say that a part is left out."""
 WORD = regex(r"[^\W\d_]{2,}")
 SIMULATOR = regex(r"sim(?:s|ulat\w*|ulad\w*|ulaci\w*)?|gazebo|gz|mujoco|webots|isaac\w*|(?:仿真|模拟|模擬)\w*")
 BLANK = frozenset(
     ("the", "and", "any", "its", "all", "other", "need", "package", "packages", "errors", "ros", "src", "launch")
 )
 MAX_LINES = 8
-"""Between what is said and the command."""
+"""The greatest distance between these words and the command, in lines."""
 LEFT_OUT = "; a page here has people build this package without that part on purpose"
 
 

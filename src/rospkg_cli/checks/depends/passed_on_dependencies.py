@@ -28,7 +28,7 @@ class PassedOn:
 
 
 class PassedOnIndex(dict[str, PassedOn]):
-    """What packages pass on, by name: the same closures are asked for by most packages of a workspace."""
+    """What is installed with each package, by its name; kept because most packages of a workspace ask for the same."""
 
     def of(self, name: str, workspace: Workspace) -> PassedOn:
         if name not in self:

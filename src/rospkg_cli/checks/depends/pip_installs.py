@@ -52,7 +52,7 @@ class PipInstalls:
 
 @lru_cache(maxsize=4096)
 def key_of(name: str, index: Names) -> str | None:
-    """Return the key of rosdep for a name on PyPI; each import that is missing asks for all of them."""
+    """Return the key of rosdep for a name on PyPI; kept, as each missing import asks for all names."""
     return key_for_pip(name, index)
 
 

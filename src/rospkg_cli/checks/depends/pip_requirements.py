@@ -10,7 +10,7 @@ TABLE = "pip_requires.txt"
 FRAMEWORKS = frozenset({"torch", "torchvision", "torchaudio", "tensorflow", "keras", "jax", "onnxruntime", "open3d"})
 """Modules of frameworks that people install for the graphics card and the CUDA that they have."""
 OTHERWISE = {"whisper": "openai-whisper", "roboticstoolbox": "roboticstoolbox-python"}
-"""Modules that are called otherwise than the distribution that has them, and that no key of rosdep is for."""
+"""Modules without a rosdep key whose distribution has another name."""
 
 
 def required_by(names: Iterable[str]) -> dict[str, str]:

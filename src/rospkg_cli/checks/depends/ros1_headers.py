@@ -18,7 +18,7 @@ from ...ros.read_table import rows
 from ..interfaces.known_interfaces import KnownInterfaces
 
 OLD_INTERFACE = regex(r"([a-z]\w*)/([A-Z]\w*)\.h")
-"""How ROS 1 called the header of a message, behind the name of its package."""
+"""The header of a message in ROS 1, after the name of its package."""
 
 
 @dataclass(frozen=True, slots=True)

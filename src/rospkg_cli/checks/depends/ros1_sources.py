@@ -17,7 +17,7 @@ from .ros1_headers import Ros1Headers
 CALLS = regex(
     r"(?<![\w:])ros::(?:NodeHandle|Publisher|Subscriber|ServiceServer|ServiceClient|AsyncSpinner|init|spin(?:Once)?)\b"
 )
-"""Names of roscpp that rclcpp has under other ones."""
+"""Names of roscpp that are different in rclcpp."""
 DEFINES = regex(r"\bnamespace\s+ros\b")
 
 

@@ -38,7 +38,7 @@ class SplitDistributions:
 
 
 def split_distributions(declared: DeclaredDependencies, name: str) -> SplitDistributions:
-    """Return who has a package or a key, where a distribution that the repository names lacks it; empty else.
+    """Return which distributions have a package or a key, if one that the repository names lacks it; empty otherwise.
 
     The repository is asked last, for it has many pages.
     """

@@ -1,4 +1,4 @@
-"""Packages that CMake can't do without, that package.xml does not declare, and that no table and no one here knows."""
+"""Unknown packages that CMake requires and package.xml does not declare."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .undeclared_find_package import FindPackageDependencies
 from .undeclared_includes import IncludeDependencies
 
 BRINGS = regex(r"(?i)_(?:SOURCE|LIST|BINARY)_DIR\b|externalproject|fetchcontent|\badd_library\s*\([^)]*\bALIAS\b")
-"""What a module has that does more than to look for a library of the system."""
+"""Words of a Find module that does more than look for a library of the system."""
 
 BRINGING = ("add_subdirectory", "externalproject_add", "fetchcontent_declare", "ament_vendor")
 """Commands by which a package builds or downloads a library itself."""
@@ -117,7 +117,7 @@ class StrangePackages:
 
 
 def names_alike(name: str) -> tuple[str, ...]:
-    """Return what a package of ROS, of a vendor or of Debian may be called that brings what CMake finds by a name."""
+    """Return the names that a package of ROS, a vendor package or one of Debian may have for what CMake looks for."""
     lower = name.lower()
     debian, own = lower.replace("_", "-"), lower.replace("-", "_")
     return (f"{own}_vendor", f"lib{debian}-dev", f"{debian}-dev", lower, f"lib{debian}", f"{own}_core")

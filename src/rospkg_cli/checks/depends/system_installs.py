@@ -23,7 +23,7 @@ READ = regex(
     r"|taskfile\.ya?ml|user-data(?:\.ya?ml)?|debian/control"
     r"|(?:[^/]*[-_.])?(?:set-?up|install|bootstrap)(?:[-_.][^/.]*)?(?:\.py)?|(?:ansible|playbooks|roles)/.*\.ya?ml)$"
 )
-"""What containers, jobs and scripts are made by; a setup.py of Python is none."""
+"""Files by which containers, jobs and machines are set up; a setup.py of Python is none."""
 LIST = regex(
     r"(?i)(?:^|/)(?:aptfile|(?:[^/]*[-_.])?(?:apt|ubuntu|debian|system|packages|deps|dependencies)"
     r"(?:[-_.][^/]*)?\.(?:txt|list|apt|lst))$"
@@ -32,7 +32,7 @@ LIST = regex(
 OTHERS = regex(
     r"(?i)(?:^|/)(?:[^/]*(?:environment|conda)[^/]*\.ya?ml|pixi\.toml|vcpkg\.json|brewfile|conanfile\.(?:txt|py)|[^/]*\.nix)$"
 )
-"""What lists packages for installers that have names of their own."""
+"""Lists of packages for installers with names of their own."""
 NO_LIST = ("CMakeLists.txt", "setup.py", "setup.cfg")
 COMMENT = regex(r"(?m)(?:^|[ \t])#.*$")
 COMMAND = regex(
@@ -75,7 +75,7 @@ class SystemInstalls:
 
     @cached_property
     def plain_names(self) -> frozenset[str]:
-        """What the packages are called without what Debian has around a name."""
+        """The names of the packages without `lib`, `-dev` and the like."""
         return frozenset(map(spelt, self.words)) - {""}
 
     @cached_property

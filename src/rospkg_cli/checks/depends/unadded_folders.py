@@ -17,7 +17,7 @@ ADDS = regex(r"(?i)\b(?:add_subdirectory|subdirs|externalproject_add|fetchconten
 
 
 def files_nothing_adds(files: PackageFiles, cmake: CMake, paths: Iterable[str]) -> frozenset[str]:
-    """Return those of some paths that lie in folders with a build which nothing here is shown to run."""
+    """Return those of some paths that lie in folders with a CMakeLists.txt which nothing here is shown to run."""
     read = {file.path for file in cmake.files}
     lists = (path for path in files.paths if posixpath.basename(path) == ROOT and path not in read)
     folders = tuple(f"{posixpath.dirname(path)}/" for path in lists if "/" in path)

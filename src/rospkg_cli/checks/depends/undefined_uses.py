@@ -32,10 +32,10 @@ GIVEN = frozenset(
     "_ ngettext get_ipython display profile reveal_type WindowsError exit quit copyright credits license help "
     "aiter anext EncodingWarning BaseExceptionGroup ExceptionGroup PythonFinalizationError".split()
 )
-"""What translations, notebooks, profilers, `site` and newer Pythons have among the builtins."""
+"""Builtins of translations, notebooks, profilers, `site` and newer Pythons."""
 
 BUILD_TOOL = "Import"
-"""How a script of SCons asks for the names that it is given."""
+"""The function by which a script of SCons gets the names that it is given."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,7 +118,7 @@ class UndefinedUses:
         return any(each not in self.installed.sources or self.installed.offers(each, name) for each in modules)
 
     def home(self, file: PythonFile, name: str) -> str:
-        """Return the line that imports a name from an own module of which a file imports other names."""
+        """Return the line that imports a name from a module of the package of which a file imports other names."""
         for each in file.imports:
             source = self.installed.sources.get(self.installed.absolute(each, file.path), "")
             other = self.run.modules.at(source) if source and each.names else None

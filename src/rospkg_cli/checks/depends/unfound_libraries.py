@@ -9,7 +9,7 @@ from .included_packages import IncludedPackage
 from .undeclared_includes import IncludeDependencies
 
 WORDS = {"PCL": "pcl", "OpenCV": "opencv4?", "Eigen3": "eigen3?"}
-"""By CMake's name, how those libraries are written that lie below `/usr/include/eigen3` and the like."""
+"""Patterns for the names of libraries with an own include directory (`/usr/include/eigen3`), by CMake's name."""
 OF_ROS = "ros|conversions|msgs"
 """What packages of ROS are called behind the name of a library: `pcl_ros` is none that finds PCL for its users."""
 

@@ -46,7 +46,7 @@ class UnknownRclpyNames:
 
     @property
     def files(self) -> Iterator[tuple[Role, PythonFile]]:
-        """The files that use rclpy, and whose names are all to be seen."""
+        """The files that use rclpy and have no names that only a run can know."""
         for role, file in self.uses.run.files:
             if role != "aside" and "rclpy" in file.source.text and not file.has_dynamic_names:
                 yield role, file
@@ -107,7 +107,7 @@ class UnknownRclpyNames:
 
 
 def is_type(file: PythonFile, span: Span) -> bool:
-    """Return whether a place says a type, which newer Pythons evaluate once somebody asks for it."""
+    """Return whether a place is an annotation, which newer Pythons evaluate only on demand."""
     return any(file.span(each).holds(span) for each in all_annotations(file))
 
 

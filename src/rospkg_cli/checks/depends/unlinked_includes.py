@@ -134,7 +134,7 @@ class UnlinkedIncludes:
 
 
 def is_on_demand(cmake: CMake, target: Target) -> bool:
-    """Return whether a plain build leaves a target out, as it says so and nothing that is built needs it."""
+    """Return whether a plain build leaves a target out: EXCLUDE_FROM_ALL, and nothing that is built needs it."""
     if "EXCLUDE_FROM_ALL" not in target.call.texts:
         return False
     users = cmake.named("target_link_libraries", "add_dependencies", "install")

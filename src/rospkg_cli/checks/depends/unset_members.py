@@ -1,4 +1,4 @@
-"""What a class reads of its own objects, and that neither it, its bases nor other code ever sets (DEP117)."""
+"""Attributes that a class reads of `self`, and that neither it, its bases nor other code ever sets (DEP117)."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from .unwritten_parts import LOUD, is_member_unwritten
 from .use_times import When
 
 DYNAMIC = regex(r"__[gs]etattr(?:ibute)?__|__dict__|__slots__|\b(?:vars|setattr|exec|locals)\(")
-"""How code sets attributes by names that it makes."""
+"""Functions by which code sets attributes by computed names."""
 ASKING = frozenset({"hasattr", "getattr", "setattr", "delattr", "attrgetter", "methodcaller"})
 VERBS = frozenset(
     "add call count create declare describe destroy get has is list register remove resolve set undeclare wait".split()

@@ -33,7 +33,7 @@ class WordIndex:
 
     @cached_property
     def by_purpose(self) -> dict[Purpose, list[str]]:
-        """The texts of what is compiled, of tests, of README and its like, and of the rest; not of package.xml."""
+        """The texts of compiled files, tests, documents and all other files; package.xml is left out."""
         found: dict[Purpose, list[str]] = {"build": [], "run": [], "test": [], "docs": []}
         for path in self.files.paths:
             purpose = self.purpose(path)

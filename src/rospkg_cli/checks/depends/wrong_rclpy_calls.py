@@ -22,7 +22,7 @@ Called = ast.Attribute | ast.Name
 """A method, or a class whose `__init__` is called."""
 
 SINCE_ELOQUENT = "needs `qos_profile` as well"
-"""What is said of calls that Dashing and those before it take."""
+"""The message on calls that only Dashing and older distributions accept."""
 FOR_OLDER = "; the distributions that this is for take it"
 """The end of the message where the repository is for these alone: there the run goes on."""
 
@@ -30,7 +30,7 @@ FOR_OLDER = "; the distributions that this is for take it"
 @dataclass(frozen=True, slots=True)
 class WrongRclpyCall:
     called: UnknownName
-    """What is called; it is known, and there is nothing better."""
+    """What is called."""
     why: str
     is_for_older: bool = False
     """Whether the repository is for distributions alone that take the call."""
@@ -63,7 +63,7 @@ class WrongRclpyCalls:
                     yield call, method, wrong_call(call, OF_NODES[method.attr])
 
     def of_own(self, file: PythonFile) -> Iterator[tuple[ast.Call, Called, str]]:
-        """Yield the calls that own classes and their objects refuse."""
+        """Yield the calls that classes of the package and their objects do not accept."""
         for call, why in self.refused.calls(file):
             if isinstance(call.func, Called):
                 yield call, call.func, why
