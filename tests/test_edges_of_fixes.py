@@ -11,7 +11,7 @@ from reading import one
 from rospkg_cli import disk_trace
 from rospkg_cli.checks.depends.header_inclusions import Inclusions
 from rospkg_cli.checks.params.rcl_validation import name_problem
-from rospkg_cli.checks.setup.python_package import PythonPackage
+from rospkg_cli.checks.setup.missing_modules import MissingModules
 from rospkg_cli.edits.entry_points import separate_with_commas
 from rospkg_cli.engine.fixing.apply import apply_fixes
 from rospkg_cli.engine.run import process_pool
@@ -107,11 +107,11 @@ def test_a_command_for_the_shell_is_no_neighbour_of_a_node(name: str, count: int
 def test_the_module_that_an_entry_point_means(modules: list[str], meant: str | None) -> None:
     """`my_pkg.tolker` is started by another one."""
     package: Any = SimpleNamespace(
-        misplaced=lambda _: None,
         setup=SimpleNamespace(entry_points=[SimpleNamespace(module="my_pkg.tolker")]),
         on_disk={each: f"{each.replace('.', '/')}.py" for each in ["my_pkg.tolker", *modules]},
+        manifest=SimpleNamespace(depends_on=lambda _: True),
     )
-    assert PythonPackage.suggestion(package, "my_pkg.talker") == meant
+    assert MissingModules(package).suggestion("my_pkg.talker") == meant
 
 
 @pytest.mark.parametrize("package, folder, is_generated", [
@@ -125,7 +125,7 @@ def test_a_module_behind_a_link_may_be_there(package: str, folder: str, is_gener
         folder=SimpleNamespace(children={}),
     )
     model: Any = SimpleNamespace(setup=setup)
-    assert PythonPackage.may_be_generated(model, f"{package}.words".lstrip(".")) is is_generated
+    assert MissingModules(model).may_be_generated(f"{package}.words".lstrip(".")) is is_generated
 
 
 def test_a_plugin_for_nobody_says_what_to_do() -> None:
