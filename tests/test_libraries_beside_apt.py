@@ -90,5 +90,5 @@ def test_a_script_without_a_suffix_installs_by_hand_too(path: str, text: str, le
 )
 def test_ways_to_make_and_install(text: str, names: set[str]) -> None:
     files = PackageFiles(MemoryTree.of({"install.sh": text}))
-    assert HandInstalls(files).told >= names
-    assert bool(HandInstalls(files).told & {"lcm", "firmware"}) == bool(names)
+    assert HandInstalls(files).named >= names
+    assert bool(HandInstalls(files).named & {"lcm", "firmware"}) == bool(names)
