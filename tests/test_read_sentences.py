@@ -45,7 +45,7 @@ def test_facts_hold_no_sentence_for_users(room: str) -> None:
 def test_each_code_has_a_sentence_and_is_found_by_a_reader(codes: type, sentences: dict[object, str]) -> None:
     assert set(sentences) == set(codes)
     text = "".join(path.read_text() for room in ("languages", "package") for path in (SRC / room).rglob("*.py"))
-    text += (SRC / "files.py").read_text()
+    text += (SRC / "file_text.py").read_text()
     used = set(re.findall(rf"{codes.__name__}\.([A-Z0-9_]+)", text))
     assert used == {code.name for code in codes}  # type: ignore[var-annotated]
 
