@@ -12,6 +12,7 @@ from ...languages.cpp.file import CppFile
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_package import CMakePackage
 from ...package.cmake.components import Component
+from ...package.cmake.foreign_commands import names_for_macros
 from ...suggest import nearest, slips
 from .component_libraries import ComponentLibraries
 from .registered_classes import RegisteredClass, has_own_macro, registered_classes
@@ -88,8 +89,14 @@ class ComponentRegistration:
         indexed = " ".join(text for call in cmake.calls if INDEX in call.texts for text in call.texts)
         for each in self.in_sources if f"resource_index/{INDEX}" not in self.written else ():
             is_named = each.name in names | self.misspelt or each.name in indexed
-            if not is_named and each.path in self.libraries.loaded | self.libraries.linked:
+            is_built = each.path in self.libraries.loaded | self.libraries.linked
+            if not is_named and is_built and each.name not in self.handed_on:
                 yield each
+
+    @cached_property
+    def handed_on(self) -> frozenset[str]:
+        """The words that macros of other packages are given: a class among them may be registered there."""
+        return names_for_macros(self.package.cmake)
 
     @cached_property
     def written(self) -> str:

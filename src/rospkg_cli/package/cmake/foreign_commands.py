@@ -54,6 +54,11 @@ def unfamiliar_commands(cmake: CMake) -> Iterator[EvaluatedCommand]:
             yield call
 
 
+def names_for_macros(cmake: CMake) -> frozenset[str]:
+    """Return all that macros of other packages are given, the parts of a list each: what they do with it is unknown."""
+    return frozenset(part for call in unfamiliar_commands(cmake) for text in call.texts for part in text.split(";"))
+
+
 @lru_cache(maxsize=1)
 def everybodys() -> frozenset[str]:
     """Return the commands of CMake and of ament."""

@@ -112,11 +112,12 @@ def unregistered_component(loaded: LoadedByName) -> Iterator[Hit]:
     nothing, and spins without a node).
 
     ## When it is quiet
-    Where a macro of the package registers classes, where sources are generated, absent or can't be evaluated, where a
-    file that can't be read is included, under a condition that can't be evaluated, and where CMake fills the resource
-    index of components itself. Where code of the package makes objects of the class itself (`std::make_shared<…>()`,
-    `new`, a member), or derives from it, and no launch file, parameter, code or command of a page has its name, nothing
-    loads it: an info, and a warning where CMake makes a program for it that nothing here starts.
+    Where a macro of the package registers classes, where a macro of another package is given the class by its name,
+    where sources are generated, absent or can't be evaluated, where a file that can't be read is included, under a
+    condition that can't be evaluated, and where CMake fills the resource index of components itself. Where code of the
+    package makes objects of the class itself (`std::make_shared<…>()`, `new`, a member), or derives from it, and no
+    launch file, parameter, code or command of a page has its name, nothing loads it: an info, and a warning where CMake
+    makes a program for it that nothing here starts.
     """
     components = loaded.registration
     if not components.package.is_ament:
