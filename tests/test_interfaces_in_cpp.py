@@ -111,3 +111,52 @@ def test_code_keeps_its_place() -> None:
     assert len(code) == len(text)
     assert code.split() == ["int", "b;", "auto", "d", "=", ";"]
     assert code.index("int b;") == text.index("int b;")
+
+
+CAPITAL = "#include <std_msgs/msg/String.hpp>\nint main() {return 0;}\n"
+MADE = "${CMAKE_CURRENT_BINARY_DIR}/std_msgs/msg/String.hpp"
+
+
+def with_cmake(lines: str, source: str = CAPITAL) -> list[tuple[Severity, str]]:
+    return findings(source, {"CMakeLists.txt": NODE.replace("ament_package", f"{lines}\nament_package")})
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "dds_types(my_types MESSAGES builtin_interfaces/Time std_msgs/String)",
+        "dds_types(my_types std_msgs/msg/String)",
+        'dds_types(my_types "std_msgs/msg/Int8.idl;std_msgs/msg/String.idl")',
+        "dds_types(String PACKAGE std_msgs)",
+        f"add_custom_command(OUTPUT {MADE} COMMAND ddsgen String.idl)",
+        f"configure_file(String.hpp.in {MADE})",
+    ],
+)
+def test_a_header_that_the_build_may_make_of_a_message_is_left_alone(lines: str) -> None:
+    assert with_cmake(lines) == []
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "",
+        "dds_types(my_types MESSAGES std_msgs/Header)",
+        "dds_types(my_types MESSAGES other_msgs/String)",
+        "dds_types(my_types DEPENDENCIES std_msgs)",
+        "if(BUILD_TESTING)\n  dds_types(my_types std_msgs/String)\nendif()",
+        "message(STATUS std_msgs/String)",
+        "ament_target_dependencies(talker std_msgs String)",
+        "function(own_types)\nendfunction()\nown_types(std_msgs/String)",
+        f"add_custom_command(OUTPUT {MADE.replace('std_msgs', 'other_msgs')} COMMAND ddsgen String.idl)",
+    ],
+)
+def test_a_header_that_no_command_makes_stays_an_error(lines: str) -> None:
+    assert with_cmake(lines) == [(ERROR, "std_msgs/msg/string.hpp")]
+
+
+def test_a_slip_of_another_name_stays_an_error_beside_a_macro() -> None:
+    source = "#include <std_msgs/msg/strin.hpp>\nint main() {return 0;}\n"
+    assert with_cmake("dds_types(my_types std_msgs/String)", source) == [(ERROR, "std_msgs/msg/string.hpp")]
+    assert with_cmake("dds_types(my_types base/SetMode)", source.replace("std_msgs/msg/strin", "base/srv/setmode")) == [
+        (ERROR, "base/srv/set_mode.hpp")
+    ]

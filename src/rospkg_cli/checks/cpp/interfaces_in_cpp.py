@@ -85,7 +85,7 @@ class InterfacesInCpp:
             if (not names and not near) or name in lowered or self.interfaces.is_there(each.path):
                 continue
             near = near or near_names(name, lowered, 2 if self.known.is_here(package) else 1)
-            if near or self.known.is_here(package):
+            if (near or self.known.is_here(package)) and not self.may_be_generated(each.path):
                 header = f"{package}/{kind}/{near[0]}.{each.path.rpartition('.')[2]}" if near else ""
                 yield self.hit(source, each.span, each.path, package, kind, header)
 
@@ -106,6 +106,12 @@ class InterfacesInCpp:
                 full_name = (self.known.intended(package, kind, name) or "").replace(".", "::")
                 span = Span(found.start(), found.start(3) + len(name))
                 yield self.hit(source, span, f"{package}::{kind}::{name}", package, kind, full_name)
+
+    def may_be_generated(self, header: str) -> bool:
+        """Return whether the build of the package may make a header itself."""
+        from .generated_message_headers import may_be_generated  # few headers are of no message
+
+        return may_be_generated(header, self.cmake)
 
     def is_defined(self, package: str, name: str) -> bool:
         """Return whether a file of this package seems to define a class of a name in the namespace of messages.

@@ -68,7 +68,8 @@ def unknown_interface_in_cpp(interfaces: InterfacesInCpp) -> Iterator[Hit]:
     Where the package is not in the workspace, unless one of its interfaces has a near name or the header of a package
     of messages has capital letters, or where a list of repositories fetches it; where its interfaces can't be known, or
     it has headers of its own among the generated ones; inside of `#if`, in files that nothing compiles or installs, and
-    where the package has a header or a class of that name itself.
+    where the package has a header or a class of that name itself, or its build may make the header: a command writes
+    it, or a macro of another package is given that message by its name.
 
     ## Fix safety
     The intended name is a guess.
