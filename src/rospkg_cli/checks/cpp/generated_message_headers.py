@@ -1,4 +1,4 @@
-"""Headers of messages that the build of a package makes, in addition to those of rosidl: for other middlewares, say (IDL012)."""
+"""Headers of messages that a build makes in addition to those of rosidl, for other middlewares, say (IDL012)."""
 
 from __future__ import annotations
 
