@@ -17,7 +17,7 @@ from rospkg_cli.cli.server import fixing_all, language_server, offered_actions
 from rospkg_cli.cli.server.live_lint import LintOrder, LiveLint
 from rospkg_cli.cli.server.shared_properties import get
 from rospkg_cli.engine.live.safe_point import RightOfWay, RunInterrupted, SafePoint
-from rospkg_cli.engine.run import worker
+from rospkg_cli.engine.run import fitting_rules, worker
 from rospkg_cli.example import Example
 from rospkg_cli.light_dataclasses import replace
 from rospkg_cli.rule_table import rule_by_code
@@ -272,7 +272,7 @@ def test_packages_checked_before_an_interruption_are_not_checked_again(
         (tmp_path / name / "package.xml").write_text(TWICE.replace("my_pkg", name))
     checked: list[str] = []
     order = LintOrder({}, frozenset(), frozenset())
-    real = worker.has_inputs
+    real = fitting_rules.has_inputs
 
     def noting(code: str, package: Any) -> bool:
         if code == "XML104":
@@ -281,7 +281,7 @@ def test_packages_checked_before_an_interruption_are_not_checked_again(
                 order.look.end()
         return real(code, package)
 
-    monkeypatch.setattr(worker, "has_inputs", noting)
+    monkeypatch.setattr(fitting_rules, "has_inputs", noting)
     live = LiveLint(tmp_path)
     with pytest.raises(RunInterrupted):
         live.run(order)
