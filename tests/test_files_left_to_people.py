@@ -36,7 +36,7 @@ def told(rule: str, path: str = OFFICE, **files: str | None) -> list[str]:
 
 
 KEPT = ", until people put one into `{}/`, which is kept empty for theirs; add it, or correct the path"
-MADE = ", until it is fetched or made, as a page or a script here tells to; add it, or correct the path"
+MADE = ", until it is fetched or made, as a page or a script here says; add it, or correct the path"
 LOUD = ["warning: ; add it, or correct the path"]
 
 

@@ -32,7 +32,7 @@ def told(page: str, folders: str = "maps", path: str = "my_pkg/README.md") -> tu
 def test_who_does_as_a_page_says_has_the_folder(page: str, path: str) -> None:
     level, message = told(page, path=path)
     assert level == "info"
-    assert ", until it is fetched or made, as a page or a script here tells to; add it" in message
+    assert ", until it is fetched or made, as a page or a script here says; add it" in message
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ import ast
 import dataclasses
 import os
 import pickle
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -269,3 +270,16 @@ def test_a_clean_lint_to_json_imports_no_heavy_library(tmp_path: Path) -> None:
 def test_every_module_is_python_3_10() -> None:
     for path in sorted(SRC.rglob("*.py")):
         ast.parse(path.read_text(), str(path), feature_version=(3, 10))
+
+
+def test_strings_use_the_words_of_the_field() -> None:
+    """Docstrings and messages say `reported`, `says`, `nothing`, `next to`, `intended`, as ROS's own pages do."""
+    own = re.compile(r"\b(?:told|tells|nobody|mend(?:ed)?|meant|beside|hollow|astray|sought|lonely)\b", re.I)
+    found = {
+        (name, word)
+        for name, tree in modules().items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+        for word in own.findall(node.value)
+    }
+    assert found == {("checks.unintended_starts", "meant"), ("ros.headers", "beside")}  # what pages say; a key of a table

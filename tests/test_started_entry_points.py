@@ -111,4 +111,4 @@ def test_a_file_that_a_page_tells_to_fetch(page: str, level: str) -> None:
     setup = setup_py().replace(entry, f"{entry}        ('share/' + package_name + '/models', ['models/a.pt']),\n")
     finding = found("SET205", {"setup.py": setup, "README.md": page})
     assert finding.severity.value == level
-    assert finding.message.endswith("as a page or a script here tells to") is (level != "error")
+    assert finding.message.endswith("as a page or a script here says") is (level != "error")

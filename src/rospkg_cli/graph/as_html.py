@@ -85,7 +85,7 @@ def group(title: str, name: str, values: tuple[str, ...]) -> Iterator[str]:
 
 
 def panes() -> Iterator[str]:
-    yield '<main>\n<div id="graph" role="img" aria-label="The graph; the list tells the same as text"></div>'
+    yield '<main>\n<div id="graph" role="img" aria-label="The graph; the list says the same as text"></div>'
     yield '<aside aria-label="Packages" tabindex="0">\n<section id="details" aria-live="polite" hidden></section>'
     yield '<h2>Packages</h2>\n<ul id="names"></ul>'
     yield '<h2>Lines</h2>\n<ul id="legend">'

@@ -31,7 +31,7 @@ UNTIL_PUT = "until people put one into `{}/`, which is kept empty for theirs"
 UNTIL_ADDED = "until people add one of theirs to `{}/`"
 UNTIL_BROUGHT = "until people add it to `{}/`, which is installed, and which git ignores"
 UNTIL_NAMED = "until people name theirs there"
-UNTIL_MADE = "until it is fetched or made, as a page or a script here tells to"
+UNTIL_MADE = "until it is fetched or made, as a page or a script here says"
 
 
 def files_of(files: PackageFiles, facts: PackageFacts, *, own: bool) -> PackageFiles | None:
