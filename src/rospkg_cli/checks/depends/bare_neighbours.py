@@ -42,7 +42,7 @@ class BareNeighbours:
             name = imports.installed.names.get(file.path, "")
             package = name.rpartition(".")[0] if name in imports.reached.started else ""
             top = each.module.partition(".")[0]
-            if each.level or not package or file.path in programs or imports.is_found(top):
+            if each.level or not package or file.path in programs or imports.is_found(each):
                 continue
             if imports.changes_path(file) or asks_how_started(file, each.span):
                 continue  # Python looks next to a file that is started by its path

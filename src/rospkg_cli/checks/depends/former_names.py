@@ -29,9 +29,9 @@ def former_names(imports: OwnImports) -> Iterator[FormerName]:
         if not each.level and top and within.partition(".")[0] not in KINDS:
             own = own_module(imports, each, within)
             by_top.setdefault(top, []).append(FormerName(file, each, own) if own else None)
-    for top, uses in by_top.items():
+    for uses in by_top.values():
         found = [use for use in uses if use is not None]
-        if len(found) == len(uses) and is_unknown(imports, top):
+        if len(found) == len(uses) and all(is_unknown(imports, use.each) for use in found):
             yield from (use for use in found if not imports.changes_path(use.file))
 
 
@@ -45,7 +45,7 @@ def mistyped_tops(imports: OwnImports, known: Collection[FormerName]) -> Iterato
         top, dot, within = each.module.partition(".")
         near = slips(top, imports.installed.tops) if top and not each.level else []
         is_new = len(near) == 1 and (file.path, each.span) not in seen
-        if is_new and is_unknown(imports, top) and not imports.changes_path(file):
+        if is_new and is_unknown(imports, each) and not imports.changes_path(file):
             yield FormerName(file, each, near[0] + dot + within)
 
 
@@ -56,8 +56,9 @@ def own_module(imports: OwnImports, each: Import, within: str) -> str:
     return found[0] if len(found) == 1 else ""
 
 
-def is_unknown(imports: OwnImports, top: str) -> bool:
-    is_known = imports.is_found(top) or imports.is_from_pip(top) or is_in_cmake(imports, top)
+def is_unknown(imports: OwnImports, each: Import) -> bool:
+    top = each.module.partition(".")[0]
+    is_known = imports.is_found(each) or imports.is_from_pip(top) or is_in_cmake(imports, top)
     return imports.table.knows("module") and not is_known
 
 

@@ -68,12 +68,28 @@ class OwnImports:
         """Return whether the repository has pip install a distribution of that name."""
         return normalized(top) in PipInstalls(self.files).names
 
-    def is_found(self, top: str) -> bool:
-        """Return whether Python may find a module of that name outside of the importing file's folder.
-
-        All programs find modules that are installed into their own folder, lib/<package>.
-        """
-        installed = f"lib/{self.facts.name}/{top}.py"
+    def is_found(self, each: Import) -> bool:
+        """Return whether Python may find an imported module outside of the importing file's folder."""
+        top = each.module.partition(".")[0]
         own = top in self.installed.tops or top in STANDARD or self.files.exists(f"{top}.py")
-        own = own or any(row.destination == installed for row in self.table.rows)
+        own = own or f"{top}.py" in self.beside_programs or self.is_beside_programs(each)
         return own or bool(self.workspace.providers_of(top)) or top in {each.name for each in self.facts.dependencies}
+
+    def is_beside_programs(self, each: Import) -> bool:
+        """Return whether an import finds a module in lib/<package>, the first folder where all programs look.
+
+        A folder there needs no `__init__.py`, and has what was put into it alone.
+        """
+        path = each.module.replace(".", "/")
+        is_file = not {f"{path}.py", f"{path}/__init__.py"}.isdisjoint(self.beside_programs)
+        inner = (f"{path}/{name}" for name in each.names) if each.names and not is_file else (path,)
+        return is_file or all(map(self.has_beside_programs, inner))
+
+    def has_beside_programs(self, path: str) -> bool:
+        beside = self.beside_programs
+        return f"{path}.py" in beside or any(each.startswith(f"{path}/") for each in beside)
+
+    @cached_property
+    def beside_programs(self) -> frozenset[str]:
+        """The paths of what is installed into lib/<package>, below that."""
+        return frozenset(path for path, _ in self.table.below(f"lib/{self.facts.name}"))

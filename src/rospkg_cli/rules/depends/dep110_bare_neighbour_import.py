@@ -48,16 +48,16 @@ def bare_neighbour_import(imports: OwnImports) -> Iterator[Hit]:
     ## When it is quiet
     Where something else may provide the name: a dependency, the standard library, a package of the workspace, or pip,
     as a page, a Dockerfile or the requirements say; where the own module lacks what is imported from it or read of it:
-    then another library is intended; for optional imports, for scripts installed to `lib/<package>`, in modules that no
-    entry point leads to (they may be started by their path; in a package without programs, those with a `__main__`),
-    under the `__main__` of an entry point's module, and where the package changes `sys.path` or sets PYTHONPATH. A
-    module that imports its own name means another one. Where the repository builds on an image that is none of the
-    plain ones (`ros`, `ubuntu`, `python`, …), or a page or script has a library of that name installed by hand (a
-    wheel, `setup.py install`, `cp … site-packages`), that may bring a module of the name: a warning, for it fails on a
-    clean machine. So is a module that drives a device (it imports `smbus`, `RPi` and the like), which the maker of a
-    robot may have put there as a library. Where pages and scripts have Python start the file by its path, and none runs
-    or launches the package by `ros2`, it is an info, and where a page, a script, a container or a launch file puts the
-    folder on PYTHONPATH.
+    then another library is intended; for optional imports, for scripts installed to `lib/<package>` and modules put
+    there or into a folder of it (`data_files`), in modules that no entry point leads to (they may be started by their
+    path; in a package without programs, those with a `__main__`), under the `__main__` of an entry point's module, and
+    where the package changes `sys.path` or sets PYTHONPATH. A module that imports its own name means another one. Where
+    the repository builds on an image that is none of the plain ones (`ros`, `ubuntu`, `python`, …), or a page or script
+    has a library of that name installed by hand (a wheel, `setup.py install`, `cp … site-packages`), that may bring a
+    module of the name: a warning, for it fails on a clean machine. So is a module that drives a device (it imports
+    `smbus`, `RPi` and the like), which the maker of a robot may have put there as a library. Where pages and scripts
+    have Python start the file by its path, and none runs or launches the package by `ros2`, it is an info, and where a
+    page, a script, a container or a launch file puts the folder on PYTHONPATH.
 
     ## Fix safety
     A file that is also started by its path needs its package installed from then on.
