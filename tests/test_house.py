@@ -282,4 +282,7 @@ def test_strings_use_the_words_of_the_field() -> None:
         if isinstance(node, ast.Constant) and isinstance(node.value, str)
         for word in own.findall(node.value)
     }
-    assert found == {("checks.unintended_starts", "meant"), ("ros.headers", "beside")}  # what pages say; a key of a table
+    assert found == {
+        ("checks.unintended_starts", "meant"),
+        ("ros.headers", "beside"),
+    }  # what pages say; a key of a table

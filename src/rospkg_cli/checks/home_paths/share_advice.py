@@ -28,7 +28,7 @@ WHY = {
 
 def advice(paths: HomePaths, found: HomePath) -> str:
     """Return how to name a file of the workspace on every machine, in the language of the file that names it."""
-    package, below = found.of_package, found.below
+    package = found.of_package
     if is_included(paths, found):
         return "include it by its path below a folder of headers, and tell the target of that folder"
     if found.path.endswith("CMakeLists.txt"):
@@ -42,9 +42,24 @@ def advice(paths: HomePaths, found: HomePath) -> str:
     if found.path.endswith(".xml") or "launch" in posixpath.basename(found.path):
         at = share_path(paths, found)
         return f"{'' if at else 'install it, and '}write `$(find-pkg-share {package})/{at or '…'}`"
-    if found.is_image and posixpath.dirname(found.path) == posixpath.dirname(below):
-        return f"write `{posixpath.basename(below)}`: a map's image is looked for beside this file"
-    return f"have the launch file give it, from the share directory of `{package}`"
+    return image_advice(paths, found) or f"have the launch file give it, from the share directory of `{package}`"
+
+
+def image_advice(paths: HomePaths, found: HomePath) -> str:
+    """Return how the YAML of a map names its image, relative to its own folder; "" for any other value."""
+    if not (found.is_image and found.path.endswith((".yaml", ".yml"))):
+        return ""
+    folder, name = posixpath.dirname(found.path), posixpath.basename(found.text)
+    is_own = found.of_package == paths.facts.name
+    is_intended = is_own and posixpath.dirname(found.below) == folder
+    if is_intended or paths.files.exists(posixpath.join(folder, name)):
+        return f"write `{name}`: a map's image is looked for next to this file"
+    if "resolution:" not in paths.files.readable_text(found.path):
+        return ""
+    if is_own and paths.files.exists(found.below):
+        near = posixpath.relpath(found.below, folder or ".")
+        return f"write `{near}`: it is looked for from the folder of this file"
+    return f"put the image next to this file, and write `{name}`: a map's image is looked for there"
 
 
 def giver(paths: HomePaths, found: HomePath) -> str:

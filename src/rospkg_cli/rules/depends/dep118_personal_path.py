@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from ...checks.home_paths.home_path import HomePath
 from ...checks.home_paths.home_paths import HomePaths
-from ...checks.home_paths.share_advice import WHY, advice, giver
+from ...checks.home_paths.share_advice import WHY, advice, giver, image_advice
 from ...example import SETUP_PY_FOR_ALL, Example, manifest
 from ...finding import Hit, Related, Severity
 from ...rule import rule
@@ -117,8 +117,8 @@ def personal_path(paths: HomePaths) -> Iterator[Hit]:
         yield one(into, Severity.INFO if is_mild(into[0]) else Severity.WARNING, advice(paths, into[0]))
     if others:
         in_build = others[0].path.endswith("CMakeLists.txt")
-        how = "find it with find_package() or find_path()" if in_build else giver(paths, others[0])
-        yield one(others, Severity.INFO, how)
+        how = "find it with find_package() or find_path()" if in_build else image_advice(paths, others[0])
+        yield one(others, Severity.INFO, how or giver(paths, others[0]))
 
 
 def is_mild(found: HomePath) -> bool:
