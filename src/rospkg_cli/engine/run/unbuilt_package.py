@@ -34,9 +34,10 @@ def of_unbuilt(results: RuleResults, files: PackageFiles, folder: str, name: str
     results = behind_unreadable(results, folder)
     if not any(isinstance(each, Finding) and each.is_loud for each in results):
         return results
-    from .planted_faults import with_planted_faults  # for packages with a finding
+    from .among_ros1 import with_ros1_neighbours  # both for packages with a finding
+    from .planted_faults import with_planted_faults
 
-    return with_planted_faults(results, files, folder, workspace)
+    return with_planted_faults(with_ros1_neighbours(results, name, workspace), files, folder, workspace)
 
 
 def behind_unreadable(results: RuleResults, folder: str) -> RuleResults:
