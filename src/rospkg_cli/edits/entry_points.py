@@ -76,11 +76,6 @@ def strings(code: str) -> list[tuple[int, int]]:
     return found
 
 
-def add_entry(setup: SetupPy, like: EntryPoint, text: str) -> tuple[Edit, ...]:
-    """Put an entry point into the list of another one."""
-    return add_script(setup, like.list_value, text) if like.list_value is not None else ()
-
-
 def add_script(setup: SetupPy, scripts: Sequence, text: str) -> tuple[Edit, ...]:
     """Put an entry point into a list of them, in the hand of the last one: its quotes, and no blanks if it has none."""
     last = setup.source.slice(scripts.places[-1]) if scripts.places else ""

@@ -25,15 +25,17 @@ class TestOnlyDependencies:
         """
         declared = self.unused.declared
         python = declared.facts.build_type == "ament_python"
-        cmake = self.unused.cmake
-        is_known = self.unused.python.is_complete if python else cmake is not None and self.unused.is_complete(cmake)
+        cmake = self.unused.used.cmake
+        is_known = (
+            self.unused.used.python.is_complete if python else cmake is not None and self.unused.is_complete(cmake)
+        )
         for each in declared.manifest.dependencies if declared.is_checked and is_known else ():
             tagged = each.tag in BUILT_IN or (each.tag == "exec_depend" and (python or each.name in TEST_TOOLS))
             if tagged and self.is_tested_with(each.name) and not self.is_used(each.name):
                 yield each
 
     def is_tested_with(self, name: str) -> bool:
-        cmake = self.unused.cmake
+        cmake = self.unused.used.cmake
         found = any(each.name == name and each.call.testing for each in cmake.packages) if cmake else False
         return found or name in self.import_providers[True]
 
@@ -41,7 +43,7 @@ class TestOnlyDependencies:
         """Return whether anything else may use it; launch files in XML and YAML name nothing that reads them."""
         if name in LAUNCH:
             return True
-        files = [file for file in self.unused.python.files if file.role != "test"]
+        files = [file for file in self.unused.used.python.files if file.role != "test"]
         modules = {each.module for file in files for each in file.imports}
         alike = name.removesuffix("_py") in {module.partition(".")[0] for module in modules}
         served = name in self.import_providers[False] or alike or any(may_serve(name, module) for module in modules)
@@ -51,7 +53,7 @@ class TestOnlyDependencies:
     def import_providers(self) -> dict[bool, frozenset[str]]:
         """The providers of the imports of tests (True), and of everything else (False)."""
         found: dict[bool, set[str]] = {True: set(), False: set()}
-        for file in self.unused.python.files:
+        for file in self.unused.used.python.files:
             for each in file.imports:
                 found[file.role == "test"].update(self.unused.used.providers_of(each))
         return {testing: frozenset(names) for testing, names in found.items()}

@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
 
-from ...files import PackageFiles
-from ...languages.cpp.file import CppFile
 from ...lazy_regex import regex
 from ...light_dataclasses import dataclass
 from ...package.cmake.cmake_project import CMake
 from ...package.dependency import Dependency
-from ...package.python.python_imports import PackageImports
 from ...ros.names import NameKind
 from .declared_dependencies import DeclaredDependencies
 from .missing_find_package import AUTOMATIC
@@ -42,20 +38,13 @@ class UnusedDependencies:
     """What package.xml declares, and everything in the package that may use it."""
 
     declared: DeclaredDependencies
-    python: PackageImports
-    files: PackageFiles
-    cmake: CMake | None
-    sources: tuple[CppFile, ...]
-
-    @cached_property
-    def used(self) -> UsedPackages:
-        return UsedPackages(self.declared, self.python, self.files, self.cmake, self.sources)
+    used: UsedPackages
 
     def dependencies(self) -> Iterator[UnusedDependency]:
         """Yield the dependencies that nothing uses, or nothing that is built."""
         if self.declared.facts.build_type == "ament_python":
             yield from self.in_python_package()
-        elif self.cmake is not None and self.declared.is_checked and self.is_complete(self.cmake):
+        elif self.used.cmake is not None and self.declared.is_checked and self.is_complete(self.used.cmake):
             yield from self.in_cmake_package()
 
     def in_python_package(self) -> Iterator[UnusedDependency]:
@@ -64,8 +53,8 @@ class UnusedDependencies:
         None where some Python could not be read, or where there is none: a package without code collects dependencies
         on purpose.
         """
-        code = [file for file in self.python.files if not file.path.endswith(("setup.py", "__init__.py"))]
-        if not self.python.is_complete or not code:
+        code = [file for file in self.used.python.files if not file.path.endswith(("setup.py", "__init__.py"))]
+        if not self.used.python.is_complete or not code:
             return
         for dependency in self.declared.manifest.dependencies:
             for_import = dependency.tag == "exec_depend" and self.is_for_import(dependency.name)
@@ -123,12 +112,16 @@ class UnusedDependencies:
     @property
     def may_find_by_manifest(self) -> bool:
         """Whether CMake may find what package.xml declares for the build, by a command that reads it."""
-        return self.cmake is not None and any(AUTOMATIC.fullmatch(call.name) for call in self.cmake.calls)
+        return self.used.cmake is not None and any(AUTOMATIC.fullmatch(call.name) for call in self.used.cmake.calls)
 
     @property
     def has_code(self) -> bool:
         """Whether the package has code: one without any collects dependencies on purpose."""
-        return bool(self.cmake and self.cmake.targets) or bool(self.sources) or bool(self.declared.facts.modules)
+        return (
+            bool(self.used.cmake and self.used.cmake.targets)
+            or bool(self.used.sources)
+            or bool(self.declared.facts.modules)
+        )
 
     def runs_already(self, name: str) -> bool:
         """Return whether a package is declared for running under a tag of its own: it is needed for both."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
 from typing import cast
 
 from ...lazy_regex import regex
@@ -59,10 +58,6 @@ class CppFile:
 
     def calls_to(self, *names: str) -> Iterator[CppCall]:
         return (call for call in self.calls if call.name in names)
-
-    @cached_property
-    def macro_names(self) -> frozenset[str]:
-        return frozenset(each.name for each in self.defines)
 
 
 CppParts = tuple[tuple[IncludeDirective, ...], tuple[MacroDefinition, ...], tuple[CppCall, ...]]

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from ...languages.python.evaluate.values import AttributeValue, Call, Constant, PartialText, Sequence, Text, Value
 from ...source import Span
 from .launch_classes import class_of
-from .text import UNKNOWN, LaunchText, Literal, Substitution, plain_text, unknown_text
+from .text import LaunchText, Literal, Substitution, plain_text, unknown_text
 
 NAMED: Mapping[str, tuple[str, tuple[tuple[str, int], ...]]] = {
     "LaunchConfiguration": ("var", (("variable_name", 0), ("default", 1))),
@@ -111,7 +111,3 @@ def path_join(call: Call, depth: int) -> LaunchText:
 
 
 SPECIAL: Mapping[str, Callable[[Call, int], LaunchText]] = {"PathJoinSubstitution": path_join}
-
-
-def known_parts(text: LaunchText) -> tuple[Literal | Substitution, ...]:
-    return tuple(part for part in text.parts if isinstance(part, Literal) or part.name != UNKNOWN)
